@@ -16,6 +16,9 @@ namespace {
 constexpr const char* radial_header = "frequency,power,anisotropy_db,samples,power_error";
 constexpr const char* pair_correlation_header = "distance,pair_correlation,standard_error,pairs";
 constexpr const char* number_variance_header = "radius,points,variance,standard_error";
+constexpr const char* region_curves_header = "distance,k_isotropic,pair_correlation,pair_correlation_low,pair_"
+                                             "correlation_high,k,k_low,k_high,nearest,nearest_low,"
+                                             "nearest_high,empty_space,empty_space_low,empty_space_high,j,j_low,j_high";
 constexpr const char* zone_plate_header = "distance,frequency,rms_error,pixels";
 
 /// A line for each bin, with the numbers that `row` makes a tuple of.
@@ -57,6 +60,18 @@ std::string number_variance_csv(const std::vector<NumberVarianceBin>& bins)
     });
 }
 
+std::string region_curves_csv(const std::vector<RegionCurveRow>& rows)
+{
+    std::string text = fmt::format("{}\n", region_curves_header);
+    for (const RegionCurveRow& row : rows) {
+        text += fmt::format("{},{}", row.distance, row.k_isotropic);
+        for (std::size_t f = 0; f < region_functions; ++f)
+            text += fmt::format(",{},{},{}", row.value[f], row.low[f], row.high[f]);
+        text += '\n';
+    }
+    return text;
+}
+
 std::string zone_plate_csv(const std::vector<ErrorBin>& bins)
 {
     return csv(zone_plate_header, bins,
@@ -88,6 +103,22 @@ std::vector<NumberVarianceBin> read_number_variance_table(const std::filesystem:
                         finite(row[2], path, bins.size(), "variance"),
                         finite(row[3], path, bins.size(), "standard_error")});
     return bins;
+}
+
+std::vector<RegionCurveRow> read_region_curves(const std::filesystem::path& path)
+{
+    std::vector<RegionCurveRow> rows;
+    for (const auto& numbers : read_number_table(path, region_curves_header, "distances")) {
+        RegionCurveRow& row = rows.emplace_back();
+        row.distance = numbers[0];
+        row.k_isotropic = numbers[1];
+        for (std::size_t f = 0; f < region_functions; ++f) {
+            row.value[f] = numbers[2 + 3 * f];
+            row.low[f] = numbers[3 + 3 * f];
+            row.high[f] = numbers[4 + 3 * f];
+        }
+    }
+    return rows;
 }
 
 std::vector<ErrorBin> read_zone_plate_table(const std::filesystem::path& path)

@@ -45,6 +45,22 @@ struct FoldedDensityFile
     bool operator==(const FoldedDensityFile&) const = default;
 };
 
+/// The region of the plane that sets lie in.
+struct RegionResult
+{
+    std::string name;       ///< as it was typed, files without their folder
+    double area = 0;        ///< in squares of its units
+    double unit_length = 1; ///< of the results' lengths, in its units: the root of the area
+    std::size_t polygons = 0, corners = 0;
+    bool has_density = false;    ///< K and g are those of points that follow a density
+    std::size_t envelope = 0;    ///< random sets of the envelopes
+    double covariance_error = 0; ///< of the table of the set covariance, as a share of the area; 0: there was none
+    std::string file;            ///< curves, relative to the run's folder; empty: of sets of one point
+    std::string picture_file;    ///< the first set in the region, marks; empty: none was made
+
+    bool operator==(const RegionResult&) const = default;
+};
+
 /// A number that stands for all realizations, or for the first one.
 struct Estimate
 {
@@ -103,6 +119,7 @@ struct Series
     std::string pair_correlation_file;               ///< empty: sets of one point
     std::string number_variance_file;                ///< empty: sets of a few points
     std::optional<FoldedDensityFile> folded_density; ///< of tilings of the plane
+    std::optional<RegionResult> region;              ///< of sets in a region, not on the torus
     std::optional<Iterations> iterations;
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::string> point_files;  ///< none of sets that were read in pieces

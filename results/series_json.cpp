@@ -43,6 +43,20 @@ void members(JsonMembers& m, Stored<FoldedDensityFile> auto& folded)
     m.file_name("file", folded.file);
 }
 
+void members(JsonMembers& m, Stored<RegionResult> auto& region)
+{
+    m.member("name", region.name);
+    m.member("area", region.area);
+    m.member("unit_length", region.unit_length);
+    m.member("polygons", region.polygons, 1);
+    m.member("corners", region.corners, 3);
+    m.if_any("has_density", region.has_density);
+    m.if_any("envelope", region.envelope);
+    m.if_any("covariance_error", region.covariance_error);
+    if (m.is_there("file", !region.file.empty())) m.file_name("file", region.file);
+    if (m.is_there("picture_file", !region.picture_file.empty())) m.file_name("picture_file", region.picture_file);
+}
+
 void members(JsonMembers& m, Stored<RegionPoints> auto& region)
 {
     m.member("points", region.points);
@@ -176,6 +190,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.group_if(!series.number_variance_file.empty(), "number_variance",
                [&](JsonMembers& variance) { variance.file_name("file", series.number_variance_file); });
     m.object("folded_density", series.folded_density);
+    m.object("region", series.region);
     if (series.iterations && series.iterations->realizations.empty())
         m.json("iterations", null); // without finite means
     else

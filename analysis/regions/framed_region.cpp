@@ -1,6 +1,7 @@
 #include "analysis/regions/framed_region.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -44,12 +45,29 @@ PlaneRegion framed_polygons(const PlaneRegion& region, const std::array<double, 
     return framed;
 }
 
+void add_ring_to(Xxh64& hash, const RegionRing& ring)
+{
+    hash.add(fmt::format("{} ", ring.size()));
+    hash.add({reinterpret_cast<const char*>(ring.data()), ring.size() * sizeof(ring[0])});
+}
+
+std::uint64_t hash_of(const PlaneRegion& region)
+{
+    Xxh64 hash;
+    for (const RegionPolygon& polygon : region.polygons) {
+        hash.add(fmt::format("{} holes ", polygon.holes.size()));
+        add_ring_to(hash, polygon.outline);
+        for (const RegionRing& hole : polygon.holes) add_ring_to(hash, hole);
+    }
+    return hash.value();
+}
+
 }
 
 FramedRegion::FramedRegion(const PlaneRegion& region, std::string name)
     : name_(std::move(name)), fixed_(region), low_(fixed_.box().low), side_(fixed_.unit() * positions),
-      polygons_(framed_polygons(region, low_, side_)), boundary_(polygons_), area_(area_of(polygons_)),
-      unit_length_(std::sqrt(area_))
+      polygons_(framed_polygons(region, low_, side_)), boundary_(polygons_), hash_(hash_of(region)),
+      area_(area_of(polygons_)), unit_length_(std::sqrt(area_))
 {}
 
 bool FramedRegion::contains(const std::array<double, 2>& place) const

@@ -4,7 +4,7 @@
 // times side() are lengths in the region's own units.
 #pragma once
 
-#include "analysis/regions/region_boundary.hpp"
+#include "analysis/regions/boundary_edges.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/plane_region.hpp"
@@ -24,7 +24,9 @@ public:
 
     /// The polygons in the frame: outlines go round against the clock, holes with it.
     const PlaneRegion& polygons() const { return polygons_; }
-    const RegionBoundary& boundary() const { return boundary_; }
+    const BoundaryEdges& boundary() const { return boundary_; }
+
+    std::uint64_t hash() const { return hash_; } ///< of all corners
 
     double side() const { return side_; } ///< of the frame, in the region's units
     double area() const { return area_; } ///< in squares of the frame
@@ -56,7 +58,8 @@ private:
     std::array<double, 2> low_{};
     double side_ = 1;
     PlaneRegion polygons_;
-    RegionBoundary boundary_;
+    BoundaryEdges boundary_;
+    std::uint64_t hash_ = 0;
     double area_ = 0;
     double unit_length_ = 0;
 };

@@ -64,7 +64,7 @@ private:
         points_.for_each_near(place, reach + distances_.half_width, [&](std::size_t j, double squared) {
             if (i == j) return;
             const double distance = std::sqrt(squared), weight = inverse_[i] * inverse_[j];
-            if (is_isotropic_ && distance <= reach && distance > 0) {
+            if (is_isotropic_ && distance <= reach) {
                 const double share = distance <= boundary ? 1 : share_of_circle(place, distance, edges);
                 sums.isotropic[bin_of(distance)] += weight / std::max(share, least_share);
             }

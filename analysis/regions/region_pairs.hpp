@@ -43,8 +43,9 @@ struct PairDistances
     double reach() const { return step * static_cast<double>(count); }
 };
 
-/// The curves of two points or more. `intensity`: at each point, in points per square of the frame; empty: the same
-/// everywhere. Any number of threads gives the same bytes. Without `is_isotropic` there is no k_isotropic.
+/// The curves of two points or more; points that coincide count for K, but not for g_smooth. `intensity`: at each
+/// point, in points per square of the frame; empty: the same everywhere. Any number of threads gives the same bytes.
+/// Without `is_isotropic` there is no k_isotropic.
 PairCurves region_pairs(const PointSet& points, const FramedRegion& region, const SetCovariance& covariance,
                         const PairDistances& distances, std::span<const double> intensity = {},
                         bool is_isotropic = true);

@@ -132,20 +132,29 @@ double SetCovariance::at(double x, double y) const
     return cells_ == 0 || y > most || std::abs(x) > most ? exact(x, y) : in_table(x, y);
 }
 
+/// Step by step, as what is left need not fall all the way; the last step is halved.
 double SetCovariance::reach(double share, double most) const
 {
-    constexpr int directions = 64, steps = 64;
-    double reach = most;
-    for (int d = 0; d < directions; ++d) {
+    constexpr int directions = 16, steps = 16, halvings = 8;
+    std::array<double, directions> reaches{};
+    tbb::parallel_for(0, directions, [&](int d) {
         const double angle = std::numbers::pi * d / directions;
         const auto leaves_enough = [&](double length) {
             return exact(length * std::cos(angle), length * std::sin(angle)) >= share * area_;
         };
-        // Step by step: what is left need not fall all the way.
-        for (int k = 1; k <= steps && k * most / steps <= reach; ++k)
-            if (!leaves_enough(k * most / steps)) reach = (k - 1) * most / steps;
-    }
-    return reach;
+        double low = 0, high = most;
+        for (int k = 1; k <= steps; ++k) {
+            high = k * most / steps;
+            if (!leaves_enough(high)) break;
+            low = high;
+        }
+        for (int k = 0; k < halvings && low < high; ++k) {
+            const double middle = (low + high) / 2;
+            (leaves_enough(middle) ? low : high) = middle;
+        }
+        reaches[static_cast<std::size_t>(d)] = low;
+    });
+    return std::ranges::min(reaches);
 }
 
 }

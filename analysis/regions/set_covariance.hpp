@@ -14,7 +14,7 @@
 // other, at least to the edges.
 #pragma once
 
-#include "analysis/regions/region_boundary.hpp"
+#include "analysis/regions/boundary_edges.hpp"
 
 #include <array>
 #include <cstddef>
@@ -43,7 +43,7 @@ public:
     /// some 4,000), as a share of the area; 0 without a table.
     double table_error() const { return table_error_; }
 
-    /// The longest length, up to `most`, for which vectors in all of 64 directions leave at least this share of the
+    /// The longest length, up to `most`, for which vectors in all of 16 directions leave at least this share of the
     /// area.
     double reach(double share, double most) const;
 

@@ -85,6 +85,7 @@ void SpectrumEstimate::append(const SpectrumEstimate& other)
 
 void SpectrumEstimate::compute_periodogram(const PointSet& points)
 {
+    if (compute_) return compute_(points, periodogram_);
     if (method_ == PeriodogramMethod::exact) {
         periodogram_ = half_of(exact_periodogram(points, size_), dimension_, size_);
         return;

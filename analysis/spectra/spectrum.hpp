@@ -14,8 +14,10 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -78,6 +80,12 @@ public:
 
     int dimension() const { return dimension_; }
 
+    /// Periodograms are those of points in a region: `compute` makes them.
+    void compute_by(std::function<void(const PointSet& points, HalfSpectrum& periodogram)> compute)
+    {
+        compute_ = std::move(compute);
+    }
+
     /// Adds the periodogram of one realization. Throws InputError when the number of points
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
@@ -125,6 +133,7 @@ private:
     std::vector<std::vector<double>> radial_curves_;
     std::vector<std::vector<double>> wide_curves_; ///< in bins of bin_width; empty where that is 1
     std::unique_ptr<FastPeriodogram> fast_;
+    std::function<void(const PointSet&, HalfSpectrum&)> compute_; ///< empty: by the method
 };
 
 /// The periodogram of one set on M x M (x M) integer frequencies, by the exact sum: every transform value is

@@ -5,6 +5,7 @@
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
+#include "experiment/series/region_points.hpp"
 
 namespace poissonlab {
 namespace {
@@ -18,6 +19,8 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
   --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
+  --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
+  --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 
 struct AnalyzeOptions
@@ -26,6 +29,7 @@ struct AnalyzeOptions
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
     std::string domain; ///< as for parse_range(); empty: what the files say
+    std::string region; ///< as for read_region(); empty: sets fill their square
     std::vector<std::string> overrides;
     bool gallery = false;
     bool in_pieces = false;
@@ -33,6 +37,20 @@ struct AnalyzeOptions
     bool quiet = false;
     std::string command;
 };
+
+/// --region as the key of [analysis] that it stands for.
+ConfigTable region_entry(const AnalyzeOptions& options)
+{
+    ConfigTable entries;
+    if (options.region.empty()) return entries;
+    ConfigEntry& entry = entries.emplace_back();
+    entry.key = "region";
+    entry.node.value = options.region;
+    entry.node.text = options.region;
+    entry.node.location.file = "analyze: --region";
+    entry.node.location.is_argument = true;
+    return entries;
+}
 
 void analyze(const AnalyzeOptions& options)
 {
@@ -44,12 +62,17 @@ void analyze(const AnalyzeOptions& options)
             throw InputError("analyze: --domain " + options.domain +
                              ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
+    const ConfigTable entries = region_entry(options);
+    const auto region = overridden_region(options.overrides, entries);
+    if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
+    if (region && options.in_pieces) throw InputError("analyze: --in-pieces does not go with --region");
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
                              options.in_pieces};
-    Experiment experiment = import_points(options.files, options.label, domain, large);
+    Experiment experiment = region ? import_region_points(options.files, options.label, *region->region)
+                                   : import_points(options.files, options.label, domain, large);
     experiment.overrides = options.overrides;
-    experiment.analysis = overridden_analysis(options.overrides, experiment.dimension);
+    experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
     check_imported(experiment);
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
@@ -71,6 +94,10 @@ Command analyze_command(const std::string& typed)
              {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
              {"--domain", &o->domain,
               "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+             {"--region", &o->region,
+              "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
+              "X0 Y0 X1 Y1, disk X Y RADIUS",
+              "REGION"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
              {"--in-pieces", &o->in_pieces,
               "Read each file in pieces and keep its points on the disk, as is done of more than 16,777,216"},

@@ -32,6 +32,7 @@ std::string shown(std::string_view text)
 /// The end of the message about a number that is no coordinate: the numbers that are.
 std::string allowed_coordinate(double value, const CoordinateRange& range)
 {
+    if (range.high == any_coordinates.high) return "must be a number";
     const std::string allowed = fmt::format("must be a number in [{}, {})", range.low, range.high);
     if (value == range.high)
         return allowed + fmt::format(", without {0} itself (on the torus, {0} is {1})", range.high, range.low);
@@ -74,7 +75,7 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
 
 double to_unit(double value, const CoordinateRange& range)
 {
-    if (std::isinf(range.high)) return value; // of no range
+    if (range.high == any_coordinates.high) return value;
     // The quotient can round to 1.
     return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
 }

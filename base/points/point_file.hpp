@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,13 +22,17 @@ struct CoordinateRange
     double high = 1;
 };
 
+/// All numbers, which stay as they are: of points in units of their own.
+inline constexpr CoordinateRange any_coordinates{-std::numeric_limits<double>::infinity(),
+                                                 std::numeric_limits<double>::infinity()};
+
 /// The range that `LOW:HIGH` says, or `HIGH` for 0:HIGH, such as "512" or "-1:1". Nothing for any other text, and where
 /// LOW is not below HIGH.
 std::optional<CoordinateRange> parse_range(std::string_view text);
 
 /// Reads the point sets of a file, one a realization. Coordinates are in `range`; when that is not given, in the range
 /// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped
-/// to [0, 1).
+/// to [0, 1), but for any_coordinates, which stay as they are.
 ///
 /// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
 /// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold

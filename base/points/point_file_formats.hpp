@@ -62,10 +62,10 @@ CoordinateRange declared_range(const PointFileContent& file);
 /// The first line of comma-separated values in 2D and 3D.
 inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";
 
-/// False for NaN as well.
+/// False for NaN and infinite numbers as well.
 inline bool is_coordinate(double value, const CoordinateRange& range)
 {
-    return value >= range.low && value < range.high;
+    return value >= range.low && value < range.high && value > any_coordinates.low;
 }
 
 /// The coordinate mapped from its range to [0, 1); unchanged if that is its range, or if the range has no end.

@@ -47,12 +47,26 @@ bool read_flag_for(const ConfigTable& table, const std::string& key, int dimensi
     return flag;
 }
 
+/// The table [analysis] of `--set` arguments over these entries.
+ConfigTable overridden_table(const std::vector<std::string>& overrides, const ConfigTable& entries)
+{
+    ConfigTable top{{"analysis", {entries, {}, {}}}};
+    apply_overrides(top, overrides);
+    check_keys(top, {"analysis"});
+    const ConfigNode* analysis = find(top, "analysis");
+    const auto* table = analysis->get_if<ConfigTable>();
+    if (!table) throw invalid_node("analysis", *analysis, "must be a table: --set analysis.KEY=VALUE");
+    check_keys(*table, analysis_option_keys());
+    return *table;
+}
+
 }
 
 const std::vector<std::string>& analysis_option_keys()
 {
-    static const std::vector<std::string> keys = {"spectrum", "spectrum_size", "bin_width", "volume",     "zone_plate",
-                                                  "tiles",    "window",        "measures",  "point_files"};
+    static const std::vector<std::string> keys = {
+        "spectrum", "spectrum_size", "bin_width", "volume", "zone_plate", "tiles",        "window",
+        "measures", "point_files",   "region",    "planar", "density",    "density_from", "envelope"};
     return keys;
 }
 
@@ -69,20 +83,22 @@ AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension
     options.window = read_flag(analysis, "window", false);
     options.distances_only = read_word(analysis, "measures", {"all", "distances"}) == 1;
     options.first_points_only = read_word(analysis, "point_files", {"all", "first"}) == 1;
+    options.region = read_region_options(analysis, dimension);
+    if (options.region && options.spectrum_size > largest_region_spectrum)
+        throw invalid_node("spectrum_size", *find(analysis, "spectrum_size"),
+                           fmt::format("must be at most {} for sets in a region", largest_region_spectrum));
     return options;
 }
 
-AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension)
+AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension,
+                                    const ConfigTable& entries)
 {
-    ConfigTable top;
-    apply_overrides(top, overrides);
-    check_keys(top, {"analysis"});
-    const ConfigNode* analysis = find(top, "analysis");
-    if (!analysis) return {};
-    const auto* table = analysis->get_if<ConfigTable>();
-    if (!table) throw invalid_node("analysis", *analysis, "must be a table: --set analysis.KEY=VALUE");
-    check_keys(*table, analysis_option_keys());
-    return read_analysis_options(*table, dimension);
+    return read_analysis_options(overridden_table(overrides, entries), dimension);
+}
+
+std::optional<RegionOptions> overridden_region(const std::vector<std::string>& overrides, const ConfigTable& entries)
+{
+    return read_region_options(overridden_table(overrides, entries), 2);
 }
 
 }

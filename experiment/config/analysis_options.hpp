@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/spectra/spectrum.hpp"
+#include "experiment/config/region_options.hpp"
 #include "host/settings/config_tree.hpp"
 
 #include <optional>
@@ -13,16 +14,17 @@ namespace poissonlab {
 struct AnalysisOptions
 {
     std::optional<PeriodogramMethod> spectrum = PeriodogramMethod::fast; ///< nothing: no spectra
-    int spectrum_size = 0;          ///< frequency samples along each axis, even; 0: spectrum_size()
-    double bin_width = 1;           ///< of the radial curves' annuli or shells, in frequency samples; at least 1
-    bool volume = false;            ///< whether the whole spectrum is stored; 3D only
-    bool zone_plate = false;        ///< whether sets sample the zone plate; 2D only
-    int tiles = 0;                  ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled
-    std::uint32_t tile_sets = 1;    ///< that realizations take in turn: errors are then between sets
-    bool window = false;            ///< sets are windows of the plane, not tori: see SeriesAnalysis
-    bool progressive = false;       ///< the first points of a set are a set of their own, which is measured
-    bool distances_only = false;    ///< no measures that are slow for large sets: see SeriesAnalysis
-    bool first_points_only = false; ///< of all realizations, only the points of the first are stored
+    int spectrum_size = 0;               ///< frequency samples along each axis, even; 0: spectrum_size()
+    double bin_width = 1;                ///< of the radial curves' annuli or shells, in frequency samples; at least 1
+    bool volume = false;                 ///< whether the whole spectrum is stored; 3D only
+    bool zone_plate = false;             ///< whether sets sample the zone plate; 2D only
+    int tiles = 0;                       ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled
+    std::uint32_t tile_sets = 1;         ///< that realizations take in turn: errors are then between sets
+    bool window = false;                 ///< sets are windows of the plane, not tori: see SeriesAnalysis
+    bool progressive = false;            ///< the first points of a set are a set of their own, which is measured
+    bool distances_only = false;         ///< no measures that are slow for large sets: see SeriesAnalysis
+    std::optional<RegionOptions> region; ///< that sets lie in, where they lie in one: see SeriesAnalysis
+    bool first_points_only = false;      ///< of all realizations, only the points of the first are stored
 };
 
 /// The keys of [analysis] that read_analysis_options() knows.
@@ -32,8 +34,12 @@ const std::vector<std::string>& analysis_option_keys();
 /// allowed. Throws InputError with the value's own line.
 AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension);
 
-/// The options of sets that were not made by a config, from `--set analysis.KEY=VALUE` arguments. Throws
-/// InputError.
-AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension);
+/// The options of sets that were not made by a config, from `--set analysis.KEY=VALUE` arguments, and from entries of
+/// [analysis] that other options stand for. Throws InputError.
+AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension,
+                                    const ConfigTable& entries = {});
+
+/// The region alone, which says where points are before they are read.
+std::optional<RegionOptions> overridden_region(const std::vector<std::string>& overrides, const ConfigTable& entries);
 
 }

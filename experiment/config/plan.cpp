@@ -124,6 +124,14 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.sampler = &sampler;
     series.parameters = chosen_parameters(sampler, method.settings, chosen);
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
+    if (config.analysis.region) {
+        if (!sampler.takes_regions)
+            throw InputError::at(config.analysis.region->where,
+                                 fmt::format("region: does not go with sampler = \"{}\", whose sets fill the unit "
+                                             "square; it is for sets from files",
+                                             sampler.name));
+        series.request.region = config.analysis.region->region;
+    }
     check_sampler(sampler, series.parameters, series.request, method.where);
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
     if (is_ordered(series.parameters)) {

@@ -7,10 +7,13 @@
 #include "analysis/tilings/lattice_share.hpp"
 #include "base/geometry/relative_radius.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace poissonlab {
 namespace {
@@ -51,6 +54,11 @@ SeriesAnalysis::SetMeasures SeriesAnalysis::measures_of(std::size_t points, int 
 
 SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
 {
+    if (options_.region) {
+        const NearestInPlane nearest = nearest_in_plane(points, *options_.region->region);
+        const double least = nearest.least / unit_length(), mean = nearest.mean / unit_length();
+        return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
+    }
     const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
     const double mean = options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points);
     return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
@@ -90,9 +98,9 @@ void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) 
 /// Keeps the set for measures of the first one.
 void SeriesAnalysis::keep_first(const PointSet& points)
 {
-    if (begin_.realization == 0 && !options_.distances_only && !options_.window &&
-        points.size() <= most_points_triangulated)
-        first_ = points;
+    const bool is_triangulated =
+        !options_.distances_only && !options_.window && points.size() <= most_points_triangulated;
+    if (begin_.realization == 0 && (options_.region || is_triangulated)) first_ = points;
 }
 
 template <class Points>
@@ -132,6 +140,8 @@ bool SeriesAnalysis::add_set(const Points& points)
     if (variance_) variance_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
+    if constexpr (std::is_same_v<Points, PointSet>) // sets in regions are in memory
+        if (region_) region_->add(points, fmt::format("{}: realization {}", label_, set.realization));
     count_seconds();
     return true;
 }

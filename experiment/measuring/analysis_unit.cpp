@@ -87,6 +87,9 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         write_text(file_names::pair_correlation, pair_correlation_csv(pairs));
     if (const auto variance = series_.number_variance(); !variance.empty())
         write_text(file_names::number_variance, number_variance_csv(variance));
+    if (const auto curves = series_.region_curves(); !curves.empty())
+        write_text(file_names::region_curves, region_curves_csv(curves));
+    if (!series_.region_picture().empty()) write_text(file_names::region_picture, series_.region_picture());
     if (const auto folded = series_.folded_density()) {
         write_square_image(store.file(key, file_names::folded_density), *folded, metadata);
         files.emplace_back(file_names::folded_density);

@@ -3,10 +3,12 @@
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
+#include "analysis/regions/region_transform.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "experiment/measuring/region_picture.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +49,12 @@ void SeriesAnalysis::start()
     if (has_spectrum()) start_spectrum();
     if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
     if (options_.tiles > 0 && dimension_ == 2) folded_.emplace(options_.tiles, begin_.points);
+    if (options_.region) {
+        if (has_pairs_)
+            region_.emplace(options_.region->region, options_.region->density, begin_.points,
+                            options_.region->envelope);
+        return;
+    }
     if (begin_.points >= NumberVarianceEstimate::least_points(dimension_))
         variance_.emplace(dimension_, begin_.points, options_.window);
     if (options_.distances_only) return;
@@ -64,18 +72,28 @@ void SeriesAnalysis::start_pairs()
 void SeriesAnalysis::start_spectrum()
 {
     spectrum_size_ = options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
+    if (options_.region) spectrum_size_ = std::min(spectrum_size_, largest_region_spectrum);
     if (RadialBins(spectrum_size_, options_.bin_width).count() < 2)
         throw InputError(fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
                                      "size {}",
                                      label_, options_.bin_width, spectrum_size_ / 2 - 1,
                                      dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
+    if (!options_.region) return;
+    const auto periodogram = std::make_shared<RegionPeriodogram>(options_.region->region, spectrum_size_,
+                                                                 options_.spectrum == PeriodogramMethod::exact);
+    estimate_->compute_by(
+        [periodogram](const PointSet& points, HalfSpectrum& power) { periodogram->compute(points, power); });
 }
+
+/// Lengths of the sets' square over those of results.
+double SeriesAnalysis::unit_length() const { return options_.region ? options_.region->region->unit_length() : 1; }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
 void SeriesAnalysis::leave_out_pairs()
 {
     pairs_.reset();
+    region_.reset();
     has_pairs_ = false;
 }
 
@@ -99,12 +117,13 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (next.sets_.empty()) return;
     sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
     if (estimate_) estimate_->append(next.estimate_.value());
-    if (!next.pairs_) leave_out_pairs();
+    if (!next.pairs_ && !next.region_) leave_out_pairs();
     if (pairs_) pairs_->append(*next.pairs_);
     if (integration_) integration_->append(next.integration_.value());
     if (seams_) seams_->append(next.seams_.value());
     if (folded_) folded_->append(next.folded_.value());
     if (variance_) variance_->append(next.variance_.value());
+    if (region_) region_->append(next.region_.value());
 }
 
 /// The tile set of each set's realization; none where all have one.
@@ -135,6 +154,24 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     return mean;
 }
 
+RegionResult SeriesAnalysis::region_result() const
+{
+    const FramedRegion& region = *options_.region->region;
+    RegionResult result;
+    result.name = region.name();
+    result.area = region.own_area();
+    result.unit_length = region.unit_length() * region.side();
+    result.polygons = region.polygons().polygons.size();
+    result.corners = corner_count(region.polygons());
+    result.has_density = options_.region->density != nullptr;
+    if (!region_picture_.empty()) result.picture_file = file_names::region_picture;
+    if (!region_ || region_->distances().count == 0) return result;
+    result.envelope = options_.region->envelope;
+    result.covariance_error = region_->covariance().table_error();
+    result.file = file_names::region_curves;
+    return result;
+}
+
 Series SeriesAnalysis::result() const
 {
     Series series;
@@ -162,7 +199,9 @@ Series SeriesAnalysis::result() const
     }
     series.is_window = options_.window;
     series.spectrum_size = spectrum_size_;
-    if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
+    if (options_.region) series.region = region_result();
+    if (region_ ? region_->distances().count > 0 : has_pairs_)
+        series.pair_correlation_file = file_names::pair_correlation;
     if (!number_variance().empty()) series.number_variance_file = file_names::number_variance;
     if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
     series.analysis_seconds = seconds_;
@@ -173,6 +212,10 @@ void SeriesAnalysis::measure_first()
 {
     const PointSet first = std::exchange(first_, {});
     if (first.size() == 0) return;
+    if (options_.region) {
+        region_picture_ = mark_picture_json(region_picture_of(*options_.region->region, first));
+        return;
+    }
     if (first.size() > most_points_triangulated) return; // not of millions of points
     tbb::parallel_invoke([&] { measures_.largest_empty = largest_empty_ball(first); },
                          [&] {
@@ -192,7 +235,7 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     const FrequencyRange low = low_frequency_range(n, mean.dimension);
     measures_.low_frequency_power = low_frequency_power(radial, low);
     if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
-    measure_hyperuniformity(mean);
+    if (!options_.region) measure_hyperuniformity(mean);
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -244,7 +287,13 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
 {
+    if (region_) return region_->pair_correlation();
     return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
+}
+
+std::vector<RegionCurveRow> SeriesAnalysis::region_curves() const
+{
+    return region_ ? region_->rows() : std::vector<RegionCurveRow>{};
 }
 
 std::vector<NumberVarianceBin> SeriesAnalysis::number_variance() const

@@ -7,6 +7,7 @@
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/measures/seam_density.hpp"
 #include "analysis/measures/set_mark.hpp"
+#include "analysis/regions/region_curves.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "experiment/config/analysis_options.hpp"
@@ -46,6 +47,12 @@ void serialize(Archive& archive, Measures& measures)
 /// With options.window sets are windows of the plane, not tori: no distance goes across a border, pairs are counted as
 /// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
 /// largest empty circle, Voronoi cells. The spectrum is that of the window: its border adds a cross on the axes.
+///
+/// With options.region sets lie in the frame of a region, and lengths are in roots of its area: so are frequencies, in
+/// its inverse. Distances are those of the plane, the pair correlation has the translation correction, the spectrum is
+/// that of points less that of the region, see region_transform.hpp, and there are the curves of region_curves.hpp.
+/// The torus's measures are left out: those of windows, number variance, and laws of the lowest frequencies, which the
+/// region's boundary would decide.
 class SeriesAnalysis
 {
 public:
@@ -103,6 +110,12 @@ public:
     /// The mean number variance over the radius; empty where a set has a few points only.
     std::vector<NumberVarianceBin> number_variance() const;
 
+    /// The curves of sets in a region; empty for others, and where sets have one point only. Measures random sets.
+    std::vector<RegionCurveRow> region_curves() const;
+
+    /// The picture of the first set in its region, see mark_picture.hpp; empty for others.
+    const std::string& region_picture() const { return region_picture_; }
+
     /// The density over the tile, of tilings of the plane.
     std::optional<SquareImage> folded_density() const;
 
@@ -132,6 +145,8 @@ public:
         if (integration_) archive(*integration_);
         if (seams_) archive(*seams_);
         if (folded_) archive(*folded_);
+        archive(region_picture_);
+        if (region_) archive(*region_);
     }
 
 private:
@@ -170,6 +185,7 @@ private:
     void keep_first(const PointSet& points);
     void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
+    RegionResult region_result() const;
     std::vector<std::size_t> tile_set_groups() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
@@ -178,6 +194,7 @@ private:
     void start();
     void start_spectrum();
     void start_pairs();
+    double unit_length() const;
     void leave_out_pairs();
     void measure_hyperuniformity(const Spectrum& mean);
     void measure_errors(std::vector<RadialBin> radial, int dimension);
@@ -201,6 +218,8 @@ private:
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<NumberVarianceEstimate> variance_;
     std::optional<IntegrationErrorEstimate> integration_;
+    std::optional<RegionCurves> region_; ///< of sets in a region
+    std::string region_picture_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane
 };

@@ -1,5 +1,6 @@
 #include "experiment/run/make_experiment.hpp"
 
+#include "analysis/regions/framed_region.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/config/plan_memory.hpp"
 #include "experiment/crew/crew.hpp"
@@ -95,6 +96,7 @@ UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
     key.add("sampler", series.sampler->name);
     for (const auto& [name, entry] : series.parameters.given()) key.add(name, to_string(entry.value));
     add_outside_input(key, *series.sampler, series.parameters);
+    if (series.request.region) key.add("region", series.request.region->hash());
     return key.add("points", series.request.points)
         .add("dimension", series.request.dimension)
         .add("seed", series.request.seed)

@@ -80,6 +80,10 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     in_folder(series.pair_correlation_file);
     in_folder(series.number_variance_file);
     if (series.folded_density) in_folder(series.folded_density->file);
+    if (series.region) {
+        in_folder(series.region->file);
+        in_folder(series.region->picture_file);
+    }
     if (series.iterations) in_folder(series.iterations->file);
     if (series.zone_plate) in_folder(series.zone_plate->file);
     if (series.zone_plate) in_folder(series.zone_plate->error_file);

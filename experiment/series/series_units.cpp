@@ -43,20 +43,22 @@ UnitKey SeriesUnits::sample_key(std::uint32_t realization) const
 
 UnitKey SeriesUnits::analysis_of(const char* kind, const RealizationRange& range) const
 {
-    return UnitKey(kind)
-        .add(identity_)
-        .add("analysis code", analysis_version_)
-        .add("first", range.first)
-        .add("count", range.count)
-        .add("spectrum", spectrum_text(options_))
-        .add("spectrum_size", options_.spectrum_size)
-        .add("bin_width", fmt::format("{}", options_.bin_width))
-        .add("volume", options_.volume)
-        .add("zone_plate", options_.zone_plate)
-        .add("tiles", options_.tiles)
-        .add("tile_sets", options_.tile_sets)
-        .add("window", options_.window)
-        .add("distances_only", options_.distances_only);
+    UnitKey key = UnitKey(kind)
+                      .add(identity_)
+                      .add("analysis code", analysis_version_)
+                      .add("first", range.first)
+                      .add("count", range.count)
+                      .add("spectrum", spectrum_text(options_))
+                      .add("spectrum_size", options_.spectrum_size)
+                      .add("bin_width", fmt::format("{}", options_.bin_width))
+                      .add("volume", options_.volume)
+                      .add("zone_plate", options_.zone_plate)
+                      .add("tiles", options_.tiles)
+                      .add("tile_sets", options_.tile_sets)
+                      .add("window", options_.window)
+                      .add("distances_only", options_.distances_only);
+    if (options_.region) key.add("region", options_.region->hash).add("envelope", options_.region->envelope);
+    return key;
 }
 
 UnitKey SeriesUnits::part_key(std::uint32_t number) const { return analysis_of("part of an analysis", part(number)); }

@@ -1,5 +1,6 @@
 #include "host/sampling/file_sampler.hpp"
 
+#include "analysis/regions/framed_region.hpp"
 #include "base/files/file_glob.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
@@ -56,14 +57,23 @@ std::string size_in_words(const std::filesystem::path& file, const PointSet& poi
     return fmt::format("{} has {} {}D points", file.string(), points.size(), points.dimension);
 }
 
+/// The sets of a file: in the unit square, or in the frame of a region.
+std::vector<PointSet> sets_of(const std::filesystem::path& file, const FramedRegion* region)
+{
+    if (!region) return read_points(file);
+    std::vector<PointSet> sets = read_points(file, any_coordinates);
+    for (PointSet& points : sets) points = region->framed(points, file.string());
+    return sets;
+}
+
 /// Reads every realization. Throws InputError where they do not have the same size and dimension.
-std::vector<PointSet> read_realizations(const Parameters& parameters)
+std::vector<PointSet> read_realizations(const Parameters& parameters, const FramedRegion* region)
 {
     std::vector<PointSet> realizations;
     std::filesystem::path first_file;
     for (const std::filesystem::path& file : files_of(parameters)) {
         if (realizations.empty()) first_file = file;
-        for (PointSet& points : read_points(file)) {
+        for (PointSet& points : sets_of(file, region)) {
             realizations.push_back(std::move(points));
             const PointSet& first = realizations.front();
             const PointSet& last = realizations.back();
@@ -82,7 +92,7 @@ void check_file(const Parameters& parameters, const SampleRequest& request, cons
     if (!parameters.is_given(path_key) || parameters.texts(path_key).empty()) {
         throw InputError::at(where, "path: must be given: a file, a glob, or a list of these");
     }
-    const std::vector<PointSet> realizations = read_realizations(parameters);
+    const std::vector<PointSet> realizations = read_realizations(parameters, request.region.get());
     if (realizations.front().dimension != request.dimension) {
         throw path_error(parameters, to_string(ParameterValue(parameters.texts(path_key))),
                          fmt::format("holds {}D points; the experiment has dimension = {}",
@@ -119,7 +129,12 @@ SamplerSpec file_sampler()
                         .help = "point files: names and globs, relative to the folder of the config"}};
     spec.has_own_points = true;
     spec.check = check_file;
-    spec.available_realizations = [](const Parameters& parameters) { return read_realizations(parameters).size(); };
+    spec.takes_regions = true;
+    spec.available_realizations = [](const Parameters& parameters) {
+        std::size_t count = 0;
+        for (const auto& file : files_of(parameters)) count += read_points(file, any_coordinates).size();
+        return count;
+    };
     spec.outside_input = [](const Parameters& parameters) {
         Xxh64 hash;
         for (const std::filesystem::path& file : files_of(parameters)) {
@@ -129,8 +144,8 @@ SamplerSpec file_sampler()
         }
         return hash.value();
     };
-    spec.create = [](const Parameters& parameters, const SampleRequest&, Engine, const DeviceProvider&) {
-        return std::make_unique<FileSampler>(read_realizations(parameters));
+    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<FileSampler>(read_realizations(parameters, request.region.get()));
     };
     return spec;
 }

@@ -28,13 +28,17 @@ class AnalysedSets
 public:
     AnalysedSets(const std::vector<AnyArray>& arrays, const std::string& label, const std::vector<std::string>& changes)
     {
-        for (std::size_t i = 0; i < arrays.size(); ++i)
-            sets_.push_back(point_set_of(arrays[i], fmt::format("{}: realization {}", label, i)));
+        const auto options = said_by_call([&] { return overridden_region(changes, {}); });
+        for (std::size_t i = 0; i < arrays.size(); ++i) {
+            const std::string name = fmt::format("{}: realization {}", label, i);
+            sets_.push_back(point_set_of(arrays[i], name, options.has_value()));
+            if (options) sets_.back() = options->region->framed(sets_.back(), name);
+        }
         if (sets_.empty()) throw InputError(label + ": there are no points");
         without_lock([&] {
             experiment_ = import_sets(sets_, label);
             experiment_.overrides = changes;
-            experiment_.analysis = options_of(changes);
+            experiment_.analysis = said_by_call([&] { return overridden_analysis(changes, dimension()); });
             analyse();
         });
     }
@@ -44,6 +48,7 @@ public:
     const std::vector<RadialBin>& radial() const { return radial_; }
     const std::vector<PairCorrelationBin>& pairs() const { return pairs_; }
     const std::vector<NumberVarianceBin>& number_variance() const { return number_variance_; }
+    const std::vector<RegionCurveRow>& region() const { return region_; }
     const std::vector<PointSet>& sets() const { return sets_; }
     const std::vector<Spectrum>& spectra() const { return spectra_; }
     static bool are_planes() { return false; }
@@ -66,10 +71,12 @@ public:
     }
 
 private:
-    AnalysisOptions options_of(const std::vector<std::string>& changes) const
+    /// Does what may throw InputError because of an argument, and says so.
+    template <class Work>
+    static auto said_by_call(const Work& work)
     {
         try {
-            return overridden_analysis(changes, dimension());
+            return work();
         } catch (const InputError& error) {
             throw error.place().is_argument ? error.moved_to({"analyze"}) : error;
         }
@@ -115,6 +122,7 @@ private:
         analysis.measure_first();
         pairs_ = analysis.pair_correlation();
         number_variance_ = analysis.number_variance();
+        region_ = analysis.region_curves();
         series_ = analysis.result();
         series_.name = experiment_.series.front().name;
         series_.label = experiment_.series.front().label;
@@ -133,6 +141,7 @@ private:
     std::vector<RadialBin> radial_;
     std::vector<PairCorrelationBin> pairs_;
     std::vector<NumberVarianceBin> number_variance_;
+    std::vector<RegionCurveRow> region_;
     std::vector<Spectrum> spectra_; ///< one, or none
 };
 

@@ -15,7 +15,7 @@ pybind11::array_t<double> array_of(PointSet points)
     return array_of(std::move(points.coordinates), {size, points.dimension});
 }
 
-PointSet point_set_of(const AnyArray& array, const std::string& name)
+PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_own_units)
 {
     if (array.ndim() != 2 || (array.shape(1) != 2 && array.shape(1) != 3)) {
         std::string shape;
@@ -26,10 +26,12 @@ PointSet point_set_of(const AnyArray& array, const std::string& name)
     if (array.size() == 0) throw InputError(name + ": has no points");
     PointSet points{static_cast<int>(array.shape(1)), {array.data(), array.data() + array.size()}};
     const auto& x = points.coordinates;
-    const auto outside = std::ranges::find_if(x, [](double value) { return !(value >= 0 && value < 1); });
+    const auto outside = std::ranges::find_if(
+        x, [&](double value) { return has_own_units ? !std::isfinite(value) : !(value >= 0 && value < 1); });
     if (outside != x.end())
-        throw InputError(fmt::format("{}: point {}: {}: must be a number in [0, 1)", name,
-                                     (outside - x.begin()) / points.dimension, *outside));
+        throw InputError(fmt::format("{}: point {}: {}: must be a number{}", name,
+                                     (outside - x.begin()) / points.dimension, *outside,
+                                     has_own_units ? "" : " in [0, 1)"));
     return points;
 }
 

@@ -36,9 +36,9 @@ pybind11::array_t<T> column_of(const std::vector<Item>& items, Member Item::*mem
 /// The points as an array of shape (points, dimension).
 pybind11::array_t<double> array_of(PointSet points);
 
-/// The set of an array of shape (points, 2) or (points, 3) with coordinates in [0, 1). `name` is how messages call it.
-/// Throws InputError.
-PointSet point_set_of(const AnyArray& array, const std::string& name);
+/// The set of an array of shape (points, 2) or (points, 3) with coordinates in [0, 1), or any numbers where they are in
+/// units of their own. `name` is how messages call it. Throws InputError.
+PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_own_units = false);
 
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape)

@@ -45,6 +45,10 @@ public:
     {
         return read(series().number_variance_file, read_number_variance_table);
     }
+    std::vector<RegionCurveRow> region() const
+    {
+        return read(series().region ? series().region->file : std::string(), read_region_curves);
+    }
     std::vector<Spectrum> spectra() const { return read(series().spectrum_file, read_spectrum_planes); }
     bool are_planes() const { return dimension() == 3; }
 

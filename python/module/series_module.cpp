@@ -3,6 +3,7 @@
 #include "analysis/spectra/spectrum_planes.hpp"
 #include "results/measures.hpp"
 
+#include <array>
 #include <utility>
 
 namespace py = pybind11;
@@ -53,6 +54,25 @@ py::dict columns_of(const std::vector<PairCorrelationBin>& bins)
     columns["value"] = column_of<double>(bins, &PairCorrelationBin::value);
     columns["error"] = column_of<double>(bins, &PairCorrelationBin::standard_error);
     columns["pairs"] = column_of<double>(bins, &PairCorrelationBin::pairs);
+    return columns;
+}
+
+py::dict columns_of(const std::vector<RegionCurveRow>& rows)
+{
+    constexpr std::array<const char*, region_functions> names{"pair_correlation", "k", "nearest", "empty_space", "j"};
+    py::dict columns;
+    columns["distance"] = column_of<double>(rows, &RegionCurveRow::distance);
+    columns["k_isotropic"] = column_of<double>(rows, &RegionCurveRow::k_isotropic);
+    for (std::size_t f = 0; f < region_functions; ++f) {
+        const auto add = [&](const std::string& name, auto member) {
+            std::vector<double> values;
+            for (const RegionCurveRow& row : rows) values.push_back((row.*member)[f]);
+            columns[name.c_str()] = array_of(std::move(values));
+        };
+        add(names[f], &RegionCurveRow::value);
+        add(std::string(names[f]) + "_low", &RegionCurveRow::low);
+        add(std::string(names[f]) + "_high", &RegionCurveRow::high);
+    }
     return columns;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
+#include "analysis/regions/region_curves.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "base/geometry/point_set.hpp"
@@ -22,6 +23,7 @@ namespace poissonlab {
 pybind11::dict columns_of(const std::vector<RadialBin>& bins);
 pybind11::dict columns_of(const std::vector<PairCorrelationBin>& bins);
 pybind11::dict columns_of(const std::vector<NumberVarianceBin>& bins);
+pybind11::dict columns_of(const std::vector<RegionCurveRow>& rows);
 
 /// The spectra by their planes: "" for all of a spectrum, shape (size, size) or, in 3D, (size, size, size).
 pybind11::dict planes_of(std::vector<Spectrum> spectra, bool are_planes, bool variance);
@@ -32,7 +34,7 @@ pybind11::dict measures_of(const Series& series, int dimension);
 /// The pictures of a figure.
 pybind11::list pictures_of(const std::vector<FigurePicture>& pictures);
 
-/// Binds a class with the functions series(), dimension(), radial(), pairs(), number_variance(), spectra(),
+/// Binds a class with the functions series(), dimension(), radial(), pairs(), number_variance(), region(), spectra(),
 /// are_planes(), sets() and figure().
 template <typename Source, typename Class>
 void bind_series(Class& type)
@@ -47,6 +49,7 @@ void bind_series(Class& type)
         .def("pairs", [](const Source& s) { return columns_of(without_lock([&] { return s.pairs(); })); })
         .def("number_variance",
              [](const Source& s) { return columns_of(without_lock([&] { return s.number_variance(); })); })
+        .def("region", [](const Source& s) { return columns_of(without_lock([&] { return s.region(); })); })
         .def("spectra",
              [](const Source& s, bool variance) {
                  return planes_of(without_lock([&] { return s.spectra(); }), s.are_planes(), variance);

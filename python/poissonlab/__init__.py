@@ -19,7 +19,7 @@ from . import distribute, texture, tilings
 from . import samplers as _samplers
 from ._poissonlab import DeviceError, InputError, StorageError
 from ._poissonlab import version as __version__
-from .analysis import Analysis, Measure, NumberVariance, PairCorrelation, Radial, analyze
+from .analysis import Analysis, Measure, NumberVariance, PairCorrelation, Radial, RegionCurves, analyze
 from .points import read_points, write_points
 from .results import Results, open, run
 from .samplers import *  # noqa: F403: a class for every method
@@ -28,7 +28,7 @@ from .tiles import Certificate, NearestPoints, TilePoints, TileSet
 # Not `open`, so that `from poissonlab import *` leaves the interpreter's own.
 __all__ = [
     "Analysis", "Certificate", "DeviceError", "InputError", "Measure", "NearestPoints", "NumberVariance",
-    "PairCorrelation", "Radial", "Results", "StorageError", "TilePoints", "TileSet", "analyze", "distribute",
-    "read_points", "run", "texture", "tiles", "tilings", "write_points",
+    "PairCorrelation", "Radial", "RegionCurves", "Results", "StorageError", "TilePoints", "TileSet", "analyze",
+    "distribute", "read_points", "run", "texture", "tiles", "tilings", "write_points",
     *_samplers.__all__,
 ]

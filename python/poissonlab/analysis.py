@@ -51,6 +51,31 @@ class NumberVariance(NamedTuple):
     error: numpy.ndarray     #: standard error over the realizations; 0 for a single one
 
 
+class RegionCurves(NamedTuple):
+    """Curves of points in a region over distance, in the region's units. Arrays of shape (distances,).
+
+    Of each curve, `_low` and `_high` are the least and the largest of random sets of as many points in the region.
+    """
+
+    distance: numpy.ndarray               #: in units of the region
+    k_isotropic: numpy.ndarray            #: Ripley's K with his isotropic correction, in squares of these units
+    pair_correlation: numpy.ndarray       #: g by a kernel; 1 for independent points
+    pair_correlation_low: numpy.ndarray
+    pair_correlation_high: numpy.ndarray
+    k: numpy.ndarray                      #: K with the translation correction; pi r^2 for independent points
+    k_low: numpy.ndarray
+    k_high: numpy.ndarray
+    nearest: numpy.ndarray                #: G, the share of points with a neighbour that near
+    nearest_low: numpy.ndarray
+    nearest_high: numpy.ndarray
+    empty_space: numpy.ndarray            #: F, the share of places with a point that near
+    empty_space_low: numpy.ndarray
+    empty_space_high: numpy.ndarray
+    j: numpy.ndarray                      #: (1 - G) / (1 - F); nan where fewer than a thousandth of places are left
+    j_low: numpy.ndarray
+    j_high: numpy.ndarray
+
+
 class Measure(NamedTuple):
     """One number that is measured on a series."""
 
@@ -145,6 +170,11 @@ class Analysis:
         return NumberVariance(**frozen_columns(self._source.number_variance()))
 
     @cached_property
+    def region(self) -> RegionCurves:
+        """The curves of points in a region: a RegionCurves, without distances for sets on the torus."""
+        return RegionCurves(**frozen_columns(self._source.region()))
+
+    @cached_property
     def spectrum(self) -> Optional[numpy.ndarray]:
         """The mean power of each frequency, shape (M, M), in 3D (M, M, M); None where it is not there.
 
@@ -209,7 +239,7 @@ def sets_of(points, domain):
     arrays = [numpy.asarray(item, dtype=float) for item in items]
     if arrays and arrays[0].ndim < 2:  # its items are points
         arrays = [numpy.asarray(items, dtype=float)]
-    return arrays if domain is None else [to_unit(array, domain) for array in arrays]
+    return arrays if domain is None or numpy.isinf(domain[0]) else [to_unit(array, domain) for array in arrays]
 
 
 def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[float, float]] = None,
@@ -220,9 +250,14 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
         file or of several. All sets must have the same number of points.
     label: the name for readers, and for messages.
     domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says.
-    options: keys of a config's [analysis], such as spectrum="exact" or "none", window=True (the sets are windows, not
+    options: keys of a config's [analysis], such as region="park.geojson" (the sets lie in that region, in its units;
+        or anything with a `__geo_interface__`), spectrum="exact" or "none", window=True (the sets are windows, not
         tori), tiles=8 (the sets are made of 8 x 8 tiles), spectrum_size=2048, measures="distances".
     Returns an Analysis. Raises InputError.
     """
+    if options.get("region") is not None:
+        if domain is not None:
+            raise _poissonlab.InputError("analyze: domain: does not go with region, whose units points are in")
+        domain = (-numpy.inf, numpy.inf)  # as they are
     changes = [f"analysis.{key}={toml.value_of(value)}" for key, value in options.items() if value is not None]
     return Analysis(_poissonlab.AnalysedSets(sets_of(points, domain), label, changes))

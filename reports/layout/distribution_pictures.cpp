@@ -3,6 +3,11 @@
 #include "base/files/whole_file.hpp"
 #include "reports/drawings/drawing_pictures.hpp"
 #include "reports/drawings/mark_image.hpp"
+#include "reports/layout/plane_region_panels.hpp"
+#include "results/curve_tables.hpp"
+#include "results/file_names.hpp"
+
+#include <algorithm>
 
 namespace poissonlab {
 
@@ -11,6 +16,22 @@ bool is_of_packings(const ReportDistribution& distribution) { return distributio
 bool is_of_densities(const ReportDistribution& distribution)
 {
     return !is_of_textures(distribution) && !is_of_packings(distribution);
+}
+
+void lay_out_curves(ReportDistribution& distribution)
+{
+    const DistributionResult& stored = *distribution.stored;
+    const auto file = std::ranges::find_if(stored.files, [](const std::string& name) {
+        return name.ends_with(std::string("/") + file_names::region_curves);
+    });
+    if (file == stored.files.end()) return;
+    const auto number = [&](const char* key) {
+        const auto found = std::ranges::find(stored.numbers, key, &DistributionNumber::key);
+        return found == stored.numbers.end() ? 0 : found->value;
+    };
+    const RegionSets sets{number("points") / number("area"), static_cast<std::size_t>(number("envelope")), false,
+                          number("covariance_error"), distribution.run->folder / *file};
+    distribution.curves = region_curve_panels(read_region_curves(sets.file), sets, 0);
 }
 
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture)

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "reports/images/picture_store.hpp"
+#include "reports/layout/panel.hpp"
 #include "results/run.hpp"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -15,12 +17,16 @@ struct ReportDistribution
     const Run* run = nullptr; ///< the runs outlive this
     const DistributionResult* stored = nullptr;
     std::filesystem::path pictures; ///< folder of its pictures
+    std::vector<Panel> curves{};    ///< of points in a region
 };
 
 /// Texture tiles and tile packings have sections of their own.
 bool is_of_textures(const ReportDistribution& distribution);
 bool is_of_packings(const ReportDistribution& distribution);
 bool is_of_densities(const ReportDistribution& distribution); ///< neither
+
+/// Reads what curves show, where there are some. Throws InputError when stored files are not what they should be.
+void lay_out_curves(ReportDistribution& distribution);
 
 /// The PNG of a picture: drawn, or the stored one.
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture);

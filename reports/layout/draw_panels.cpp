@@ -8,6 +8,7 @@
 #include "base/images/grey_image.hpp"
 #include "base/images/square_image_file.hpp"
 #include "reports/drawings/drawing_pictures.hpp"
+#include "reports/drawings/mark_image.hpp"
 #include "reports/drawings/plane_image.hpp"
 #include "reports/images/cube_image.hpp"
 #include "reports/images/density_image.hpp"
@@ -140,6 +141,14 @@ struct Draw
     void operator()(const CellsView& view) const
     {
         write_drawing(folder / panel.stem, draw_cells(view), cells_pixels, store);
+    }
+
+    void operator()(const MarkPanel& marks) const
+    {
+        const Drawing drawing = draw_marks(read_mark_picture(marks.file), marks.file.parent_path());
+        const auto svg = write_drawing(folder / panel.stem, drawing, points_pixels, store);
+        const auto thumbnail = folder / thumbnail_file(panel);
+        store.draw_once({thumbnail}, svg, [&] { write_drawing_png(thumbnail, drawing, thumbnail_size); });
     }
 
     void operator()(const SpectrumPicture& picture) const

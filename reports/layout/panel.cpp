@@ -7,7 +7,7 @@ namespace {
 bool is_vector_graphics(const Panel& panel)
 {
     return panel.plot() || std::holds_alternative<PointsView>(panel.picture) ||
-           std::holds_alternative<CellsView>(panel.picture);
+           std::holds_alternative<CellsView>(panel.picture) || std::holds_alternative<MarkPanel>(panel.picture);
 }
 
 }

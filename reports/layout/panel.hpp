@@ -46,6 +46,12 @@ struct DensityPicture
     int size = 0; ///< pixels along each axis, as results.json says
 };
 
+/// A stored picture of marks, see mark_picture.hpp.
+struct MarkPanel
+{
+    std::filesystem::path file;
+};
+
 /// A stored result that a picture shows, and what a link to it says.
 struct StoredFile
 {
@@ -63,7 +69,7 @@ struct Thumbnail
 struct Panel
 {
     std::string stem; ///< name of its files, without extension
-    std::variant<Plot, PointsView, CellsView, SpectrumPicture, ZonePlatePicture, DensityPicture> picture;
+    std::variant<Plot, PointsView, CellsView, SpectrumPicture, ZonePlatePicture, DensityPicture, MarkPanel> picture;
     std::string title;
     std::string caption = {};
     std::string guide = {}; ///< how to read it, as HTML; empty: that is said elsewhere

@@ -3,6 +3,7 @@
 
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
+#include "analysis/regions/region_curves.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "reports/layout/construction_pictures.hpp"
 #include "reports/layout/distribution_pictures.hpp"
@@ -31,6 +32,7 @@ struct ReportSeries
     Curve curve;
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
     std::vector<NumberVarianceBin> number_variance;   ///< empty for sets of a few points
+    std::vector<RegionCurveRow> region_curves;        ///< empty for sets on the torus
     IterationRecords iterations;                      ///< empty for methods without any
     std::vector<ErrorBin> zone_plate;                 ///< empty for series without the sampling test
     std::vector<Panel> panels;                        ///< its pictures, in the order of its page

@@ -99,13 +99,15 @@ std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const 
     const ReportSeries& series = run.series[index];
     const bool has_points = !series.stored->point_files.empty(); // sets that were read in pieces are not stored
     const PointSet points = has_points ? first_realization(series) : PointSet{};
+    const bool is_in_region = series.stored->region && !series.stored->region->picture_file.empty();
     std::vector<Panel> panels;
-    if (has_points) panels.push_back(points_panel(series, points));
+    if (has_points) panels.push_back(is_in_region ? region_points_panel(series) : points_panel(series, points));
     add_spectrum_panel(series, panels);
     add_curve_panels(series, index, plots, panels);
     add_autocorrelation_panel(series, panels);
     add_folded_density_panel(series, panels);
-    if (has_points && points.dimension == 2) panels.push_back(cells_panel(series, points));
+    add_region_panels(series, index, panels);
+    if (has_points && points.dimension == 2 && !series.stored->region) panels.push_back(cells_panel(series, points));
     add_space_panels(series, panels);
     add_iteration_panels(series, index, plots, panels);
     add_zone_plate_panels(run, index, plots, panels);

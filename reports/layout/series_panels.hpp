@@ -26,11 +26,15 @@ std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const 
 void add_spectrum_panel(const ReportSeries& series, std::vector<Panel>& panels);
 void add_autocorrelation_panel(const ReportSeries& series, std::vector<Panel>& panels);
 void add_folded_density_panel(const ReportSeries& series, std::vector<Panel>& panels);
+void add_region_panels(const ReportSeries& series, std::size_t index, std::vector<Panel>& panels);
 void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels);
 void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels);
 void add_iteration_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots,
                           std::vector<Panel>& panels);
 void add_zone_plate_panels(const ReportRun& run, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels);
+
+/// The first set in its region.
+Panel region_points_panel(const ReportSeries& series);
 
 /// The displacements along each axis up to which the autocorrelation of so many points is shown: 16 mean spacings.
 double autocorrelation_reach(std::size_t points);

@@ -44,6 +44,8 @@ void read_curves(ReportSeries& series)
         series.pair_correlation = read_pair_correlation_table(folder / stored.pair_correlation_file);
     if (!stored.number_variance_file.empty())
         series.number_variance = read_number_variance_table(folder / stored.number_variance_file);
+    if (stored.region && !stored.region->file.empty())
+        series.region_curves = read_region_curves(folder / stored.region->file);
     if (stored.iterations && !stored.iterations->file.empty())
         series.iterations = read_iterations_table(folder / stored.iterations->file);
     if (stored.zone_plate) series.zone_plate = read_zone_plate_table(folder / stored.zone_plate->error_file);
@@ -74,6 +76,7 @@ void lay_out_panels(ReportRun& run)
     run.integration = integration_panels(series);
     run.regions = region_panels(series);
     run.tile_radii = tile_radius_panels(series);
+    tbb::parallel_for_each(run.distributions, lay_out_curves);
 }
 
 }

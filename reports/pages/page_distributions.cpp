@@ -26,6 +26,19 @@ PageData picture_data(const ReportDistribution& distribution, const Distribution
     return data;
 }
 
+PageData curve_data(const ReportDistribution& distribution, const Panel& panel,
+                    const std::filesystem::path& page_folder)
+{
+    PageData data;
+    const std::string svg = relative_link(page_folder, distribution.pictures / shown_file(panel));
+    data.set("source", svg);
+    data.set("title", panel.title);
+    data.set("caption", panel.caption);
+    data.set("how_to_read", panel.guide);
+    data.set("alt", fmt::format("{}: {}. {}", distribution.stored->label, panel.title, panel.caption));
+    return data;
+}
+
 /// Counts have all of their digits.
 std::string number_words(double value)
 {
@@ -102,6 +115,10 @@ PageData distribution_section(const ReportDistribution& distribution, const std:
     data.set("pictures", pictures);
     data.set("has_pictures", !stored.pictures.empty());
     data.set("grid", grid_of_pictures(stored.pictures.size()));
+    PageData curves{PageData::type::list};
+    for (const Panel& panel : distribution.curves) curves << curve_data(distribution, panel, page_folder);
+    data.set("curves", curves);
+    data.set("has_curves", !distribution.curves.empty());
     PageData tables{PageData::type::list};
     for (const DistributionTable& table : stored.tables) tables << table_data(table);
     data.set("tables", tables);

@@ -27,6 +27,16 @@ std::string points_range(const Series& series)
     return fmt::format("{} to {}", format_count(*fewest), format_count(*most));
 }
 
+PageData region_data(const Series& series)
+{
+    if (!series.region) return false;
+    PageData data;
+    data.set("name", series.region->name);
+    data.set("area", format_significant(series.region->area, 5));
+    data.set("unit", format_significant(series.region->unit_length, 5));
+    return data;
+}
+
 }
 
 PageData optional_text(const std::string& text) { return text.empty() ? PageData(false) : PageData(text); }
@@ -40,6 +50,7 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     data.set("parameters", optional_text(parameters_text(series.stored->parameters)));
     data.set("points", format_count(series.stored->points));
     data.set("is_window", series.stored->is_window);
+    data.set("region", region_data(*series.stored));
     data.set("points_range", optional_text(points_range(*series.stored)));
     data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
     const std::size_t repeated = series.stored->repeated.size();

@@ -58,6 +58,8 @@ std::vector<GnuplotPicture> all_plots(const Site& site)
     for (const auto& run : site.runs) {
         for (const auto& series : run.series)
             for (const auto& panel : series.panels) add_plot(panel, series.pictures, plots);
+        for (const auto& distribution : run.distributions)
+            for (const auto& panel : distribution.curves) add_plot(panel, distribution.pictures, plots);
         for (const auto* panels : {&run.overlays, &run.integration, &run.regions, &run.tile_radii})
             for (const auto& panel : *panels) add_plot(panel, run.root, plots);
     }

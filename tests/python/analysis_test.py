@@ -41,6 +41,22 @@ class Analyses(FolderTest):
                              "error": "standard_error"}.items():
             self.assert_same_bytes(getattr(analysis.number_variance, name), stored[column])
 
+    def test_of_points_in_a_region_are_those_of_the_program(self):
+        region = "POLYGON ((0 0, 60 4, 64 40, 40 30, 8 44, 0 0))"
+        points = numpy.random.default_rng(3).uniform((10, 8), (35, 28), (60, 2))
+        out = self.analyzed_by_program([points], "--region", region, "--set", "analysis.envelope=2")
+        analysis = pl.analyze(points, region=region, envelope=2)
+        stored = columns_of(out / "points" / "region.csv")
+        self.assertGreater(len(analysis.region.distance), 50)
+        for name, column in analysis.region._asdict().items():
+            self.assert_same_bytes(column, stored[name])
+            self.assert_same_bytes(getattr(pl.open(out)["points"].region, name), stored[name])
+        self.assertEqual(len(pl.analyze(sets_of(1, 20)).region.distance), 0)
+        with self.assertRaisesRegex(pl.InputError, "1 of 61 points lies not in the region"):
+            pl.analyze(numpy.vstack([points, [[0, 40]]]), region=region)
+        with self.assertRaisesRegex(pl.InputError, "domain: does not go with region"):
+            pl.analyze(points, region=region, domain=(0, 64))
+
     def test_have_the_numbers_of_the_program_bit_for_bit(self):
         for k, n, d, options in ((3, 200, 2, {}), (1, 150, 3, {}), (34, 20, 2, {"spectrum": "exact"}),
                                  (2, 64, 2, {"window": True, "bin_width": 2})):

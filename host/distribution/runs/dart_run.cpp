@@ -8,6 +8,7 @@
 #include "base/regions/region_text.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/region_points.hpp"
+#include "host/distribution/runs/region_curve_files.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -147,6 +148,7 @@ DistributionResult result_of(const RegionDarts& darts, const DartSettings& setti
     write_points(files.add("points.npy"), darts.points);
     result.files.push_back("points.npy");
     result.numbers = dart_numbers(darts);
+    add_region_curves(plane, darts.points, files, result);
     return result;
 }
 

@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-double sinc(double t) { return t == 0 ? 1 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t); }
+double plain_sinc(double t) { return t == 0 ? 1 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t); }
 
 TEST(RegionTransform, OfARectangleIsAProduct)
 {
@@ -20,7 +20,7 @@ TEST(RegionTransform, OfARectangleIsAProduct)
     for (int u = -3; u <= 3; ++u)
         for (int v = -3; v <= 3; ++v) {
             const std::complex<double> expected =
-                sinc(2 * u) * sinc(0.5 * v) * std::polar(1.0, -2 * std::numbers::pi * (u + 0.25 * v));
+                plain_sinc(2 * u) * plain_sinc(0.5 * v) * std::polar(1.0, -2 * std::numbers::pi * (u + 0.25 * v));
             EXPECT_NEAR(std::abs(region_transform(region, u, v) - expected), 0, 1e-14) << u << ", " << v;
         }
 }

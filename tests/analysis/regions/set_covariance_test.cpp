@@ -82,7 +82,7 @@ TEST(SetCovariance, ReachEndsWhereAShareIsLeft)
 {
     const FramedRegion framed({{{{{0, 0}, {1, 0}, {1, 0.1}, {0, 0.1}}}}}, "strip");
     const SetCovariance covariance(framed.boundary().edges());
-    EXPECT_NEAR(covariance.reach(0.1, 1), 0.09, 1.0 / 64);
+    EXPECT_NEAR(covariance.reach(0.1, 1), 0.09, 1.0 / (16 * 256));
     EXPECT_EQ(covariance.reach(0.1, 0.05), 0.05);
 }
 

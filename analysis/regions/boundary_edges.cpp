@@ -1,4 +1,4 @@
-#include "analysis/regions/region_boundary.hpp"
+#include "analysis/regions/boundary_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ void add_ring_edges(const RegionRing& ring, std::vector<RegionEdge>& edges)
 
 }
 
-RegionBoundary::RegionBoundary(const PlaneRegion& polygons)
+BoundaryEdges::BoundaryEdges(const PlaneRegion& polygons)
 {
     for (const RegionPolygon& polygon : polygons.polygons) {
         add_ring_edges(polygon.outline, edges_);
@@ -40,14 +40,14 @@ RegionBoundary::RegionBoundary(const PlaneRegion& polygons)
     for (std::uint32_t number = 0; number < edges_.size(); ++number) list(number);
 }
 
-std::size_t RegionBoundary::cell_along(double coordinate) const
+std::size_t BoundaryEdges::cell_along(double coordinate) const
 {
     const double cell = std::floor(coordinate * static_cast<double>(cells_));
     return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells_ - 1)));
 }
 
 /// Row by row: the part of the edge in a row, and the cells that it spans.
-void RegionBoundary::list(std::uint32_t number)
+void BoundaryEdges::list(std::uint32_t number)
 {
     auto [low, high] = edges_[number];
     if (high[1] < low[1]) std::swap(low, high);
@@ -64,7 +64,7 @@ void RegionBoundary::list(std::uint32_t number)
 }
 
 /// Rings of cells around the place's own, until all that is farther out is farther away than what was found.
-double RegionBoundary::distance(const std::array<double, 2>& place, double most) const
+double BoundaryEdges::distance(const std::array<double, 2>& place, double most) const
 {
     const auto column = static_cast<std::ptrdiff_t>(cell_along(place[0]));
     const auto row = static_cast<std::ptrdiff_t>(cell_along(place[1]));
@@ -90,7 +90,7 @@ double RegionBoundary::distance(const std::array<double, 2>& place, double most)
     return std::sqrt(squared);
 }
 
-std::vector<RegionEdge> RegionBoundary::edges_near(const std::array<double, 2>& place, double reach) const
+std::vector<RegionEdge> BoundaryEdges::edges_near(const std::array<double, 2>& place, double reach) const
 {
     std::vector<std::uint32_t> numbers;
     for (std::size_t row = cell_along(place[1] - reach); row <= cell_along(place[1] + reach); ++row)

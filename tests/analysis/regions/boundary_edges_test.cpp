@@ -1,4 +1,4 @@
-#include "analysis/regions/region_boundary.hpp"
+#include "analysis/regions/boundary_edges.hpp"
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/errors/errors.hpp"
@@ -28,13 +28,13 @@ double distance_plainly(const std::vector<RegionEdge>& edges, const Place& p)
     return least;
 }
 
-TEST(RegionBoundary, DistancesAreThoseOfAllEdges)
+TEST(BoundaryEdges, DistancesAreThoseOfAllEdges)
 {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> coordinate(0, 1);
     for (const PlaneRegion& region : {test::spatstat_polygon, read_region("disk 4 3 2")}) {
         const FramedRegion framed(region, "region");
-        const RegionBoundary& boundary = framed.boundary();
+        const BoundaryEdges& boundary = framed.boundary();
         for (int i = 0; i < 300; ++i) {
             const Place place{coordinate(random), coordinate(random)};
             const double distance = distance_plainly(boundary.edges(), place);

@@ -18,11 +18,11 @@ struct RegionEdge
     std::array<double, 2> to{};
 };
 
-class RegionBoundary
+class BoundaryEdges
 {
 public:
     /// Of polygons in [0, 1) x [0, 1) whose outlines go round against the clock and whose holes with it.
-    explicit RegionBoundary(const PlaneRegion& polygons);
+    explicit BoundaryEdges(const PlaneRegion& polygons);
 
     const std::vector<RegionEdge>& edges() const { return edges_; }
 

@@ -1,0 +1,29 @@
+// The keys of [analysis] that are about sets in a region of the plane: region, planar, density, density_from, envelope.
+#pragma once
+
+#include "analysis/regions/random_in_region.hpp"
+#include "host/settings/config_tree.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace poissonlab {
+
+/// Spectra of sets in regions are made in memory for all of their frequencies at once.
+inline constexpr int largest_region_spectrum = 4096;
+
+struct RegionOptions
+{
+    std::shared_ptr<const FramedRegion> region;
+    std::shared_ptr<const RegionDensity> density; ///< null: points follow none
+    std::uint32_t envelope = 39;                  ///< random sets that curves are held against
+    std::uint64_t hash = 0;                       ///< of all corners and weights, for keys of stored work
+    SourceLocation where;                         ///< where the region was typed
+};
+
+/// Reads them. Names of files count from the folder of the config. Throws InputError with the value's own line; also
+/// for keys that do not go with a region, or not without one.
+std::optional<RegionOptions> read_region_options(const ConfigTable& analysis, int dimension);
+
+}

@@ -1,0 +1,35 @@
+#include "experiment/series/region_points.hpp"
+
+#include "base/points/point_file.hpp"
+#include "experiment/series/imported_points.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
+                                const FramedRegion& region)
+{
+    std::vector<PointSet> sets;
+    std::vector<std::string> paths;
+    for (const auto& file : files) {
+        if (std::filesystem::is_directory(file))
+            throw InputError(file.string() + ": is a folder; files of points are needed");
+        const std::vector<PointSet> read = read_points(file, any_coordinates);
+        for (std::size_t i = 0; i < read.size(); ++i)
+            sets.push_back(region.framed(
+                read[i], read.size() == 1 ? file.string() : fmt::format("{}: realization {}", file.string(), i + 1)));
+        paths.push_back(file.string());
+    }
+    Experiment experiment = import_sets(sets, label.empty() ? files.front().stem().string() : label);
+    SeriesTask& task = experiment.series.front();
+    task.parameters.set("path", paths);
+    task.identity = [of_sets = task.identity, paths] {
+        UnitKey key = of_sets();
+        for (const std::string& path : paths) key.add("path", path);
+        return key;
+    };
+    return experiment;
+}
+
+}

@@ -1,0 +1,18 @@
+// Point sets in a region of the plane, made elsewhere, as an experiment of one series.
+#pragma once
+
+#include "analysis/regions/framed_region.hpp"
+#include "experiment/series/experiment.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// As import_points(), of files whose coordinates are in the region's units: sets are moved into its frame. Throws
+/// InputError that names the file where points lie outside.
+Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
+                                const FramedRegion& region);
+
+}

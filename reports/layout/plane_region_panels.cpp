@@ -1,0 +1,104 @@
+#include "reports/layout/plane_region_panels.hpp"
+
+#include "reports/layout/series_panels.hpp"
+#include "reports/plots/plane_region_curves.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// "The band reaches from the least to the largest of 39 sets ..."
+std::string band_words(const RegionSets& sets)
+{
+    if (sets.envelope == 0) return {};
+    return fmt::format(" The band reaches from the least to the largest of {} sets of as many random points in the "
+                       "region{}; one random set leaves it at a distance in 2 of {} cases.",
+                       format_count(sets.envelope), sets.has_density ? ", which follow the density" : "",
+                       format_count(sets.envelope + 1));
+}
+
+std::string correction_words(const RegionSets& sets)
+{
+    const std::string begin = "Translation correction, by areas that the region and the moved region have in common, ";
+    if (sets.covariance_error == 0) return begin + "in closed form.";
+    return begin +
+           fmt::format("from a table that is right to {} of the area.", format_significant(sets.covariance_error, 2));
+}
+
+Panel curve_panel(const RegionSets& sets, const char* stem, Plot plot, const char* title, std::string caption,
+                  const std::string& guide)
+{
+    return {.stem = stem,
+            .picture = std::move(plot),
+            .title = title,
+            .caption = std::move(caption),
+            .guide = guide + band_words(sets),
+            .stored = {{"csv", sets.file}}};
+}
+
+}
+
+std::vector<Panel> region_curve_panels(const std::vector<RegionCurveRow>& rows, const RegionSets& sets,
+                                       std::size_t index)
+{
+    const PlaneRegionCurves curves{index, &rows, sets.intensity, !sets.has_density};
+    const std::string expected =
+        sets.has_density ? "how many random points that follow the density" : "how many random points";
+    const std::string of_formula = curves.has_formula ? " Dashes: random points." : "";
+    std::vector<Panel> panels;
+    panels.push_back(curve_panel(sets, "region-pair-correlation", region_pair_correlation_plot(curves),
+                                 "Pair correlation in the region", correction_words(sets),
+                                 "How many points there are at each distance from a point, over " + expected +
+                                     " would have there (dashed), by a kernel of 0.15 mean spacings to either side."));
+    panels.push_back(curve_panel(
+        sets, "region-l", region_l_plot(curves), "Ripley's L, less the distance",
+        "Line: translation correction. Dashes: Ripley's isotropic one.",
+        "<i>L</i> is the root of <i>K</i>/π, <i>K</i> the mean number of further points no farther than that from a "
+        "point, over their density. Below 0 there are fewer than " +
+            expected +
+            " would have: points keep apart. Above there are clusters. As it adds up, a minimum distance "
+            "stays visible at larger ones."));
+    panels.push_back(curve_panel(sets, "region-nearest", region_distance_plot(curves, RegionFunction::nearest),
+                                 "Nearest neighbours, G", "Kaplan-Meier estimate." + of_formula,
+                                 "The share of points whose nearest neighbour is no farther than that. It is 0 up to "
+                                 "the minimum distance, and the steeper then, the more even the set."));
+    panels.push_back(curve_panel(sets, "region-empty-space", region_distance_plot(curves, RegionFunction::empty_space),
+                                 "Empty space, F", "Kaplan-Meier estimate." + of_formula,
+                                 "The share of the region that has a point no farther than that. It reaches 1 at the "
+                                 "radius of the largest empty circle: the sooner, the fewer holes."));
+    panels.push_back(
+        curve_panel(sets, "region-j", region_j_plot(curves), "J",
+                    "(1 − G) / (1 − F), up to where fewer than a thousandth of places are left.",
+                    "Above 1 (dashed) points keep apart, below it they cluster, at distances up to this."));
+    return panels;
+}
+
+Panel region_points_panel(const ReportSeries& series)
+{
+    const RegionResult& region = *series.stored->region;
+    return {.stem = "points",
+            .picture = MarkPanel{series.run->folder / region.picture_file},
+            .title = "Points",
+            .caption = fmt::format("{} points in {}, of area {}{}.", format_count(series.stored->points_of_first()),
+                                   region.name, format_significant(region.area, 4), first_of_several(series)),
+            .guide = "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
+                     "up in a picture as patterns that are not there.",
+            .stored = {{"json", series.run->folder / region.picture_file}},
+            .thumbnail = Thumbnail{"points", "Points"},
+            .image_class = "framed"};
+}
+
+void add_region_panels(const ReportSeries& series, std::size_t index, std::vector<Panel>& panels)
+{
+    if (series.region_curves.empty()) return;
+    const RegionResult& region = *series.stored->region;
+    const RegionSets sets{static_cast<double>(series.stored->points) / region.area, region.envelope, region.has_density,
+                          region.covariance_error, series.run->folder / region.file};
+    for (Panel& panel : region_curve_panels(series.region_curves, sets, index)) panels.push_back(std::move(panel));
+}
+
+}

@@ -1,0 +1,119 @@
+#include "reports/plots/plane_region_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+constexpr double most_correlation = 5, most_j = 10;
+constexpr const char* region_distance_axis = "distance (units of the region)";
+
+double l_minus_r(double k, double r) { return std::sqrt(std::max(k, 0.0) / std::numbers::pi) - r; }
+
+/// A curve in the same colour, with dashes.
+std::size_t dashed(std::size_t index) { return index + palette().size(); }
+
+/// Distance 0, where all curves begin, is no row.
+Plot function_plot(const PlaneRegionCurves& curves, RegionFunction function, const char* name,
+                   const std::function<double(double value, double r)>& shown)
+{
+    Plot plot;
+    PlotCurve curve{.index = curves.index};
+    const auto f = static_cast<std::size_t>(function);
+    for (const RegionCurveRow& row : *curves.rows) {
+        curve.x.push_back(row.distance);
+        curve.y.push_back(shown(row.value[f], row.distance));
+        curve.low.push_back(shown(row.low[f], row.distance));
+        curve.high.push_back(shown(row.high[f], row.distance));
+    }
+    curve.end = curve.x.back();
+    plot.x = {.label = region_distance_axis, .high = curve.x.back()};
+    plot.y = {.label = name};
+    plot.curves.push_back(std::move(curve));
+    return plot;
+}
+
+double value_itself(double value, double) { return value; }
+
+/// The largest and the smallest finite number of a curve and its band.
+std::pair<double, double> extent(const PlotCurve& curve)
+{
+    double low = 0, high = 0;
+    for (const auto* numbers : {&curve.y, &curve.low, &curve.high})
+        for (const double number : *numbers)
+            if (std::isfinite(number)) low = std::min(low, number), high = std::max(high, number);
+    return {low, high};
+}
+
+void add_formula(Plot& plot, const PlaneRegionCurves& curves, const std::function<double(const RegionCurveRow&)>& y)
+{
+    PlotCurve formula{.index = dashed(curves.index)};
+    for (const RegionCurveRow& row : *curves.rows) {
+        formula.x.push_back(row.distance);
+        formula.y.push_back(y(row));
+    }
+    formula.end = formula.x.back();
+    plot.curves.push_back(std::move(formula));
+}
+
+}
+
+Plot region_pair_correlation_plot(const PlaneRegionCurves& curves)
+{
+    Plot plot = function_plot(curves, RegionFunction::pair_correlation, "pair correlation", value_itself);
+    plot.references = {{1, "", 0}};
+    const double top = std::clamp(std::ceil(2.2 * highest(plot.curves, 0)) / 2, 1.5, most_correlation);
+    plot.y.high = top;
+    plot.y.step = top > 2.5 ? 1 : 0.5;
+    return plot;
+}
+
+Plot region_l_plot(const PlaneRegionCurves& curves)
+{
+    Plot plot = function_plot(curves, RegionFunction::k, "L − distance", l_minus_r);
+    plot.references = {{0, "", 0}};
+    const auto [low, high] = extent(plot.curves.front());
+    const double span = std::max(high - low, 1e-12);
+    plot.y.low = low - 0.05 * span;
+    plot.y.high = high + 0.05 * span;
+    plot.left_margin = 9;
+    add_formula(plot, curves, [](const RegionCurveRow& row) { return l_minus_r(row.k_isotropic, row.distance); });
+    return plot;
+}
+
+Plot region_distance_plot(const PlaneRegionCurves& curves, RegionFunction function)
+{
+    Plot plot = function_plot(curves, function, "share", value_itself);
+    plot.y.step = 0.2;
+    // Nothing changes after nearly all are counted.
+    const auto& rows = *curves.rows;
+    const auto end = std::ranges::find_if(rows, [](const RegionCurveRow& row) {
+        return row.of(RegionFunction::nearest) > 0.999 && row.of(RegionFunction::empty_space) > 0.999;
+    });
+    if (end != rows.end()) plot.x.high = std::min(rows.back().distance, 1.6 * end->distance);
+    if (curves.has_formula)
+        add_formula(plot, curves, [&](const RegionCurveRow& row) {
+            return 1 - std::exp(-curves.intensity * std::numbers::pi * row.distance * row.distance);
+        });
+    return plot;
+}
+
+Plot region_j_plot(const PlaneRegionCurves& curves)
+{
+    Plot plot = function_plot(curves, RegionFunction::j, "J", value_itself);
+    plot.references = {{1, "", 0}};
+    plot.y.high = std::clamp(std::ceil(1.1 * highest(plot.curves, 1)), 2.0, most_j);
+    plot.y.step = plot.y.high > 4 ? 2 : 0.5;
+    const auto& rows = *curves.rows;
+    const auto last = std::find_if(rows.rbegin(), rows.rend(), [](const RegionCurveRow& row) {
+        return std::isfinite(row.of(RegionFunction::j)) || std::isfinite(row.high[4]);
+    });
+    if (last != rows.rend()) plot.x.high = last->distance;
+    return plot;
+}
+
+}

@@ -1,0 +1,97 @@
+// Sets in a region are analysed as such: nothing goes around the torus, lengths are in roots of the area.
+#include "base/geometry/relative_radius.hpp"
+#include "experiment/measuring/series_analysis.hpp"
+#include "results/archives.hpp"
+#include "results/curve_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+/// A strip_region of 400 x 100, and six points in it, in its units.
+constexpr const char* strip_region = "rectangle 1000 2000 1400 2100";
+const PointSet six{2, {1010, 2050, 1390, 2050, 1100, 2010, 1200, 2090, 1250, 2040, 1300, 2020}};
+
+AnalysisOptions options_in_strip(const std::vector<std::string>& more = {})
+{
+    std::vector<std::string> overrides{fmt::format("analysis.region=\"{}\"", strip_region), "analysis.envelope=3"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return overridden_analysis(overrides, 2);
+}
+
+/// A set of random points, in the frame.
+PointSet random_set(const AnalysisOptions& options, std::uint32_t number)
+{
+    return RandomInRegion(*options.region->region, nullptr).points(50, 100 + number);
+}
+
+TEST(RegionAnalysis, MeasuresDistancesOfThePlaneInRootsOfTheArea)
+{
+    const AnalysisOptions options = options_in_strip();
+    SeriesAnalysis analysis("s", false, options);
+    analysis.add(options.region->region->framed(six, "six"));
+    analysis.measure_first();
+    analysis.measure_spectrum(analysis.mean_spectrum());
+    const Series series = analysis.result();
+    const double least = std::hypot(50, 20); // of the last two
+    EXPECT_NEAR(series.min_distance->mean, least / 200, 1e-9);
+    EXPECT_NEAR(series.relative_radius->mean, relative_radius(least / 200, 6, 2), 1e-9);
+    ASSERT_TRUE(series.region);
+    EXPECT_NEAR(series.region->area, 40'000, 1e-6);
+    EXPECT_NEAR(series.region->unit_length, 200, 1e-9);
+    EXPECT_EQ(series.region->corners, 4);
+    EXPECT_EQ(series.region->envelope, 3);
+    EXPECT_EQ(series.region->covariance_error, 0);
+    EXPECT_FALSE(series.is_window);
+    EXPECT_FALSE(series.measures.voronoi || series.measures.largest_empty || !series.measures.integration.empty());
+    EXPECT_EQ(series.measures.numbers.count("hyperuniformity_exponent"), 0);
+    EXPECT_EQ(series.measures.numbers.count("effective_nyquist"), 1);
+    EXPECT_TRUE(series.number_variance_file.empty());
+}
+
+TEST(RegionAnalysis, PartsAreTheWhole)
+{
+    const AnalysisOptions options = options_in_strip();
+    SeriesAnalysis whole("s", false, options), first("s", false, options), next("s", false, options, {2, 50});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        whole.add(random_set(options, k));
+        (k < 2 ? first : next).add(random_set(options, k));
+    }
+    SeriesAnalysis stored("s", false, options, {2, 50});
+    from_bytes(to_bytes(next), stored);
+    first.append(stored);
+    EXPECT_EQ(region_curves_csv(first.region_curves()), region_curves_csv(whole.region_curves()));
+    EXPECT_EQ(first.mean_spectrum().power.size(), whole.mean_spectrum().power.size());
+    for (SeriesAnalysis* analysis : {&whole, &first}) analysis->measure_first();
+    EXPECT_EQ(first.region_picture(), whole.region_picture());
+    EXPECT_FALSE(whole.region_picture().empty());
+}
+
+TEST(RegionAnalysis, SpectraOfBothMethodsAreTheSame)
+{
+    const AnalysisOptions fast = options_in_strip(), exact = options_in_strip({"analysis.spectrum=exact"});
+    SeriesAnalysis a("s", false, fast), b("s", false, exact);
+    a.add(random_set(fast, 0));
+    b.add(random_set(exact, 0));
+    const Spectrum p = a.mean_spectrum(), q = b.mean_spectrum();
+    ASSERT_EQ(p.power.size(), q.power.size());
+    for (std::size_t i = 0; i < p.power.size(); ++i) EXPECT_NEAR(p.power[i], q.power[i], 1e-5) << i;
+}
+
+TEST(RegionAnalysis, OfOnePointHasNoCurves)
+{
+    const AnalysisOptions options = options_in_strip();
+    SeriesAnalysis analysis("s", false, options);
+    analysis.add(options.region->region->framed({2, {1200, 2050}}, "one"));
+    analysis.measure_first();
+    EXPECT_TRUE(analysis.region_curves().empty());
+    EXPECT_TRUE(analysis.pair_correlation().empty());
+    EXPECT_TRUE(analysis.result().region->file.empty());
+}
+
+}
+}
