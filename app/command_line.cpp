@@ -163,7 +163,7 @@ std::vector<Command> all_commands(const std::string& typed)
                                       distribute_icons_command(),   distribute_instances_command(),
                                       distribute_darts_command(),   distribute_points_command()};
     std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command(),
-                                     texture_map_command()};
+                                     texture_map_command(), texture_endless_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
@@ -182,7 +182,7 @@ std::vector<Command> all_commands(const std::string& typed)
              {},
              std::move(of_densities)},
             {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
-            {"texture", "Texture tile sets", {}, "", {}, std::move(of_textures)},
+            {"texture", "Texture tile sets, and other endless textures", {}, "", {}, std::move(of_textures)},
             devices_command(),
             samplers_command(),
             kinds_command(),

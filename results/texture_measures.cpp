@@ -30,7 +30,14 @@ const std::vector<Measure>& texture_measures()
     static const std::vector<Measure> all{
         texture_row("sets", "sets", "", neither, whole, "With other patches each, over which all else is averaged."),
         texture_row("tiles", "tiles", "", neither, whole, "In the set."),
-        texture_row("atlas_pixels", "memory", "pixels", lower, whole, "Of all tiles."),
+        texture_row("atlas_pixels", "memory", "pixels", lower, whole,
+                    "Of all tiles; of methods without tiles, of the exemplar."),
+        texture_row(
+            "atlas_bytes", "memory in bytes", "bytes", lower, whole,
+            "Of what pixels are looked up in, without mipmap levels: by-example noise has 16 bits a channel, and "
+            "its tables."),
+        texture_row("fetches", "look-ups", "a pixel", lower, whole,
+                    "Texels that a pixel is made of, without filtering, and entries of tables."),
         texture_row("seam_pairs", "seams a tile", "pairs of pixels", lower, three,
                     "Neighbouring pixels of a tile whose sources are no neighbours in the exemplar."),
         texture_row("seam_mismatch", "seam mismatch", "of a natural step", lower, three,
@@ -74,6 +81,44 @@ const std::vector<Measure>& texture_measures()
         texture_row(
             "color_distance", "colour distance", "levels", lower, three,
             "By how many of 255 levels pixels of the tiling must change on average to have the exemplar's colours."),
+        texture_row("histogram_spread", "colour distance, in own spreads", "times the exemplar's own", lower, three,
+                    "The mean difference of quantiles of colours (1-Wasserstein) between windows of half of the "
+                    "exemplar's side and such windows of the exemplar, over that between windows of the exemplar: 1 is "
+                    "natural. With `compare = true`, as those that follow."),
+        texture_row("histogram_largest", "largest colour difference", "", lower, three,
+                    "The largest difference of cumulative distributions of a channel between such windows (Kolmogorov "
+                    "and Smirnov)."),
+        texture_row("contrast", "contrast", "of the exemplar's", neither, three,
+                    "The mean standard deviation of lightness within squares of 4, 8, 16 and 32 pixels: below 1 where "
+                    "blending takes contrast."),
+        texture_row(
+            "contrast_spread", "contrast distance, in own spreads", "times the exemplar's own", lower, three,
+            "The mean difference of quantiles of these standard deviations, as of colours: also of textures whose "
+            "contrast is right in the mean, but not everywhere."),
+        texture_row("gradient_spread", "gradient distance, in own spreads", "times the exemplar's own", lower, three,
+                    "The mean difference of quantiles of steps between neighbours, as of colours."),
+        texture_row("structure_spread", "structure distance, in own spreads", "times the exemplar's own", lower, three,
+                    "The difference of correlations of a steerable pyramid's magnitudes, between orientations, scales "
+                    "and places (Portilla and Simoncelli 2000), as of colours, mean over four scales."),
+        texture_row(
+            "peak_correlation", "largest self-correlation", "", lower, three,
+            "Of the texture's lightness with itself, moved by a quarter of the exemplar's side and more, at most by a "
+            "quarter of 4,096 x 4,096 pixels (64 x 64 tiles of 64), or of all of a quilted picture: 1 repeats "
+            "exactly."),
+        texture_row("peak_times", "self-correlation, times chance", "times of chance", lower, three,
+                    "The same over what chance alone gives in as large a picture of a random field with the exemplar's "
+                    "correlations: about 1 where nothing repeats."),
+        texture_row("contrast_peak", "largest self-correlation of contrast", "", lower, three,
+                    "The same of standard deviations of lightness within squares of 16 pixels: lattices on which "
+                    "blending takes contrast."),
+        texture_row("contrast_peak_times", "that of contrast, times chance", "times of chance", lower, three,
+                    "The same over what chance alone gives."),
+        texture_row(
+            "pixel_nanoseconds", "time a pixel", "ns", lower, three,
+            "Of 1,920 x 1,080 pixels of the texture seen from straight above, each a texel large, on the device, "
+            "without handing them over; with `timing = true`, of the first set."),
+        texture_row("plain_frames", "such frames a second", "", higher, three,
+                    "Pictures of 1,920 x 1,080 pixels in that time."),
         texture_row("frames", "frames a second", "", higher, three,
                     "Pictures of 1,024 x 576 pixels of the endless plane, between two mipmap levels of the packed "
                     "atlas, that the device draws and hands over; with `timing = true`, of the first set."),

@@ -93,6 +93,7 @@ Command texture_build_command();
 Command texture_verify_command();
 Command texture_tile_command();
 Command texture_map_command();
+Command texture_endless_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_page_command();

@@ -52,6 +52,7 @@ enum class Purpose : std::uint32_t
     mesh_colors = 58,
     hyperuniformity_test = 60,
     variance_windows = 61,
+    texture_quilting = 64,
     region_envelope = 70,
 };
 

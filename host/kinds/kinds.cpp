@@ -34,7 +34,8 @@ std::vector<Kind> listed_kinds()
                                  printed_tiling_kind,
                                  printed_packing_kind,
                                  tile_set_kind,
-                                 texture_set_kind})
+                                 texture_set_kind,
+                                 endless_kind})
         all.push_back(kind());
     return all;
 }

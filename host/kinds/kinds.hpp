@@ -49,5 +49,6 @@ Kind printed_tiling_kind();
 Kind printed_packing_kind();
 Kind tile_set_kind();
 Kind texture_set_kind();
+Kind endless_kind();
 
 }

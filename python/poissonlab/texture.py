@@ -11,7 +11,8 @@ _build = _kinds.functions_of("texture", {})["texture"]
 
 
 def build(kind="corner", /, **keys):
-    """Make texture tiles, and measure their seams. kind: "corner", "wang" or "omega". See help(texture.keys)."""
+    """Make texture tiles, and measure their seams. kind: "corner", "wang" or "omega", or an endless texture without tiles:
+    "repeated", "offsets", "hexagons", "blended" or "quilted". See help(texture.keys)."""
     return _build(kind=kind, **keys)
 
 

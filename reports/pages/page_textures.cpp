@@ -1,6 +1,7 @@
 // A run's textures: those of one exemplar beside each other, in a table of the measures that they have.
 #include "reports/layout/distribution_pictures.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/page_texture_ranking.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
@@ -16,8 +17,9 @@ namespace poissonlab {
 namespace {
 
 /// The numbers that stand under a tiling.
-constexpr std::array tiling_measures = {"seam_mismatch",  "longest_run", "border_exceptions", "lattice_power",
-                                        "exemplar_power", "repetition",  "color_distance"};
+constexpr std::array tiling_measures = {"seam_mismatch",    "longest_run", "border_exceptions", "lattice_power",
+                                        "exemplar_power",   "repetition",  "color_distance",    "contrast",
+                                        "structure_spread", "peak_times"};
 
 /// Tables with more textures would be wider than pages: the others go into tables of their own.
 constexpr std::size_t textures_in_a_table = 6;
@@ -171,7 +173,7 @@ PageData texture_tables(const ReportRun& run, const TexturePlaces& places)
 std::string group_title(const ReportRun& run, const TexturePlaces& places)
 {
     const std::string exemplar = run.distributions[places.front()].stored->parameter("exemplar");
-    return fmt::format("Tiles of {}", exemplar.empty() ? "the same exemplar" : exemplar);
+    return fmt::format("Textures of {}", exemplar.empty() ? "the same exemplar" : exemplar);
 }
 
 }
@@ -191,6 +193,7 @@ void set_textures(PageData& page, const ReportRun& run, const std::filesystem::p
         group.set("has_tables", has_table);
         group.set("tilings", has_table ? texture_tilings(run, places, page_folder) : PageData(false));
         group.set("tables", has_table ? texture_tables(run, places) : PageData(false));
+        group.set("ranking", texture_ranking(run, places, "distribution-"));
         group.set("textures", textures);
         groups << group;
     }

@@ -3,8 +3,10 @@
 //
 // Targets: the candidates of a piece of 64 x 64 pixels in an exemplar of 512 x 512 in a twentieth of the time that the
 // plain sums take; a complete set of corner tiles over three colours in a second, over four in three, on two cores; a
-// view of the plane in 2.5 times what the atlas takes that repeats, with the same filter, packed or exact.
+// view of the plane in 2.5 times what the atlas takes that repeats, with the same filter, packed or exact; endless
+// textures of hexagons and of by-example noise, 1,920 x 1,080 pixels on one thread, in 1.5 times what a plain loop takes.
 #include "host/device/device.hpp"
+#include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tests/bench/ratio_reporter.hpp"
@@ -80,6 +82,34 @@ void plane(benchmark::State& state)
         benchmark::DoNotOptimize(map_texture(device, pyramid, lookup, view, default_work_group_size).data());
 }
 
+constexpr PixelWindow full_screen{0, 0, 1920, 1080};
+
+EndlessTexture endless_of(const benchmark::State& state)
+{
+    static const PngPixels colored = test::random_picture(exemplar_size, exemplar_size, 3, 1);
+    EndlessRequest request;
+    request.method = static_cast<EndlessMethod>(state.range(0));
+    return endless_texture(request, colored);
+}
+
+/// The kernel, on one thread of the processor.
+void endless_kernel(benchmark::State& state)
+{
+    Device device = Device::open({}, 1);
+    const EndlessTexture texture = endless_of(state);
+    for (auto _ : state) state.SetIterationTime(endless_seconds(device, texture, full_screen));
+}
+
+void endless_loop(benchmark::State& state)
+{
+    const EndlessTexture texture = endless_of(state);
+    for (auto _ : state) benchmark::DoNotOptimize(reference_endless_window(texture, full_screen).values.data());
+}
+
+/// Repeated, offsets, hexagons, blended.
+BENCHMARK(endless_kernel)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseManualTime();
+BENCHMARK(endless_loop)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
+
 /// Look-ups packed, exact and repeated; filters bilinear, mipmap and anisotropic.
 BENCHMARK(plane)->ArgsProduct({{0, 1, 3}, {1, 2, 3}})->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
 BENCHMARK(sums_by_transforms)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
@@ -98,6 +128,8 @@ int main(int argc, char** argv)
          {"repeated / packed, anisotropic", "plane/3/3", "plane/0/3", 1 / 2.5},
          {"repeated / exact, bilinear", "plane/3/1", "plane/1/1", 1 / 2.5},
          {"repeated / exact, mipmap", "plane/3/2", "plane/1/2", 1 / 2.5},
-         {"repeated / exact, anisotropic", "plane/3/3", "plane/1/3", 1 / 2.5}},
+         {"repeated / exact, anisotropic", "plane/3/3", "plane/1/3", 1 / 2.5},
+         {"plain loop / kernel, hexagons", "endless_loop/2", "endless_kernel/2", 1 / 1.5},
+         {"plain loop / kernel, by-example noise", "endless_loop/3", "endless_kernel/3", 1 / 1.5}},
         {{"corner tiles of 3 colours, ms", "corner_set/3", 1000}, {"of 4 colours, ms", "corner_set/4", 3000}});
 }

@@ -4,6 +4,7 @@
 #include "kernels/common/darts/dart_throwing.h"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/voronoi_darts.h"
+#include "kernels/common/fields/endless_texture.h"
 #include "kernels/common/fields/gradient_domain.h"
 #include "kernels/common/fields/instances.h"
 #include "kernels/common/fields/masked_squares.h"
@@ -86,6 +87,16 @@ TEST(Contract, OfTextureMap)
     const std::size_t levels[] = {LAYOUT_OF(contract::texture_map::TextureLevels, offsets)};
     EXPECT_THAT(on_device("kernels/common/fields/texture_map.h", layout_of("TextureLevels", "offsets")),
                 ElementsAreArray(levels));
+}
+
+TEST(Contract, OfEndlessTexture)
+{
+    const std::size_t plane[] = {LAYOUT_OF(contract::endless_texture::EndlessPlane, axes)};
+    EXPECT_THAT(on_device("kernels/common/fields/endless_texture.h", layout_of("EndlessPlane", "axes")),
+                ElementsAreArray(plane));
+    const std::size_t window[] = {LAYOUT_OF(contract::endless_texture::EndlessWindow, height)};
+    EXPECT_THAT(on_device("kernels/common/fields/endless_texture.h", layout_of("EndlessWindow", "height")),
+                ElementsAreArray(window));
 }
 
 TEST(Contract, OfRelaxationDartThrowing)

@@ -3,6 +3,7 @@
 #include "host/device/device.hpp"
 #include "host/sampling/sampler.hpp"
 #include "results/statistic.hpp"
+#include "results/texture_measures.hpp"
 
 #include <chrono>
 
@@ -25,6 +26,22 @@ double frames_a_second(Device& device, const TexturePyramid& pyramid)
         if (frame >= 0) rates.push_back(1 / seconds);
     }
     return median(std::move(rates));
+}
+
+DistributionNumber time_number(const std::string& key, double value)
+{
+    DistributionNumber number = texture_number(key, value, std::nullopt);
+    number.is_time = true;
+    return number;
+}
+
+std::vector<DistributionNumber> time_numbers(Device& device, const EndlessTexture& texture)
+{
+    const PixelWindow window{0, 0, timed_width, timed_height};
+    check_fits("timing pixels of the plane", endless_memory(texture, window), device.info());
+    const double seconds = endless_seconds(device, texture, window);
+    return {time_number("pixel_nanoseconds", seconds * 1e9 / (static_cast<double>(timed_width) * timed_height)),
+            time_number("plain_frames", 1 / seconds)};
 }
 
 }

@@ -1,7 +1,9 @@
 // The speed of tile-based texture mapping on a device.
 #pragma once
 
+#include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/mapping/texture_map.hpp"
+#include "results/pictures/distribution_result.hpp"
 
 namespace poissonlab {
 
@@ -11,5 +13,14 @@ inline constexpr int frame_width = 1024, frame_height = 576; ///< pixels
 /// levels, from the packed atlas, as graphics cards do. It differs from run to run. Throws InputError
 /// where the device has too little memory, and Interrupted.
 double frames_a_second(Device& device, const TexturePyramid& pyramid);
+
+/// The picture by which pixels are timed.
+inline constexpr int timed_width = 1920, timed_height = 1080;
+
+/// A time of this machine, by its key in texture_measures().
+DistributionNumber time_number(const std::string& key, double value);
+
+/// Nanoseconds a pixel of an endless texture, seen from straight above, on a device, and frames a second that it makes.
+std::vector<DistributionNumber> time_numbers(Device& device, const EndlessTexture& texture);
 
 }

@@ -1,11 +1,13 @@
 // The kind of [[texture]], and what `texture build` makes: tiles from a picture.
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/textures/endless_keys.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -18,9 +20,9 @@ constexpr std::int64_t most_sets = 1000, most_window_side = 64;
 
 const std::vector<std::string>& texture_shows()
 {
-    static const std::vector<std::string> words{"exemplar", "windows", "steps",    "set",          "marks",
-                                                "seams",    "pieces",  "tiling",   "tiling-marks", "tiling-pieces",
-                                                "levels",   "plane",   "gradients"};
+    static const std::vector<std::string> words{"exemplar", "windows", "steps",     "set",          "marks",
+                                                "seams",    "pieces",  "tiling",    "tiling-marks", "tiling-pieces",
+                                                "levels",   "plane",   "gradients", "gaussian"};
     return words;
 }
 
@@ -39,7 +41,6 @@ std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
 void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
 {
     constexpr auto pixels = "pixels";
-    keys.word("kind", r.kind, texture_kinds, "the kind of tiles");
     Color colors = r.kind == TextureKind::omega ? 4 : 3;
     auto said = keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
                     .otherwise("3; of omega tiles 4");
@@ -100,11 +101,52 @@ void also_key(Keys& keys, TextureSettings& s)
 
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
+    keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
     request_keys(keys, s.request, true);
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     marked_exemplar_key(keys, s);
     also_key(keys, s);
     if (keys.is_read()) keys.check([&] { check(s.request); });
+}
+
+/// The kind of tiles, or the method that endless textures are made by without tiles.
+void kind_key(Keys& keys, TextureSettings& s)
+{
+    std::vector<std::string> words = texture_kinds.all(s.request.kind);
+    std::ranges::copy(endless_methods.all(), std::back_inserter(words));
+    std::string word = words.front();
+    keys.word("kind", word, words, "the kind of tiles, or another method that makes endless textures");
+    if (const auto kind = texture_kinds.find(word)) s.request.kind = *kind;
+    if (const auto method = endless_methods.find(word)) s.endless.emplace().method = *method;
+}
+
+/// Keys of tiles are no keys of other methods, and the other way round.
+void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
+{
+    const auto refuse = [&](std::initializer_list<const char*> names, const char* allowed) {
+        for (const char* name : names)
+            if (keys.is_given(name)) throw keys.invalid(name, allowed);
+    };
+    if (s.endless)
+        refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
+                "cut", "overlap", "core", "smooth", "marked_exemplar", "marks", "also"},
+               "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
+    else
+        refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},
+               "is for kind = \"offsets\", \"hexagons\", \"blended\" or \"quilted\"");
+}
+
+/// Without tiles there is nothing to show but the texture and what it is made of.
+void check_endless_shows(const Keys& keys, TextureSettings& s)
+{
+    const std::vector<std::string> shown = endless_shows(s.endless->method);
+    if (!keys.is_given("show")) s.show = shown;
+    for (const std::string& word : s.show)
+        if (std::ranges::find(shown, word) == shown.end())
+            throw keys.invalid("show", fmt::format("\"{}\" is not of {}: must be some of {}", word,
+                                                   endless_methods[s.endless->method], fmt::join(shown, ", ")));
+    if (s.has_timing && s.endless->method == EndlessMethod::quilted)
+        throw keys.invalid("timing", "is not for quilted pictures, which are there");
 }
 
 /// Levels and views are of complete sets whose tiles have whole levels, marks of marked ones.
@@ -130,7 +172,10 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
 
 void texture_keys(Keys& keys, TextureSettings& s)
 {
+    kind_key(keys, s);
     request_keys(keys, s.request);
+    EndlessRequest described;
+    endless_keys(keys, s.endless ? *s.endless : described);
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").otherwise("a pattern");
     s.pattern = exemplar_patterns().front();
     keys.word("pattern", s.pattern, exemplar_patterns(), "a picture that is made instead")
@@ -155,14 +200,21 @@ void texture_keys(Keys& keys, TextureSettings& s)
     s.rows = static_cast<std::uint64_t>(window[1]);
     s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "gradients"};
     keys.words("show", s.show, texture_shows(), "the pictures");
-    keys.flag("timing", s.has_timing, "whether frames a second are measured");
-    check_texture_shows(keys, s);
+    keys.flag("timing", s.has_timing, "whether frames a second, and nanoseconds a pixel, are measured");
+    keys.flag("compare", s.is_compared,
+              "whether colours, contrast, gradients, structure and repetition are compared with the exemplar's own");
+    check_keys_of_kind(keys, s);
+    if (s.endless)
+        check_endless_shows(keys, s);
+    else
+        check_texture_shows(keys, s);
 }
 
 std::string texture_label(const TextureSettings& settings)
 {
     const TextureRequest& request = settings.request;
     const std::string picture = settings.pattern.empty() ? settings.exemplar.stem().string() : settings.pattern;
+    if (settings.endless) return endless_label(*settings.endless, printable(picture));
     const char* const kind = request.kind == TextureKind::corner ? "corner tiles"
                              : request.kind == TextureKind::wang ? "Wang tiles"
                                                                  : "omega tiles";

@@ -5,95 +5,25 @@
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/textures/endless_run.hpp"
 #include "host/distribution/textures/frame_rate.hpp"
 #include "host/distribution/textures/mark_pictures.hpp"
 #include "host/distribution/textures/step_picture.hpp"
+#include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
+#include "host/distribution/textures/texture_values.hpp"
+#include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/exemplar_pictures.hpp"
-#include "host/texture/synthetic_exemplar.hpp"
 #include "host/texture/texture_build.hpp"
-#include "results/texture_measures.hpp"
-#include "tiles/texture/seam_measures.hpp"
-#include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace poissonlab {
 namespace {
-
-constexpr std::uint64_t measured_side = 16; // tiles of the window that is measured
-
-/// Values by the keys of texture_measures().
-using TextureValues = std::map<std::string, double>;
-
-TextureValues values_of(const TextureSet& set, std::uint64_t seed)
-{
-    const SeamMeasures seams = seam_measures(set);
-    const TextureCertificate proof = certify_texture(set);
-    const auto pairs = static_cast<double>(proof.tile_pairs);
-    const PngPixels tiling = texture_window_pixels(set, texture_window(set, {0, 0, measured_side, measured_side}, seed),
-                                                   set.values, set.exemplar.channels);
-    const StepMap steps = step_map(tiling, set.exemplar, set.size);
-    TextureValues values{{"tiles", static_cast<double>(set.tiles.size())},
-                         {"atlas_pixels", static_cast<double>(set.tiles.size() * set.pixels_a_tile())},
-                         {"seam_pairs", seams.pairs_a_tile},
-                         {"seam_mismatch", seams.mismatch},
-                         {"seam_excess", seams.excess},
-                         {"conspicuous_seams", seams.conspicuous},
-                         {"longest_run", seams.longest_run},
-                         {"border_joints", static_cast<double>(proof.joints) / pairs},
-                         {"border_exceptions", static_cast<double>(proof.exceptions) / pairs},
-                         {"border_step", steps.border},
-                         {"largest_step", steps.largest},
-                         {"coverage", seams.coverage},
-                         {"lattice_power", lattice_power(tiling, set.size)},
-                         {"double_lattice_power", lattice_power(tiling, 2 * set.size)},
-                         {"color_distance", color_distance(tiling, set.exemplar)}};
-    const auto repeated = repetition(tiling, set.exemplar, set.size);
-    if (repeated && set.classes == 1) { // two exemplars side by side have no repetition of their own
-        values["exemplar_power"] = repeated->exemplar_power;
-        values["repetition"] = repeated->times;
-    }
-    return values;
-}
-
-/// Means over sets, with standard errors where there are several and values differ.
-std::vector<DistributionNumber> numbers_of(const std::vector<TextureValues>& sets)
-{
-    std::vector<DistributionNumber> numbers;
-    const auto count = static_cast<double>(sets.size());
-    for (const Measure& measure : texture_measures()) {
-        if (measure.key == "sets") {
-            numbers.push_back(texture_number(measure.key, count, std::nullopt));
-            continue;
-        }
-        if (!sets.front().contains(measure.key)) continue; // of the first set alone
-        double sum = 0, squares = 0;
-        for (const TextureValues& values : sets) sum += values.at(measure.key);
-        const double mean = sum / count;
-        for (const TextureValues& values : sets) squares += std::pow(values.at(measure.key) - mean, 2);
-        std::optional<double> error;
-        if (sets.size() > 1) error = std::sqrt(squares / (count - 1) / count);
-        numbers.push_back(texture_number(measure.key, mean, error));
-    }
-    return numbers;
-}
-
-ExemplarPictures pictures_of(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place)
-{
-    if (settings.pattern.empty())
-        return read_exemplar_pictures(settings.exemplar, settings.marked_exemplar, settings.also);
-    SquarePoints places;
-    if (settings.pattern == "pebbles")
-        places = even_points(default_even_method(), pebble_count(settings.pattern_size), 1, 1, seed, place);
-    return {synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places), 0, {}, {}};
-}
 
 /// Makes the pictures that a table asks for.
 class TextureShow
@@ -187,7 +117,7 @@ private:
     void add_gradients()
     {
         const PngPixels tiling = texture_window_pixels(
-            set_, texture_window(set_, {0, 0, measured_side, measured_side}, settings_.request.seed), set_.values,
+            set_, texture_window(set_, {0, 0, measured_tiles, measured_tiles}, settings_.request.seed), set_.values,
             set_.exemplar.channels);
         write("gradients.png", step_map_picture(step_map(tiling, set_.exemplar, set_.size)),
               "Differences between neighbours by their place in the tile, over 16 x 16 tiles: grey is the exemplar's "
@@ -271,9 +201,10 @@ void add_set(const TextureSettings& settings, const BuiltTexture& built, const D
 DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files)
 {
+    if (asked.endless) return make_endless(asked, seed, place, files);
     TextureSettings settings = asked;
     settings.request.seed = seed; // of the first set
-    const ExemplarPictures pictures = pictures_of(settings, settings.request.seed, place);
+    const ExemplarPictures pictures = texture_exemplar(settings, seed, place);
     const HarmonicSolver solve = [&](GradientDomain& domain) {
         if (place.engine == Engine::reference)
             relax_reference(domain);
@@ -283,7 +214,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
     DistributionResult result;
     result.parameters = parameters_for_claims(settings);
     std::vector<TextureValues> values;
-    std::optional<double> frames;
+    std::vector<DistributionNumber> times;
     for (int number = 0; number < settings.sets; ++number) {
         TextureRequest request = settings.request;
         request.seed += static_cast<std::uint64_t>(number);
@@ -293,19 +224,21 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
             if (place.on_step) place.on_step(fmt::format("set {}, {}: {} of {}", number + 1, stage, done, total));
         };
         BuiltTexture built = build_texture(request, pictures.exemplar, tell, solve);
-        values.push_back(values_of(built.set, request.seed));
+        values.push_back(tile_values(built.set, request.seed));
+        if (settings.is_compared)
+            add_comparison(built.set.exemplar, square_of_tiles(built.set, request.seed), 0, values.back());
         if (number > 0) continue;
         built.set.companions = pictures.companions;
         add_set(settings, built, place, files, result);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());
-        if (settings.has_timing && place.engine == Engine::opencl)
-            frames = frames_a_second(place.device(), texture_pyramid(built.set, request.seed));
+        if (settings.has_timing && place.engine == Engine::opencl) {
+            times = time_numbers(place.device(), endless_tiles(built.set, request.seed));
+            times.push_back(
+                time_number("frames", frames_a_second(place.device(), texture_pyramid(built.set, request.seed))));
+        }
     }
-    result.numbers = numbers_of(values);
-    if (frames) {
-        result.numbers.push_back(texture_number("frames", *frames, std::nullopt));
-        result.numbers.back().is_time = true;
-    }
+    result.numbers = texture_numbers(values);
+    result.numbers.insert(result.numbers.end(), times.begin(), times.end());
     return result;
 }
 

@@ -1,11 +1,14 @@
 // The tables [[texture]] and [[packing]] of a config become these checked settings.
 #pragma once
 
+#include "host/texture/endless/endless_request.hpp"
 #include "host/texture/texture_request.hpp"
 #include "tiles/tilings/tile_set.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,7 @@ namespace poissonlab {
 struct TextureSettings
 {
     TextureRequest request;                  ///< without seed
+    std::optional<EndlessRequest> endless;   ///< instead of tiles, whose size T remains the unit of windows
     std::filesystem::path exemplar;          ///< empty: a pattern
     std::filesystem::path marked_exemplar;   ///< of marked corners; empty: none are marked
     std::filesystem::path marks;             ///< a picture whose lighter part is marked; empty: corners are at random
@@ -26,6 +30,15 @@ struct TextureSettings
     std::uint64_t rows = 4;
     std::vector<std::string> show; ///< some of texture_shows()
     bool has_timing = false;       ///< frames a second are measured
+    bool is_compared = false;      ///< colours, contrast, gradients, structure and repetition, with the exemplar's own
+};
+
+/// What `texture endless` draws.
+struct EndlessSettings
+{
+    EndlessRequest request; ///< without seed
+    std::filesystem::path exemplar;
+    std::array<std::int64_t, 4> window{0, 0, 1024, 576}; ///< pixels: left, top, width, height
 };
 
 /// A table [[packing]]: see tiles/packing.

@@ -79,7 +79,7 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
                               texture("c", "gravel", 0.789)};
     const std::string text = page();
     EXPECT_THAT(text, HasSubstr("3 textures."));
-    EXPECT_THAT(text, AllOf(HasSubstr("Tiles of gravel"), Not(HasSubstr("Tiles of cork"))));
+    EXPECT_THAT(text, AllOf(HasSubstr("Textures of gravel"), Not(HasSubstr("Textures of cork"))));
     // A row has the values of both; their sections do not have them again, as that of the only one of cork does.
     EXPECT_THAT(text,
                 HasSubstr(R"(<td><data value="0.123">0.123</data></td><td><data value="0.789">0.789</data></td>)"));
@@ -87,6 +87,32 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
     EXPECT_LT(text.find("<h3>a &lt;of&gt; two"), text.find("<h3>c &lt;of&gt; two"));
     EXPECT_LT(text.find("<h3>c &lt;of&gt; two"), text.find("<h3>b &lt;of&gt; two")) << "those of gravel come first";
     EXPECT_THAT(text, HasSubstr(R"(<article id="distribution-3">)")) << "by its place among all distributions";
+}
+
+/// By the mean of ranks in six distances; what was not compared has no row.
+TEST_F(DistributionReport, RanksTexturesThatWereCompared)
+{
+    const auto texture = [&](const std::string& name, const std::vector<double>& values) {
+        auto json = result(name, "texture");
+        json["label"] = "texture " + name;
+        json["parameters"] = {{{"key", "exemplar"}, {"value", "gravel"}}};
+        const std::vector<std::string> keys{"histogram_spread", "contrast_spread", "gradient_spread",
+                                            "structure_spread", "peak_times",      "contrast_peak_times"};
+        json["numbers"] = nlohmann::json::array();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            json["numbers"].push_back({{"key", keys[i]}, {"title", keys[i]}, {"value", values[i]}, {"meaning", ""}});
+        return json;
+    };
+    json_["distributions"] = {texture("far", {4, 4, 4, 4, 4, 1}), texture("near", {1, 1, 1, 1, 1, 2}),
+                              texture("unknown", {1, 1})};
+    const std::string text = page();
+    const std::size_t ranking = text.find("aria-label=\"Ranking of textures\"");
+    ASSERT_NE(ranking, std::string::npos);
+    const std::string table = text.substr(ranking, text.find("</table>", ranking) - ranking);
+    EXPECT_THAT(table, HasSubstr(R"(<a href="#distribution-2">texture near</a></th><td>1.2</td>)")); // (5 + 2) / 6
+    EXPECT_THAT(table, HasSubstr(R"(<a href="#distribution-1">texture far</a></th><td>1.8</td>)"));
+    EXPECT_LT(table.find("texture near"), table.find("texture far"));
+    EXPECT_THAT(table, Not(HasSubstr("texture unknown")));
 }
 
 TEST_F(DistributionReport, CallsPackingsPackings)

@@ -1,0 +1,66 @@
+#include "host/distribution/textures/endless_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace poissonlab {
+
+void endless_keys(Keys& keys, EndlessRequest& r)
+{
+    keys.integer("cell", r.cell, least_endless_cell, most_endless_cell,
+                 "of offsets, hexagons and blended: between lattice points, rounded to an even number")
+        .unit("pixels")
+        .otherwise("the exemplar's shorter side over 2 sqrt 3, of offsets a third of it");
+    keys.integer("exponent", r.exponent, 1, most_endless_exponent,
+                 "of hexagons and blended: the power of barycentric weights; larger ones blend less")
+        .otherwise("7, of blended 1");
+    keys.number("falloff", r.falloff, {0, 0.95},
+                "of hexagons: the part of a weight that is the lightness of its pixel");
+    keys.integer("gain", r.gain, 1, most_endless_gain,
+                 "of hexagons: the contrast of weights, w becoming (2 w)^gain / 2 below a half");
+    keys.flag("restored", r.restored, "of offsets and hexagons: give back the variance that blending takes");
+    keys.flag("tileable", r.tileable, "of offsets, hexagons and blended: the exemplar's opposite borders fit");
+    keys.integer("block", r.block, least_quilting_block, most_quilting_block,
+                 "of quilted: the side of a block, a sixth of which overlaps")
+        .unit("pixels");
+    keys.number("tolerance", r.tolerance, {0, 10},
+                "of quilted: blocks are drawn from those whose misfit is at most so much of the least one above it");
+}
+
+std::string endless_label(const EndlessRequest& request, const std::string& exemplar)
+{
+    std::string label = exemplar + ": ";
+    switch (request.method) {
+    case EndlessMethod::repeated:
+        label += "repeated";
+        break;
+    case EndlessMethod::offsets:
+        label += "squares at random offsets";
+        break;
+    case EndlessMethod::hexagons:
+        label += "hex-tiling";
+        break;
+    case EndlessMethod::blended:
+        label += "by-example noise";
+        break;
+    case EndlessMethod::quilted:
+        label += "quilted in one piece";
+        break;
+    }
+    if (request.gain > 1) label += fmt::format(", gain of {}", request.gain);
+    if (request.restored) label += ", variance restored";
+    if (request.exponent) label += fmt::format(", weights to the power {}", *request.exponent);
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+std::vector<std::string> endless_shows(EndlessMethod method)
+{
+    std::vector<std::string> words{"exemplar", "tiling"};
+    if (method == EndlessMethod::blended) words.emplace_back("gaussian");
+    if (method == EndlessMethod::quilted) words.emplace_back("pieces");
+    return words;
+}
+
+}

@@ -1,0 +1,21 @@
+// The keys of endless textures that are no tiles: of tables [[texture]], and of `texture endless`.
+#pragma once
+
+#include "host/settings/keys/keys.hpp"
+#include "host/texture/endless/endless_request.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// All but the method and the exemplar.
+void endless_keys(Keys& keys, EndlessRequest& request);
+
+/// "Gravel: hexagons of 148 pixels, variance restored"
+std::string endless_label(const EndlessRequest& request, const std::string& exemplar);
+
+/// The words of `show` that a method has.
+std::vector<std::string> endless_shows(EndlessMethod method);
+
+}

@@ -1,0 +1,34 @@
+// Lightness of pictures, and numbers at the places of a rectangle.
+#pragma once
+
+#include "base/images/png_file.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace poissonlab {
+
+/// Numbers row by row.
+struct LightMap
+{
+    int width = 0;
+    int height = 0;
+    std::vector<double> values;
+
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+    double at(int x, int y) const { return values[index(x, y)]; }
+};
+
+/// The lightness of pixels, in levels: of colours 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601).
+LightMap lightness_map(const PngPixels& picture);
+
+/// The standard deviations within squares of `side` values, side by side.
+LightMap contrast_map(const LightMap& map, int side);
+
+/// The part of a picture from (left, top) on.
+PngPixels picture_part(const PngPixels& picture, int left, int top, int width, int height);
+
+}

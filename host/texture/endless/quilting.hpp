@@ -1,0 +1,30 @@
+// Image quilting in one piece: blocks of the exemplar that fit to those before them, cut along the best path.
+//
+// Efros and Freeman, Image Quilting for Texture Synthesis and Transfer, SIGGRAPH 2001: blocks row by row; an overlap of
+// a sixth of a block; one at random of those whose difference in it is at most a tenth above the smallest; cuts by
+// paths. Their paper leaves open that the window which goes on where a neighbour's ends fits without any difference, so
+// that nothing but copies of the exemplar would follow: windows nearer than a quarter of a block to such a
+// continuation are not taken here, as long as there are others.
+#pragma once
+
+#include "base/images/png_file.hpp"
+#include "host/texture/endless/endless_request.hpp"
+#include "tiles/texture/texture_set.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace poissonlab {
+
+struct QuiltedPicture
+{
+    PngPixels pixels;
+    std::vector<SourcePixel> sources; ///< in the exemplar, row by row
+};
+
+/// A quilted picture of this size. The same bytes on any number of threads. Throws InputError as check() does, and
+/// Interrupted from `tell`, which is called with rows of blocks that are done and all of them.
+QuiltedPicture quilted_picture(const EndlessRequest& request, const PngPixels& exemplar, int width, int height,
+                               const std::function<void(int done, int total)>& tell);
+
+}

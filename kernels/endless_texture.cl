@@ -1,0 +1,247 @@
+// Colours of endless textures at pixels of the plane: a work-item a pixel, a row of work-groups a row of pixels.
+//
+// Quilez, Texture repetition, 2015; Mikkelsen, Practical Real-Time Hex-Tiling, 2022; Heitz and Neyret, High-Performance
+// By-Example Noise using a Histogram-Preserving Blending Operator, 2018; Burley, On Histogram-Preserving Blending for
+// Randomized Texture Tiling, 2019; Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. See
+// host/texture/endless; the plain twin is endless_reference.cpp there. Floating-point numbers are added and multiplied
+// only, in the same order, so that bytes are the same on all devices; quotients and roots are Newton's.
+//
+// Needs METHOD of the contract, CHANNELS (1 or 3), CELL and ROW, the plane's cell and row, by which so much is divided
+// that they are known when the kernel is built, EXPONENT, GAIN and RESTORED (0 or 1) of EndlessTexture, and COLORS of
+// tiles.
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#include "runtime/texture_tiles.h"
+
+#include "kernels/common/fields/endless_texture.h"
+
+#ifdef __clang__ // without it PoCL calls functions, and runs one work-item at a time
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+#define PIECES (METHOD == METHOD_OFFSETS ? 4 : 3)
+
+/// 1 / v.
+INLINE float reciprocal(float v)
+{
+    float r = as_float(0x7ef311c3u - as_uint(v));
+    r = r * (2.0f - v * r);
+    r = r * (2.0f - v * r);
+    r = r * (2.0f - v * r);
+    return r * (2.0f - v * r);
+}
+
+/// 1 / sqrt(v).
+INLINE float reciprocal_root(float v)
+{
+    float r = as_float(0x5f3759dfu - (as_uint(v) >> 1));
+    r = r * (1.5f - 0.5f * v * r * r);
+    r = r * (1.5f - 0.5f * v * r * r);
+    r = r * (1.5f - 0.5f * v * r * r);
+    return r * (1.5f - 0.5f * v * r * r);
+}
+
+INLINE float power(float v, int exponent)
+{
+    float product = v;
+    for (int i = 1; i < exponent; ++i) product = product * v;
+    return product;
+}
+
+/// The texel of the exemplar that a pixel so far from a lattice point sees through that point's piece.
+INLINE uint piece_texel(struct EndlessPlane plane, uint x, uint y, int dx, int dy)
+{
+    const uint hash = ttiles_mix(ttiles_mix(ttiles_mix(plane.seed) + x) + y);
+    int column = plane.reach_x + (int)(((hash & 0xffffu) * (uint)plane.choices_x) >> 16);
+    int row = plane.reach_y + (int)(((hash >> 16) * (uint)plane.choices_y) >> 16);
+    if (plane.is_tileable) {
+        column += dx;
+        row += dy;
+        column += column < 0 ? plane.width : 0;
+        row += row < 0 ? plane.height : 0;
+        column -= column >= plane.width ? plane.width : 0;
+        row -= row >= plane.height ? plane.height : 0;
+    } else {
+        column += clamp(dx, -plane.reach_x, plane.reach_x);
+        row += clamp(dy, -plane.reach_y, plane.reach_y);
+    }
+    return (uint)row * (uint)plane.width + (uint)column;
+}
+
+/// Texels and weights of the corners of the triangle around a pixel; `x` and `y` from the window's lattice point.
+INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window, int x, int y, uint* texels,
+                          float* weights)
+{
+    const int whole = 2 * CELL * ROW;
+    const int j = y / ROW, dy = y - j * ROW;
+    x -= j * (CELL / 2); // from the row's own lattice point
+    const int a = 2 * ROW * x - CELL * dy;
+    int i = a / whole;
+    i -= a < i * whole;
+    const int fa = a - i * whole, fb = 2 * CELL * dy;
+    const int is_upper = fa + fb >= whole;
+    const int parts[3] = {is_upper ? fa + fb - whole : whole - fa - fb, is_upper ? whole - fb : fb,
+                          is_upper ? whole - fa : fa};
+    const int east[3] = {is_upper, is_upper, 1 - is_upper}, south[3] = {is_upper, 1 - is_upper, is_upper};
+    for (int k = 0; k < 3; ++k) {
+        texels[k] = piece_texel(plane, window.cell_x + (uint)(i + east[k]), window.cell_y + (uint)(j + south[k]),
+                                x - (i + east[k]) * CELL - south[k] * (CELL / 2), dy - south[k] * ROW);
+        weights[k] = power((float)parts[k] * plane.inverse_unit, EXPONENT);
+    }
+}
+
+/// How far a square is blended into the next one: from a quarter to three quarters of the way, smoothly.
+INLINE float smooth_part(int pixels, float inverse_unit)
+{
+    float t = ((float)pixels * inverse_unit - 0.25f) * 2.0f;
+    t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// The same of the corners of the square around it.
+INLINE void find_square(struct EndlessPlane plane, struct EndlessWindow window, int x, int y, uint* texels,
+                        float* weights)
+{
+    const int i = x / CELL, j = y / CELL, dx = x - i * CELL, dy = y - j * CELL;
+    const float east = smooth_part(dx, plane.inverse_unit), south = smooth_part(dy, plane.inverse_unit);
+    for (int k = 0; k < 4; ++k) {
+        const int u = k % 2, v = k / 2;
+        texels[k] = piece_texel(plane, window.cell_x + (uint)(i + u), window.cell_y + (uint)(j + v), dx - u * CELL,
+                                dy - v * CELL);
+        weights[k] = (u ? east : 1.0f - east) * (v ? south : 1.0f - south);
+    }
+}
+
+INLINE float byte_of(uint texel, int channel) { return (float)((texel >> (8 * channel)) & 0xffu); }
+
+/// The lightness of a texel, from 0 to 1.
+INLINE float lightness(uint texel)
+{
+    if (CHANNELS == 1) return (float)(256u * (texel & 0xffu)) * (1.0f / 65280.0f);
+    return (float)(77u * (texel & 0xffu) + 150u * ((texel >> 8) & 0xffu) + 29u * ((texel >> 16) & 0xffu)) *
+           (1.0f / 65280.0f);
+}
+
+/// More contrast between weights, whose sum is 1.
+INLINE float gained(float w)
+{
+    if (GAIN == 1) return w;
+    return w < 0.5f ? 0.5f * power(2.0f * w, GAIN) : 1.0f - 0.5f * power(2.0f - 2.0f * w, GAIN);
+}
+
+/// Makes the sum of weights 1.
+INLINE void divide_weights(float* weights)
+{
+    float sum = weights[0];
+    for (int k = 1; k < PIECES; ++k) sum += weights[k];
+    const float part = reciprocal(sum);
+    for (int k = 0; k < PIECES; ++k) weights[k] = weights[k] * part;
+}
+
+/// One over the deviation of a sum of independent values with these weights.
+INLINE float restoring_factor(const float* weights)
+{
+    float squares = weights[0] * weights[0];
+    for (int k = 1; k < PIECES; ++k) squares += weights[k] * weights[k];
+    return reciprocal_root(squares);
+}
+
+INLINE uint rounded_byte(float v)
+{
+    v = v + 0.5f;
+    v = v < 0.0f ? 0.0f : v > 255.0f ? 255.0f : v;
+    return (uint)(int)v;
+}
+
+INLINE uint blended_bytes(struct EndlessPlane plane, global const uint* texels, const uint* places, float* weights)
+{
+    uint found[PIECES];
+    for (int k = 0; k < PIECES; ++k) found[k] = texels[places[k]];
+    if (METHOD == METHOD_HEXAGONS)
+        for (int k = 0; k < PIECES; ++k)
+            weights[k] = weights[k] * (1.0f + plane.falloff * (lightness(found[k]) - 1.0f));
+    divide_weights(weights);
+    if (GAIN > 1) {
+        for (int k = 0; k < PIECES; ++k) weights[k] = gained(weights[k]);
+        divide_weights(weights);
+    }
+    const float factor = RESTORED ? restoring_factor(weights) : 1.0f;
+    uint bytes = 0;
+    for (int c = 0; c < CHANNELS; ++c) {
+        float sum = weights[0] * byte_of(found[0], c);
+        for (int k = 1; k < PIECES; ++k) sum += weights[k] * byte_of(found[k], c);
+        if (RESTORED) sum = plane.means[c] + (sum - plane.means[c]) * factor;
+        bytes |= rounded_byte(sum) << (8 * c);
+    }
+    return bytes;
+}
+
+/// A coordinate of a Gaussian exemplar, in its numbers from the mean on.
+INLINE float gaussian_number(global const uint* texels, uint place, int k)
+{
+    if (CHANNELS == 1) return (float)((int)texels[place] - GAUSSIAN_ZERO);
+    const uint pair = texels[2 * place + k / 2];
+    return (float)((int)((pair >> (16 * (k % 2))) & 0xffffu) - GAUSSIAN_ZERO);
+}
+
+INLINE uint gaussian_bytes(struct EndlessPlane plane, global const uint* texels, global const float* inverse,
+                           const uint* places, float* weights)
+{
+    divide_weights(weights);
+    const float factor = restoring_factor(weights);
+    float colors[CHANNELS];
+    for (int c = 0; c < CHANNELS; ++c) colors[c] = plane.means[c];
+    for (int k = 0; k < CHANNELS; ++k) {
+        float sum = weights[0] * gaussian_number(texels, places[0], k);
+        for (int piece = 1; piece < 3; ++piece) sum += weights[piece] * gaussian_number(texels, places[piece], k);
+        const int number = (int)(sum * factor + (GAUSSIAN_ZERO + 0.5f));
+        const int entry = clamp(number, 0, 65535) / (65536 / INVERSE_ENTRIES);
+        const float coordinate = inverse[k * INVERSE_ENTRIES + entry];
+        for (int c = 0; c < CHANNELS; ++c) colors[c] = colors[c] + coordinate * plane.axes[3 * k + c];
+    }
+    uint bytes = 0;
+    for (int c = 0; c < CHANNELS; ++c) bytes |= rounded_byte(colors[c]) << (8 * c);
+    return bytes;
+}
+
+INLINE uint tile_bytes(struct EndlessPlane plane, struct EndlessWindow window, global const uint* texels, int x, int y)
+{
+    // Tiles count from the south.
+    const int from_south = window.start_y + window.height - 1 - y;
+    const uint i = (uint)(x / CELL), j = (uint)(from_south / CELL);
+    const uint column = (uint)x - i * CELL, row = (uint)from_south - j * CELL;
+    const uint texel =
+        METHOD == METHOD_WANG_TILES
+            ? ttiles_wang_texel(plane.seed, COLORS, CELL, window.cell_x + i, window.cell_y + j, column, row)
+            : ttiles_texel(plane.seed, COLORS, CELL, window.cell_x + i, window.cell_y + j, column, row);
+    return texels[texel];
+}
+
+/// Bytes of the channels from the lowest on, row by row. `groups` work-groups make a row.
+kernel void color_pixels(struct EndlessPlane plane, struct EndlessWindow window, uint groups, global const uint* texels,
+                         global const float* inverse, global uint* pixels)
+{
+    const int row = (int)(get_group_id(0) / groups);
+    const int column = (int)((get_group_id(0) % groups) * get_local_size(0) + get_local_id(0));
+    if (column >= window.width || row >= window.height) return;
+    const int x = window.start_x + column, y = window.start_y + row;
+    uint bytes;
+    if (METHOD == METHOD_REPEATED)
+        bytes = texels[(y % ROW) * CELL + x % CELL];
+    else if (METHOD >= METHOD_TILES)
+        bytes = tile_bytes(plane, window, texels, x, row);
+    else {
+        uint places[PIECES];
+        float weights[PIECES];
+        if (METHOD >= METHOD_HEXAGONS)
+            find_triangle(plane, window, x, y, places, weights);
+        else
+            find_square(plane, window, x, y, places, weights);
+        bytes = METHOD == METHOD_BLENDED ? gaussian_bytes(plane, texels, inverse, places, weights)
+                                         : blended_bytes(plane, texels, places, weights);
+    }
+    pixels[row * window.width + column] = bytes;
+}
