@@ -103,8 +103,7 @@ const std::vector<Measure>& texture_measures()
         texture_row(
             "peak_correlation", "largest self-correlation", "", lower, three,
             "Of the texture's lightness with itself, moved by a quarter of the exemplar's side and more, at most by a "
-            "quarter of 4,096 x 4,096 pixels (64 x 64 tiles of 64), or of all of a quilted picture: 1 repeats "
-            "exactly."),
+            "quarter of 64 x 64 tiles, 4,096 x 4,096 pixels at most, or of a quilted picture: 1 repeats exactly."),
         texture_row("peak_times", "self-correlation, times chance", "times of chance", lower, three,
                     "The same over what chance alone gives in as large a picture of a random field with the exemplar's "
                     "correlations: about 1 where nothing repeats."),

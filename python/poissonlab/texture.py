@@ -19,4 +19,7 @@ def build(kind="corner", /, **keys):
 #: The function that build() calls, with all keys: help(texture.keys).
 keys = _build
 
-__all__ = ["Made", "build"]
+#: endless("hexagons", exemplar=..., window=[0, 0, 1920, 1080]): a window of an endless texture by other methods than tiles.
+endless = _kinds.function_of_command("texture endless", "endless")
+
+__all__ = ["Made", "build", "endless"]

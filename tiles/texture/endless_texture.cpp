@@ -26,4 +26,16 @@ TileIndex endless_index(TileKind kind, std::uint32_t seed, WangColors colors, st
     return corner_index({corner(1, 1), corner(1, 0), corner(0, 0), corner(0, 1)}, colors.horizontal);
 }
 
+std::uint32_t endless_texel(TileKind kind, std::uint32_t seed, Color colors, std::uint32_t size, std::uint32_t x,
+                            std::uint32_t y, std::uint32_t column, std::uint32_t row)
+{
+    return kind == TileKind::wang ? ttiles_wang_texel(seed, colors, size, x, y, column, row)
+                                  : ttiles_texel(seed, colors, size, x, y, column, row);
+}
+
+std::uint32_t endless_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y)
+{
+    return ttiles_mix(ttiles_mix(ttiles_mix(seed) + x) + y);
+}
+
 }

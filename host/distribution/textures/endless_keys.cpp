@@ -1,5 +1,8 @@
 #include "host/distribution/textures/endless_keys.hpp"
 
+#include "base/errors/errors.hpp"
+#include "base/images/raw_picture.hpp"
+
 #include <fmt/format.h>
 
 #include <cctype>
@@ -26,6 +29,23 @@ void endless_keys(Keys& keys, EndlessRequest& r)
         .unit("pixels");
     keys.number("tolerance", r.tolerance, {0, 10},
                 "of quilted: blocks are drawn from those whose misfit is at most so much of the least one above it");
+}
+
+void check_exemplar_size(const Keys& keys, const EndlessRequest& request, const std::filesystem::path& exemplar,
+                         int pattern_size)
+{
+    if (!keys.is_read()) return;
+    PngPixels size{pattern_size, pattern_size, 1, {}};
+    if (!exemplar.empty()) {
+        try {
+            const PictureHeader header = read_picture_header(exemplar);
+            size.width = header.width;
+            size.height = header.height;
+        } catch (const InputError&) {
+            return; // reading the picture says more
+        }
+    }
+    keys.check([&] { check(request, size); });
 }
 
 std::string endless_label(const EndlessRequest& request, const std::string& exemplar)

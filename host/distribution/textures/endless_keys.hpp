@@ -4,6 +4,7 @@
 #include "host/settings/keys/keys.hpp"
 #include "host/texture/endless/endless_request.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace poissonlab {
 
 /// All but the method and the exemplar.
 void endless_keys(Keys& keys, EndlessRequest& request);
+
+/// Checks a request that was read against the size of its exemplar, by the header of its file, or of a pattern.
+void check_exemplar_size(const Keys& keys, const EndlessRequest& request, const std::filesystem::path& exemplar,
+                         int pattern_size);
 
 /// "Gravel: hexagons of 148 pixels, variance restored"
 std::string endless_label(const EndlessRequest& request, const std::string& exemplar);

@@ -98,7 +98,7 @@ TextureValues values_of(const TextureSettings& settings, const MadeTexture& made
     if (settings.is_compared)
         add_comparison(
             exemplar, [&](int pixels) { return square_of(made, pixels, pixels, place); },
-            made.endless ? 0 : made.quilted.pixels.width, values);
+            made.endless ? compared_tiles * size : made.quilted.pixels.width, values);
     return values;
 }
 

@@ -204,10 +204,12 @@ void texture_keys(Keys& keys, TextureSettings& s)
     keys.flag("compare", s.is_compared,
               "whether colours, contrast, gradients, structure and repetition are compared with the exemplar's own");
     check_keys_of_kind(keys, s);
-    if (s.endless)
+    if (s.endless) {
         check_endless_shows(keys, s);
-    else
+        check_exemplar_size(keys, *s.endless, s.exemplar, s.pattern_size);
+    } else {
         check_texture_shows(keys, s);
+    }
 }
 
 std::string texture_label(const TextureSettings& settings)

@@ -226,7 +226,8 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
         BuiltTexture built = build_texture(request, pictures.exemplar, tell, solve);
         values.push_back(tile_values(built.set, request.seed));
         if (settings.is_compared)
-            add_comparison(built.set.exemplar, square_of_tiles(built.set, request.seed), 0, values.back());
+            add_comparison(built.set.exemplar, square_of_tiles(built.set, request.seed), compared_tiles * request.size,
+                           values.back());
         if (number > 0) continue;
         built.set.companions = pictures.companions;
         add_set(settings, built, place, files, result);

@@ -17,6 +17,9 @@ using TextureValues = std::map<std::string, double>;
 /// Tiles along the sides of the tiling that is measured.
 inline constexpr std::uint64_t measured_tiles = 16;
 
+/// Tiles along the sides of that in which repetition is looked for, at most peak_side pixels.
+inline constexpr int compared_tiles = 64;
+
 /// Seams, repetition and colours of a set, laid by a seed.
 TextureValues tile_values(const TextureSet& set, std::uint64_t seed);
 
@@ -28,7 +31,8 @@ void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int
 /// Seams where sources of a picture's pixels are no neighbours, per T x T pixels.
 void add_seam_values(const TextureSet& set, double tiles, TextureValues& values);
 
-/// What compare_texture() says; nothing where the exemplar is too small.
+/// What compare_texture() says, repetition being looked for along at most so many pixels; nothing where the exemplar is
+/// too small.
 void add_comparison(const PngPixels& exemplar, const TextureSquare& texture, int largest, TextureValues& values);
 
 /// A square of the tiling by a seed, from its south-west on.

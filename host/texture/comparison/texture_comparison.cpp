@@ -61,12 +61,11 @@ double structure_times(const TextureComparison& comparison)
     return sum / pyramid_scales;
 }
 
-TextureComparison compare_texture(const PngPixels& exemplar, const TextureSquare& texture, int largest)
+TextureComparison compare_texture(const PngPixels& exemplar, const TextureSquare& texture, int side)
 {
     TextureComparison result;
     compare_windows(exemplar, texture(compared_side(exemplar)), result);
-    const LightMap natural = lightness_map(exemplar),
-                   light = lightness_map(texture(largest > 0 ? std::min(largest, peak_side) : peak_side));
+    const LightMap natural = lightness_map(exemplar), light = lightness_map(texture(std::min(side, peak_side)));
     const int least = static_cast<int>(least_peak_part * std::min(exemplar.width, exemplar.height));
     result.peak = correlation_peak(SelfCorrelation(light), least).correlation;
     result.chance_peak = chance_of_peak(SelfCorrelation(natural), least, light.width, light.height);

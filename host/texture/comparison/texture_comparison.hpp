@@ -38,12 +38,12 @@ double structure_times(const TextureComparison& comparison);
 /// The least side of an exemplar that can be compared.
 inline constexpr int least_compared_side = 128;
 
-/// Pixels along the sides of the square in which windows are compared, and of that in which repetition is looked for:
-/// 64 x 64 tiles of 64 pixels.
+/// Pixels along the sides of the square in which windows are compared, and the most of that in which repetition is
+/// looked for: 64 x 64 tiles of 64 pixels.
 int compared_side(const PngPixels& exemplar);
 inline constexpr int peak_side = 4096;
 
-/// Compares; `largest` is at most so many pixels along a side that the texture has, 0: endless.
-TextureComparison compare_texture(const PngPixels& exemplar, const TextureSquare& texture, int largest = 0);
+/// Compares; repetition is looked for in a square of `side` pixels, peak_side at most.
+TextureComparison compare_texture(const PngPixels& exemplar, const TextureSquare& texture, int side);
 
 }

@@ -1,7 +1,7 @@
 // The plain C++ twin of kernels/endless_texture.cl: a loop over pixels and the pieces of the exemplar that each sees.
 #include "base/programs/interrupt.hpp"
 #include "host/texture/endless/endless_texture.hpp"
-#include "runtime/texture_tiles.h"
+#include "tiles/texture/endless_texture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,17 +75,16 @@ private:
     {
         const auto side = static_cast<std::uint32_t>(plane_.cell);
         const auto at_x = static_cast<std::uint32_t>(x), at_y = static_cast<std::uint32_t>(from_south);
-        const auto texel = texture_.method == METHOD_WANG_TILES ? ttiles_wang_texel : ttiles_texel;
-        return texture_.texels[texel(plane_.seed, texture_.colors, side, window_.cell_x + at_x / side,
-                                     window_.cell_y + at_y / side, at_x % side, at_y % side)];
+        const TileKind kind = texture_.method == METHOD_WANG_TILES ? TileKind::wang : TileKind::corner;
+        return texture_.texels[endless_texel(kind, plane_.seed, texture_.colors, side, window_.cell_x + at_x / side,
+                                             window_.cell_y + at_y / side, at_x % side, at_y % side)];
     }
 
     /// Adds the piece of the lattice point (i, j), from which the pixel is at (dx, dy).
     void see(SeenPieces& pieces, int piece, int i, int j, int dx, int dy, float weight) const
     {
-        const std::uint32_t hash =
-            ttiles_mix(ttiles_mix(ttiles_mix(plane_.seed) + (window_.cell_x + static_cast<std::uint32_t>(i))) +
-                       (window_.cell_y + static_cast<std::uint32_t>(j)));
+        const std::uint32_t hash = endless_word(plane_.seed, window_.cell_x + static_cast<std::uint32_t>(i),
+                                                window_.cell_y + static_cast<std::uint32_t>(j));
         const auto place = [](std::uint32_t word, int choices) {
             return static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
         };

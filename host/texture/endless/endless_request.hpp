@@ -52,13 +52,13 @@ struct EndlessRequest
 
     bool has_hexagons() const { return method == EndlessMethod::hexagons || method == EndlessMethod::blended; }
     int exponent_or_default() const { return exponent.value_or(method == EndlessMethod::hexagons ? 7 : 1); }
-    /// Even, so that every other row of lattice points lies at half a cell.
+    /// Even, so that every other row of lattice points lies at half a cell. Of an exemplar its width and height count.
     int cell_of(const PngPixels& exemplar) const;
     /// Pixels between rows of lattice points: what makes triangles of them equilateral, rounded.
     int row_of(const PngPixels& exemplar) const;
 };
 
-/// Checks what depends on the exemplar. Throws InputError that begins with the parameter's name.
+/// Checks what depends on the exemplar's width and height. Throws InputError that begins with the parameter's name.
 void check(const EndlessRequest& request, const PngPixels& exemplar);
 
 /// How many texels a pixel takes, those of a table among them; nothing of quilted pictures, which are there.

@@ -14,6 +14,9 @@
 namespace poissonlab {
 namespace {
 
+/// Columns and rows of blocks within which no window is taken twice.
+constexpr int neighbor_reach = 3;
+
 /// The sides on which a block lies over what is there.
 struct OverlapSides
 {
@@ -111,18 +114,30 @@ private:
         return {x, below(exemplar_.height - block_ + 1), block_};
     }
 
-    /// True where a window nearly goes on as a neighbour does.
-    bool goes_on(int x, int y, int column, int row) const
+    /// Windows nearer than this along both axes are the same to the eye.
+    int near() const
     {
-        const int near = std::max(1, block_ / 4);
-        const auto follows = [&](int columns_before, int rows_before) {
-            if (column < columns_before || row < rows_before || column - columns_before >= columns_) return false;
-            const ExemplarWindow& other =
-                places_[static_cast<std::size_t>((row - rows_before) * columns_ + column - columns_before)];
-            return std::abs(other.x + columns_before * step() - x) < near &&
-                   std::abs(other.y + rows_before * step() - y) < near;
+        const double places = static_cast<double>(exemplar_.width - block_ + 1) * (exemplar_.height - block_ + 1);
+        const double neighbors = neighbor_reach * (2 * neighbor_reach + 2) + 4; // and continuations
+        return std::clamp(static_cast<int>(std::sqrt(places / (4 * neighbors)) / 2), 1, std::max(1, block_ / 4));
+    }
+
+    /// True where a window nearly goes on as a neighbour does, or shows what a block not far away shows.
+    bool is_forbidden(int x, int y, int column, int row) const
+    {
+        const int apart = near();
+        const auto is_near = [&](const ExemplarWindow& window, int dx, int dy) {
+            return std::abs(window.x + dx - x) < apart && std::abs(window.y + dy - y) < apart;
         };
-        return follows(1, 0) || follows(0, 1) || follows(1, 1) || follows(-1, 1);
+        for (int up = 0; up <= std::min(row, neighbor_reach); ++up)
+            for (int west = up == 0 ? 1 : -neighbor_reach; west <= neighbor_reach; ++west) {
+                const int other = column - west;
+                if (other < 0 || other >= columns_) continue;
+                const ExemplarWindow& window = places_[static_cast<std::size_t>((row - up) * columns_ + other)];
+                if (is_near(window, 0, 0)) return true;
+                if (up <= 1 && std::abs(west) <= 1 && is_near(window, west * step(), up * step())) return true;
+            }
+        return false;
     }
 
     ExemplarWindow chosen_window(int column, int row) const
@@ -133,17 +148,17 @@ private:
         const SquareSums sums = squares_.at(key({column > 0, row > 0}))
                                     ->sums(window_pixels(picture_, {column * step(), row * step(), block_}));
         std::vector<ExemplarWindow> windows;
-        for (const bool may_go_on : {false, true}) {
-            windows = best_windows(sums, column, row, may_go_on);
+        for (const bool may_repeat : {false, true}) {
+            windows = best_windows(sums, column, row, may_repeat);
             if (!windows.empty()) break;
         }
         return windows[words.below(static_cast<std::uint32_t>(windows.size()))];
     }
 
     /// Those whose difference is at most a tolerance above the smallest one.
-    std::vector<ExemplarWindow> best_windows(const SquareSums& sums, int column, int row, bool may_go_on) const
+    std::vector<ExemplarWindow> best_windows(const SquareSums& sums, int column, int row, bool may_repeat) const
     {
-        const auto is_allowed = [&](int x, int y) { return may_go_on || !goes_on(x, y, column, row); };
+        const auto is_allowed = [&](int x, int y) { return may_repeat || !is_forbidden(x, y, column, row); };
         std::uint64_t least = ~std::uint64_t{0};
         for (int y = 0; y < sums.rows; ++y)
             for (int x = 0; x < sums.columns; ++x)
@@ -212,12 +227,15 @@ QuiltedPicture quilted_picture(const EndlessRequest& request, const PngPixels& e
 {
     check(request, exemplar);
     Quilt quilt(request, exemplar, width, height);
-    // A block follows those to the west, the north-west, the north and the north-east: column + 2 row counts the steps.
-    const int steps = quilt.columns() + 2 * (quilt.rows() - 1);
+    // A block follows those to the west, and those of rows before it up to three columns to the east: column + slope
+    // row counts the steps.
+    constexpr int slope = neighbor_reach + 1;
+    const int steps = quilt.columns() + slope * (quilt.rows() - 1);
     for (int step = 0; step < steps; ++step) {
         tell(step, steps);
-        const int first = std::max(0, (step - quilt.columns() + 2) / 2), last = std::min(quilt.rows() - 1, step / 2);
-        tbb::parallel_for(first, last + 1, [&](int row) { quilt.add_block(step - 2 * row, row); });
+        const int first = std::max(0, (step - quilt.columns() + slope) / slope);
+        const int last = std::min(quilt.rows() - 1, step / slope);
+        tbb::parallel_for(first, last + 1, [&](int row) { quilt.add_block(step - slope * row, row); });
     }
     return quilt.cropped(width, height);
 }

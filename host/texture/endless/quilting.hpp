@@ -3,8 +3,10 @@
 // Efros and Freeman, Image Quilting for Texture Synthesis and Transfer, SIGGRAPH 2001: blocks row by row; an overlap of
 // a sixth of a block; one at random of those whose difference in it is at most a tenth above the smallest; cuts by
 // paths. Their paper leaves open that the window which goes on where a neighbour's ends fits without any difference, so
-// that nothing but copies of the exemplar would follow: windows nearer than a quarter of a block to such a
-// continuation are not taken here, as long as there are others.
+// that nothing but copies of the exemplar would follow, and that the best windows fit to themselves, so that one is
+// taken again and again. Here windows near such a continuation are not taken, nor those near what blocks up to three
+// columns and rows away show, as long as there are others: nearer than a quarter of a block, or less in small
+// exemplars, of which this forbids a quarter at most.
 #pragma once
 
 #include "base/images/png_file.hpp"

@@ -74,14 +74,60 @@ TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
 {
     TextureSettings settings = noise_settings();
     settings.show = shows_of("texture");
+    settings.is_compared = true;
     const DistributionResult result = make(settings);
     for (const DistributionPicture& picture : result.pictures)
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;
-    EXPECT_EQ(result.pictures.size(), shows_of("texture").size() - 2); // no marks
+    EXPECT_EQ(result.pictures.size(), shows_of("texture").size() - 3); // no marks, nothing Gaussian
     EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).exceptions, 0u);
-    EXPECT_EQ(result.numbers.size(), texture_measures().size() - 1) << "all but frames, which are timed on a device";
+    EXPECT_EQ(result.numbers.size(), texture_measures().size() - 3) << "all but what is timed on a device";
     const PngPixels seams = read_png(folder_.path() / "seams.png");
     EXPECT_EQ(seams.width, 2 * 4 * 32);
+}
+
+/// Without tiles: pictures, memory, look-ups, colours and repetition; of quilted pictures seams as well.
+TEST_F(TextureRun, MakesEndlessTexturesWithoutTiles)
+{
+    for (const auto& [method, word] : endless_methods.entries) {
+        TextureSettings settings = noise_settings();
+        settings.request.size = 16;
+        settings.endless.emplace().method = method;
+        settings.endless->block = 24;
+        settings.is_compared = method == EndlessMethod::quilted;
+        settings.show = method == EndlessMethod::blended ? std::vector<std::string>{"tiling", "gaussian"}
+                                                         : std::vector<std::string>{"tiling", "exemplar"};
+        const DistributionResult result = make(settings);
+        EXPECT_EQ(result.parameter("kind"), word);
+        ASSERT_EQ(result.pictures.size(), 2u);
+        const PngPixels window = read_png(folder_.path() / result.pictures[0].file);
+        EXPECT_EQ(window.width, 8 * 16);
+        EXPECT_EQ(window.height, 4 * 16);
+        const std::map<EndlessMethod, int> fetches{{EndlessMethod::repeated, 1},
+                                                   {EndlessMethod::offsets, 4},
+                                                   {EndlessMethod::hexagons, 3},
+                                                   {EndlessMethod::blended, 4},
+                                                   {EndlessMethod::quilted, 1}};
+        EXPECT_EQ(number(result, "fetches"), fetches.at(method)) << word;
+        if (method != EndlessMethod::quilted) continue;
+        EXPECT_GT(number(result, "seam_mismatch"), 0);
+        EXPECT_NEAR(number(result, "peak_times"), 1, 0.5);
+    }
+}
+
+/// Times are said to be such, and pictures are the same on a device.
+TEST_F(TextureRun, TimesEndlessTextures)
+{
+    TextureSettings settings = noise_settings();
+    settings.endless.emplace().method = EndlessMethod::repeated;
+    settings.show = {"tiling"};
+    make(settings);
+    const PngPixels plain = read_png(folder_.path() / "tiling.png");
+    settings.has_timing = true;
+    const DistributionResult result = make(settings, Engine::opencl);
+    EXPECT_EQ(read_png(folder_.path() / "tiling.png").values, plain.values);
+    for (const DistributionNumber& one : result.numbers)
+        EXPECT_EQ(one.is_time, one.key == "pixel_nanoseconds" || one.key == "plain_frames") << one.key;
+    EXPECT_NEAR(number(result, "pixel_nanoseconds") * number(result, "plain_frames"), 1e9 / (1920.0 * 1080), 1);
 }
 
 /// Marks are shown, and laid by a picture.

@@ -50,6 +50,21 @@ TEST(TextureTable, ReadsATexture)
     EXPECT_THAT(settings.show, ElementsAre("tiling", "seams"));
 }
 
+TEST(TextureTable, ReadsEndlessTexturesWithoutTiles)
+{
+    const auto read = textures_of("kind = \"hexagons\"\npattern = \"noise\"\ngain = 2\nrestored = true\ncell = 40");
+    EXPECT_EQ(read[0].label, "Noise: hex-tiling, gain of 2, variance restored");
+    const auto& settings = read[0].settings.as<TextureSettings>();
+    ASSERT_TRUE(settings.endless);
+    EXPECT_EQ(settings.endless->method, EndlessMethod::hexagons);
+    EXPECT_EQ(settings.endless->gain, 2);
+    EXPECT_EQ(settings.endless->cell, 40);
+    EXPECT_THAT(settings.show, ElementsAre("exemplar", "tiling"));
+    expect_texture_refusal("kind = \"hexagons\"\npattern = \"noise\"\ncolors = 3", "is for tiles");
+    expect_texture_refusal("pattern = \"noise\"\ncell = 40", "cell = 40: is for kind = \"offsets\", \"hexagons\"");
+    expect_texture_refusal("kind = \"hexagons\"\npattern = \"noise\"\ncell = 200", "cell = 200: must be at most 126");
+}
+
 TEST(TextureTable, FindsPicturesFromTheConfigsFolder)
 {
     const TemporaryFolder folder;
