@@ -116,6 +116,16 @@ class OtherKinds(unittest.TestCase):
         self.assertEqual(made.numbers["tiles"], 16)
         self.assertIn("tiling", made.pictures)
 
+    def test_endless_textures_are_drawn_without_tiles(self):
+        small = {"engine": "reference", "pattern": "noise", "pattern_size": 64}
+        made = poissonlab.texture.build("hexagons", show=["exemplar", "tiling"], **small)
+        self.assertEqual(made.numbers["fetches"], 3)
+        with tempfile.TemporaryDirectory() as name:
+            folder = made.save(pathlib.Path(name) / "made")
+            drawn = poissonlab.texture.endless(kind="blended", exemplar=folder / "exemplar.png", window=[5, -3, 40, 20],
+                                               engine="reference")
+            self.assertIn("texture", drawn.pictures)
+
     def test_textures_have_companions(self):
         small = {"size": 16, "colors": 2, "attempts": 2, "show": ["set"], "engine": "reference"}
         with tempfile.TemporaryDirectory() as name:

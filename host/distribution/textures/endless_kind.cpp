@@ -1,4 +1,4 @@
-// What `texture endless` draws: a window of an endless texture without tiles.
+// The kind of `texture endless`, which draws a window of an endless texture without tiles.
 #include "base/errors/errors.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
 #include "host/distribution/textures/endless_run.hpp"

@@ -31,8 +31,8 @@ void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int
 /// Seams where sources of a picture's pixels are no neighbours, per T x T pixels.
 void add_seam_values(const TextureSet& set, double tiles, TextureValues& values);
 
-/// What compare_texture() says, repetition being looked for along at most so many pixels; nothing where the exemplar is
-/// too small.
+/// Adds what compare_texture() says, repetition being looked for along at most so many pixels; exemplars that are too
+/// small have nothing of it.
 void add_comparison(const PngPixels& exemplar, const TextureSquare& texture, int largest, TextureValues& values);
 
 /// A square of the tiling by a seed, from its south-west on.

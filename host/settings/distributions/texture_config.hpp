@@ -33,7 +33,7 @@ struct TextureSettings
     bool is_compared = false;      ///< colours, contrast, gradients, structure and repetition, with the exemplar's own
 };
 
-/// What `texture endless` draws.
+/// The picture that `texture endless` draws.
 struct EndlessSettings
 {
     EndlessRequest request; ///< without seed

@@ -27,8 +27,8 @@ double frequency(int index, int count)
     return static_cast<double>(2 * index > count ? index - count : index) / count;
 }
 
-/// What filters let pass at a frequency: an octave to either side of a quarter of a cycle a pixel over 2^scale, and
-/// within a quarter of a turn of their direction.
+/// The part that filters let pass at a frequency: an octave to either side of a quarter of a cycle a pixel over
+/// 2^scale, and within a quarter of a turn of their direction.
 double response(double fx, double fy, int scale, int orientation)
 {
     const double radius = std::hypot(fx, fy);

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What is counted of a window.
+/// Statistics of a window.
 struct WindowStatistics
 {
     std::vector<std::array<double, 256>> colors;   ///< cumulative distributions of each channel's values

@@ -100,7 +100,7 @@ Kernel endless_kernel(Device& device, const EndlessTexture& texture)
                          "color_pixels");
 }
 
-/// What a texture is looked up in, on a device.
+/// Buffers that a texture is looked up in.
 struct EndlessBuffers
 {
     EndlessBuffers(Device& device, const EndlessTexture& texture, std::size_t count)

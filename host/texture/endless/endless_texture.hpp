@@ -29,7 +29,7 @@ struct PixelWindow
     int height = 0;
 };
 
-/// What pixels are looked up in.
+/// A texture as its pixels are looked up.
 struct EndlessTexture
 {
     int method = contract::endless_texture::METHOD_REPEATED; ///< of the contract

@@ -155,7 +155,7 @@ private:
         return windows[words.below(static_cast<std::uint32_t>(windows.size()))];
     }
 
-    /// Those whose difference is at most a tolerance above the smallest one.
+    /// The windows whose difference is at most a tolerance above the smallest one.
     std::vector<ExemplarWindow> best_windows(const SquareSums& sums, int column, int row, bool may_repeat) const
     {
         const auto is_allowed = [&](int x, int y) { return may_repeat || !is_forbidden(x, y, column, row); };

@@ -73,7 +73,7 @@ def lines(name, numbers):
     print("};\n")
 
 
-print("// What hexagons.py prints: pixels of hex-tiling, and of by-example noise with numbers moved by 1 / 128 either way.\n"
+print("// Printed by hexagons.py: pixels of hex-tiling, and of by-example noise with numbers moved by 1 / 128 either way.\n"
       "#pragma once\n\nnamespace poissonlab {\n")
 window = [(x, y) for y in range(-9, 30, 3) for x in range(-40, 60, 7)]
 colored, grey = exemplar(3), exemplar(1)

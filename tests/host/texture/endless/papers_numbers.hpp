@@ -1,4 +1,4 @@
-// What hexagons.py prints: pixels of hex-tiling, and of by-example noise with numbers moved by 1 / 128 either way.
+// Printed by hexagons.py: pixels of hex-tiling, and of by-example noise with numbers moved by 1 / 128 either way.
 #pragma once
 
 namespace poissonlab {
