@@ -29,8 +29,8 @@ void check(const EndlessRequest& request, const PngPixels& exemplar)
     const int side = std::min(exemplar.width, exemplar.height);
     if (request.method == EndlessMethod::quilted) {
         if (request.block > side)
-            throw InputError(
-                fmt::format("block = {}: must be at most the exemplar's side, {} pixels", request.block, side));
+            throw invalid_value({}, "block", std::to_string(request.block),
+                                fmt::format("must be at most the exemplar's side, {} pixels", side));
         return;
     }
     if (request.method == EndlessMethod::repeated) return;
@@ -40,10 +40,12 @@ void check(const EndlessRequest& request, const PngPixels& exemplar)
         throw InputError(fmt::format("exemplar: {} x {} pixels: must have more for pieces of {} pixels", exemplar.width,
                                      exemplar.height, least_endless_cell));
     if (request.cell_of(exemplar) > most)
-        throw InputError(fmt::format("cell = {}: must be at most {}, so that pieces of the exemplar, {} x {} pixels, "
-                                     "are inside of it{}",
-                                     request.cell_of(exemplar), most - most % 2, exemplar.width, exemplar.height,
-                                     request.tileable ? "" : ", unless it is tileable"));
+        throw invalid_value(
+            {}, "cell", std::to_string(request.cell_of(exemplar)),
+            fmt::format("must be at most {}, so that pieces of the exemplar, {} x {} pixels, are inside "
+                        "of it{}",
+                        most - most % 2, exemplar.width, exemplar.height,
+                        request.tileable ? "" : ", unless it is tileable"));
 }
 
 std::optional<int> fetches_of(const EndlessRequest& request, int channels)
