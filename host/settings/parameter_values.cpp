@@ -1,6 +1,6 @@
 #include "host/settings/parameter_values.hpp"
 
-#include "host/sampling/command_sampler.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "host/settings/sampler_table.hpp"
 

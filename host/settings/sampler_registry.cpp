@@ -2,9 +2,9 @@
 
 #include "host/sampling/baselines.hpp"
 #include "host/sampling/classics/candidate_darts.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 #include "host/sampling/classics/dense_packing.hpp"
 #include "host/sampling/classics/low_discrepancy.hpp"
-#include "host/sampling/command_sampler.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"

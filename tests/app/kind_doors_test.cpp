@@ -189,7 +189,8 @@ std::vector<TypedWords> wrong_words(const KeySpec& spec)
 {
     const ParameterSpec& value = spec.value;
     if (value.kind == ValueKind::boolean) return {}; // words of commands are "on" and "off"
-    if (!spec.parts.empty()) return {TypedWords(spec.count, "?"), TypedWords(spec.count + 1, "1")};
+    if (!spec.parts.empty() && spec.fewest > 0) return {TypedWords(spec.count, "?")};
+    if (!spec.parts.empty()) return {TypedWords(spec.count, "?"), TypedWords(spec.count - 1, "1")};
     if (!spec.own.empty() || spec.is_region || value.kind == ValueKind::choice || value.kind == ValueKind::sampler)
         return {{"?"}};
     if (spec.is_formula) return {{"?"}, {"nothere.png"}};

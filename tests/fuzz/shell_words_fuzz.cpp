@@ -1,6 +1,6 @@
 // Words of a command line, and the command of the sampler "command" with its fields; nothing is run.
 #include "base/programs/shell_words.hpp"
-#include "host/sampling/command_sampler.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 namespace poissonlab::fuzz {

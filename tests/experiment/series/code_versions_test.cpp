@@ -84,7 +84,7 @@ TEST(CodeVersions, CoverWhatDecidesResults)
         EXPECT_THAT(versions.at(version), Contains("base/files/byte_archive.hpp"));
     }
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
-    EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/command_sampler.cpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/classics/command_sampler.cpp"));
     EXPECT_THAT(versions.at("distribution_version"), Contains("host/distribution/even_points.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("analysis/spectra/fast_periodogram.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("experiment/measuring/series_analysis.cpp"));

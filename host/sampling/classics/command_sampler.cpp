@@ -1,4 +1,4 @@
-#include "host/sampling/command_sampler.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"

@@ -1,5 +1,5 @@
 // Other programs as samplers, played by /bin/sh.
-#include "host/sampling/command_sampler.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 
 #include "base/points/point_file.hpp"
 #include "experiment/config/plan.hpp"
