@@ -68,10 +68,10 @@ TEST(TextureTable, ReadsEndlessTexturesWithoutTiles)
 TEST(TextureTable, FindsPicturesFromTheConfigsFolder)
 {
     const TemporaryFolder folder;
-    folder.write("a.png", "its content counts later");
-    const auto read = exhibits_in("[[texture]]\nexemplar = \"a.png\"\n", (folder.path() / "c.toml").string());
-    EXPECT_EQ(read[0].settings.as<TextureSettings>().exemplar, folder.path() / "a.png");
-    EXPECT_THAT(read[0].settings.inputs, ElementsAre(folder.path() / "a.png"));
+    folder.write("a.pgm", "P2 1 1 255\n7\n");
+    const auto read = exhibits_in("[[texture]]\nexemplar = \"a.pgm\"\n", (folder.path() / "c.toml").string());
+    EXPECT_EQ(read[0].settings.as<TextureSettings>().exemplar, folder.path() / "a.pgm");
+    EXPECT_THAT(read[0].settings.inputs, ElementsAre(folder.path() / "a.pgm"));
 }
 
 /// Sizes and names are checked before any work, and what companions hold decides stored results.
