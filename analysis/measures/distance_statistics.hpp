@@ -32,7 +32,7 @@ struct NearestDistances
     double least = 0, mean = 0;
 };
 
-/// Those of a set on disk, which is a torus or a window, strip by strip. The least distance is that of the functions
+/// Finds both for a set on disk, which is a torus or a window, strip by strip. The least distance is that of the functions
 /// above, bit by bit; the mean is a sum in another order, and differs by its rounding, less than N 2^-53 of it.
 NearestDistances nearest_distances(const PointStrips& points, bool is_window);
 

@@ -82,7 +82,7 @@ void read_rows(const PointTable& table, hsize_t first, hsize_t rows, std::vector
         fail_hdf5("points");
 }
 
-/// What HDF5 cannot read is wrong input.
+/// Does work with HDF5 whose failures are wrong input.
 template <class Work>
 auto as_input(const std::filesystem::path& path, const Work& work)
 {

@@ -30,7 +30,7 @@ using PieceSink = std::function<void(int dimension, std::span<const double> coor
 void stream_text_points(const PointFileContent& file, const PieceSink& sink);
 void stream_npy_points(const PointFileContent& file, const PieceSink& sink);
 
-/// What the head of a .npy file says.
+/// The sizes that the head of a .npy file has.
 struct NpyShape
 {
     std::uint64_t sets = 0, points = 0; ///< points of each set

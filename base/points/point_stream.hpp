@@ -15,7 +15,7 @@ namespace poissonlab {
 /// True for a file that can be read in pieces: a lasting one of these formats with one set.
 bool can_be_streamed(const std::filesystem::path& path);
 
-/// What the head of a file says of its one set.
+/// The size of the one set of a file, as its head has it.
 struct KnownShape
 {
     std::uint64_t points = 0;

@@ -37,7 +37,7 @@ void for_each_part(const PointStrips& points, const auto& what)
 
 }
 
-/// What is known of a set from its distances.
+/// Measures a set from its distances.
 SeriesAnalysis::SetMeasures SeriesAnalysis::measures_of(std::size_t points, int dimension, double least, double mean,
                                                         SetMark mark) const
 {

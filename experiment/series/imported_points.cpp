@@ -30,7 +30,7 @@ private:
     std::shared_ptr<const std::vector<PointSet>> sets_;
 };
 
-/// What sets must have in common.
+/// Dimension and size, which all sets must have in common.
 struct SetShape
 {
     int dimension = 2;

@@ -18,7 +18,7 @@ class PointsDartThrowingCommand : public test::CommandTest
 protected:
     PointsDartThrowingCommand() : CommandTest("points dart-throwing") {}
 
-    /// What the method makes in memory.
+    /// The set that the method makes in memory.
     static PointSet expected(int dimension, std::size_t points, std::optional<double> relative_radius)
     {
         DartThrowingRequest request;
@@ -38,7 +38,7 @@ protected:
         EXPECT_EQ(read_points(folder_.path() / file).at(0), expected_set) << arguments;
     }
 
-    /// Nothing but these files: no parts are left behind.
+    /// Expects these files and no others: no parts are left behind.
     void expect_files(const std::vector<std::string>& names) const
     {
         std::vector<std::string> found;
