@@ -19,8 +19,8 @@
 namespace poissonlab {
 namespace {
 
-/// Steps of moving chains towards even shares before tiles are filled.
-constexpr std::uint32_t evening_steps = 10;
+/// Steps of moving chains towards even shares before tiles are filled: afterwards they move with what is inside.
+constexpr std::uint32_t evening_steps = 100;
 
 /// Settings that ask for a little more than the minimum distance, which rounding then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)

@@ -8,13 +8,12 @@
 namespace poissonlab {
 namespace {
 
-/// With second order as well the power between the lattice's peaks is half of what it is, but chains have then so
-/// little freedom left that the peaks are half again as high.
-constexpr unsigned highest_share = 1;
+/// Chains have too few points for shares of higher orders.
+constexpr unsigned highest_share = 2;
 constexpr double length_unit = tile_units / 2.0;
 
 /// An iteration makes up for this part of what a chain's share lacks.
-constexpr double evening_gain = 1;
+constexpr double evening_gain = 0.3;
 
 /// Added to the squares of what moving points changes, so that what can hardly be changed is left alone.
 constexpr double reluctance = 30;
@@ -90,7 +89,7 @@ std::vector<std::array<double, 2>> evening_movement(const LooseChain& chain, con
 
 ChainShares::ChainShares(const PoissonTileParameters& p) : points_per_area_(p.points_per_tile / 4.0)
 {
-    for (unsigned order = 0; order <= highest_share; ++order)
+    for (unsigned order = 0; order <= std::min<unsigned>(p.equal_moments, highest_share); ++order)
         for (unsigned across = 0; across <= order; ++across) exponents_.push_back({order - across, across});
 }
 

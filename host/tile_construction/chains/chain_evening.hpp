@@ -12,8 +12,8 @@
 
 namespace poissonlab {
 
-/// Moves points of chains of one direction towards the mean share of all, up to first order. No point moves farther
-/// than `longest`, in units.
+/// Moves points of chains of one direction towards the mean share of all, of orders up to that of the moments. No point
+/// moves farther than `longest`, in units.
 void even_out(std::vector<LooseChain>& chains, const PoissonTileParameters& parameters, double longest);
 
 /// The shares of chains: what each gives the tile that owns it beyond an even tile's part.

@@ -14,9 +14,6 @@ namespace {
 /// The gain is the part of a step down the gradient that is made: less takes longer, more overshoots.
 constexpr double nulling_gain = 0.3;
 
-/// Nulling reaches frequencies up to this many roots of the points a tile: with less, power beyond them grows.
-constexpr double nulling_reach = 2;
-
 constexpr std::size_t joint_group_size = 16;
 
 struct JointBuffers
@@ -53,9 +50,8 @@ public:
     }
 
     std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
-                                                    std::uint32_t points_per_tile, double longest) override
+                                                    std::span<const TileFrequency> frequencies, double longest) override
     {
-        const auto frequencies = nulled_frequencies(points_per_tile, dimension_);
         upload(points, frequencies);
         const contract::joint_nulling::Nulling nulling{static_cast<std::uint32_t>(points.size()),
                                                        static_cast<std::uint32_t>(frequencies.size()),
@@ -80,7 +76,7 @@ private:
         return (items + work_group_size_ - 1) / work_group_size_ * work_group_size_;
     }
 
-    void upload(std::span<const WeightedPoint> points, const std::vector<TileFrequency>& frequencies)
+    void upload(std::span<const WeightedPoint> points, std::span<const TileFrequency> frequencies)
     {
         const bool is_first = buffers_.circle.size() == 0;
         reserve(device_, buffers_.needed(axes(), points.size(), frequencies.size()));
@@ -136,10 +132,10 @@ std::vector<Displacement> JointEngine::mean_displacements(const JointTorus& toru
     return sums;
 }
 
-std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension)
+std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension, double reach)
 {
     const double squared_root = dimension == 2 ? points_per_tile : std::pow(std::cbrt(points_per_tile), 2);
-    const double squared_reach = nulling_reach * nulling_reach * squared_root;
+    const double squared_reach = reach * reach * squared_root;
     const auto most = static_cast<std::int32_t>(std::floor(std::sqrt(squared_reach)));
     const std::int32_t above = dimension == 2 ? 0 : most;
     std::vector<TileFrequency> frequencies;

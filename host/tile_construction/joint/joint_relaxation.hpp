@@ -58,17 +58,22 @@ public:
     /// The mean displacement of each stored point's copies, in their order; 0 without any.
     std::vector<Displacement> mean_displacements(const JointTorus& torus, std::size_t stored);
 
-    /// Moves that lower the power of the mean tile below twice the principal frequency: a step of gradient descent, at
-    /// most `longest` units. Points that do not move count, but get none.
+    /// Moves that lower the power of the mean tile at some frequencies: a step of gradient descent, at most `longest`
+    /// units. Points that do not move count, but get none.
     virtual std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
-                                                            std::uint32_t points_per_tile, double longest) = 0;
+                                                            std::span<const TileFrequency> frequencies,
+                                                            double longest) = 0;
 };
 
 /// The memory that the engine takes on a device, with so many copies on its tori and so many stored points.
 DeviceMemory joint_memory(int dimension, std::size_t copies, std::size_t stored, std::uint32_t points_per_tile);
 
-/// Frequencies below twice the square (cube) root of the points a tile, one of each two opposite ones.
-std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension);
+/// Nulling reaches frequencies up to so many square (cube) roots of the points a tile: with less, power beyond grows.
+inline constexpr double nulling_reach = 2;
+
+/// Frequencies up to so many square (cube) roots of the points a tile, one of each two opposite ones.
+std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension,
+                                              double reach = nulling_reach);
 
 /// The step of nulling, over pi times the sum of squared weights of what moves.
 double nulling_step(std::span<const WeightedPoint> points);

@@ -41,17 +41,42 @@ double longest_joint_move(const PoissonTileParameters& p)
     return longest_in_spacings * tile_units / std::pow(p.points_per_tile, 1.0 / p.dimension);
 }
 
+namespace {
+
+/// Tiles with equal moments are nulled once more up to here, around the first ring of the spectrum, where peaks show.
+constexpr double ring_reach = 1.3;
+
+/// The mean tile after points have moved.
+std::vector<WeightedPoint> moved(std::vector<WeightedPoint> points, const std::vector<Displacement>& displacements)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < 3 && points[i].moves; ++k)
+            points[i].position[k] += static_cast<std::int32_t>(std::nearbyint(displacements[i][k]));
+    return points;
+}
+
+/// Adds a step of nulling from these points.
+void add_nulling(std::vector<Displacement>& displacements, JointEngine& engine,
+                 const std::vector<WeightedPoint>& points, const PoissonTileParameters& p, double reach)
+{
+    const auto frequencies = nulled_frequencies(p.points_per_tile, p.dimension, reach);
+    const auto nulling = engine.nulling_displacements(points, frequencies, longest_joint_move(p));
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
+}
+
+}
+
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
                                               const OwnPieces& own_pieces, const OwnPoints& own_points,
                                               const PoissonTileParameters& p, std::uint32_t iteration)
 {
     const JointTorus torus = points.torus(p.dimension, joint_side(p), joint_tiling(p, iteration), own_pieces);
     std::vector<Displacement> displacements = engine.mean_displacements(torus, points.count());
-    if (p.null_peaks) {
-        const auto nulling = engine.nulling_displacements(points.mean_tile(), p.points_per_tile, longest_joint_move(p));
-        for (std::size_t i = 0; i < displacements.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
-    }
+    if (p.null_peaks && p.equal_moments == 0) add_nulling(displacements, engine, points.mean_tile(), p, nulling_reach);
+    if (p.null_peaks && p.equal_moments > 0)
+        for (const double reach : {nulling_reach, ring_reach})
+            add_nulling(displacements, engine, moved(points.mean_tile(), displacements), p, reach);
     if (p.equal_moments > 0) add_moment_step(displacements, points, own_points, p);
     return displacements;
 }

@@ -19,9 +19,8 @@ public:
     }
 
     std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
-                                                    std::uint32_t points_per_tile, double longest) override
+                                                    std::span<const TileFrequency> frequencies, double longest) override
     {
-        const auto frequencies = nulled_frequencies(points_per_tile, dimension_);
         std::vector<std::complex<double>> transform;
         for (const TileFrequency& frequency : frequencies) {
             std::complex<double> sum;

@@ -81,14 +81,15 @@ protected:
     }
 
     const int dimension_ = GetParam();
+    const std::vector<TileFrequency> frequencies = nulled_frequencies(points_per_tile, dimension_);
 };
 
 TEST_P(JointNulling, KernelAndTwinMoveAlike)
 {
     const auto by_kernel =
-        make_joint_engine(dimension_, Device::open(), 7)->nulling_displacements(points(), points_per_tile, longest);
+        make_joint_engine(dimension_, Device::open(), 7)->nulling_displacements(points(), frequencies, longest);
     EXPECT_EQ(by_kernel,
-              reference::make_joint_engine(dimension_)->nulling_displacements(points(), points_per_tile, longest));
+              reference::make_joint_engine(dimension_)->nulling_displacements(points(), frequencies, longest));
     for (std::size_t i = 0; i < by_kernel.size(); ++i)
         EXPECT_LE(std::hypot(by_kernel[i][0], by_kernel[i][1], by_kernel[i][2]), i < 10 ? 0 : longest + 0.0001);
 }
@@ -120,7 +121,7 @@ TEST_P(JointNulling, GoesDownTheGradient)
 {
     std::vector<WeightedPoint> all = points();
     const double before = weighted_power(all, dimension_, points_per_tile);
-    const auto moves = reference::make_joint_engine(dimension_)->nulling_displacements(all, points_per_tile, 1e9);
+    const auto moves = reference::make_joint_engine(dimension_)->nulling_displacements(all, frequencies, 1e9);
     // The direction is that of steepest descent: movement and weight are in proportion to the derivative, which
     // differences over 64 units tell to some parts in a thousand.
     constexpr std::int32_t step = 32;
