@@ -1,7 +1,7 @@
 // Sets in a region are analysed as such: nothing goes around the torus, lengths are in roots of the area.
+#include "base/files/byte_archive.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "experiment/measuring/series_analysis.hpp"
-#include "results/archives.hpp"
 #include "results/curve_tables.hpp"
 
 #include <gtest/gtest.h>
