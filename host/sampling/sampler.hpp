@@ -71,7 +71,7 @@ public:
     /// several side by side do so then. Sets are the same with and without it.
     virtual void expect([[maybe_unused]] std::uint32_t first, [[maybe_unused]] std::uint32_t count) {}
 
-    /// What there is to say of its sets; of the last one, once there is one.
+    /// The traits of its sets, and of the last one, once there is one.
     virtual SetTraits traits() const { return {}; }
 
     /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.

@@ -1,4 +1,4 @@
-// What a sampler says of its sets beside their points: one value, so that a method that makes its sets from another's
+// The traits of a sampler's sets beside their points are one value, so that a method that makes its sets from another's
 // hands on all of it. A trait more is a member here, the method that sets it, and who asks for it.
 #pragma once
 
@@ -50,7 +50,7 @@ struct SetTraits
     /// building kernels. Nothing: those of its sample().
     std::optional<double> shared_seconds = {};
 
-    /// What is stored with a set: all but times and files.
+    /// All but times and files is stored with a set.
     template <class Archive>
     void serialize(Archive& archive)
     {

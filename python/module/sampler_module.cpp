@@ -128,7 +128,8 @@ public:
         return array_of(without_lock([&] { return make(realization); }));
     }
 
-    /// Those of no set before the first one. Another thread may be making a set: it takes its turn.
+    /// The traits of the sampler's sets, defaults before the first one. Another thread may be making a set: it takes
+    /// its turn.
     SetTraits traits() const
     {
         return without_lock([&] { return sampler_ ? sampler_->traits() : SetTraits{}; });

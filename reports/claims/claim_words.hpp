@@ -41,7 +41,7 @@ public:
 
     int count() const { return tally_.cases(); }
 
-    // What they say together; nothing where there are none.
+    // These functions say what all cases come to, and return nothing where there is none.
 
     /// The words of all, then in how many cases the claim holds.
     std::optional<ClaimOutcome> outcome() const { return outcome(joined_words(words_)); }

@@ -214,7 +214,7 @@ protected:
     }
     ~KindDoors() override { std::filesystem::current_path(before_); }
 
-    /// What is needed, and a value of one key; and a pattern's or tiles' words where the kind needs one of several.
+    /// One key with a value, and good values of the keys that are needed.
     static std::vector<TypedKey> typed(const Kind& kind, const KeySpec& key, const TypedWords& words)
     {
         std::vector<TypedKey> keys{{key, words}};

@@ -29,7 +29,7 @@ Result read_back(const std::string& text)
     return result;
 }
 
-/// What the analysis of a series knows.
+/// The part of a series that its analysis knows.
 Series analysed()
 {
     Series series;
