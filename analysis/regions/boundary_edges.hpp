@@ -21,7 +21,7 @@ struct RegionEdge
 class BoundaryEdges
 {
 public:
-    /// Of polygons in [0, 1) x [0, 1) whose outlines go round against the clock and whose holes with it.
+    /// Takes polygons in [0, 1) x [0, 1) whose outlines go round against the clock and whose holes with it.
     explicit BoundaryEdges(const PlaneRegion& polygons);
 
     const std::vector<RegionEdge>& edges() const { return edges_; }

@@ -90,7 +90,7 @@ PointSet FramedRegion::framed(const PointSet& points, const std::string& name) c
         for (const double coordinate : place) framed.coordinates.push_back(std::clamp(coordinate, 0.0, most_framed));
     }
     if (outside > 0)
-        throw InputError(fmt::format("{}: {} of {} points {} not in the region {}: the first is point {}, ({}, {})",
+        throw InputError(fmt::format("{}: {} of {} points {} outside the region {}: the first is point {}, ({}, {})",
                                      name, outside, points.size(), outside == 1 ? "lies" : "lie", name_, first + 1,
                                      points[first][0], points[first][1]));
     return framed;

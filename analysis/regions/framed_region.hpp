@@ -1,6 +1,6 @@
 // A region of the plane in a frame: the unit square that its box has been scaled into, from its lowest corner on.
 //
-// What is measured of points in a region is measured in the frame, where all regions are alike. Lengths of the frame
+// Points in a region are measured in the frame, where all regions are alike. Lengths of the frame
 // times side() are lengths in the region's own units.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace poissonlab {
 class FramedRegion
 {
 public:
-    /// Of a region that check_region() takes. `name` is how users call it.
+    /// Takes a region that check_region() takes. `name` is how users call it.
     FramedRegion(const PlaneRegion& region, std::string name);
 
     const std::string& name() const { return name_; }

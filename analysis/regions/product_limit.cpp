@@ -8,7 +8,7 @@ namespace poissonlab {
 
 std::vector<double> product_limit(std::vector<CensoredLength> lengths, double step, std::size_t count)
 {
-    // What ends an observation, in order; of equal ones, those that end by their length first.
+    // The ends of observations in order; of equal ones, those that end by their length come first.
     std::vector<std::pair<double, bool>> ends; // true: censored
     for (const CensoredLength& l : lengths) ends.emplace_back(std::min(l.length, l.seen), l.length > l.seen);
     std::ranges::sort(ends);

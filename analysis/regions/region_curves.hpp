@@ -44,7 +44,7 @@ struct RegionCurveRow
 class RegionCurves
 {
 public:
-    /// Of sets of so many points, two or more. `density` may be null. `envelope`: random sets, 0 for none.
+    /// All sets have so many points, two or more. `density` may be null. `envelope`: random sets, 0 for none.
     RegionCurves(std::shared_ptr<const FramedRegion> region, std::shared_ptr<const RegionDensity> density,
                  std::size_t points, std::uint32_t envelope);
 
@@ -82,7 +82,7 @@ private:
     SetCovariance covariance_;
     PairDistances distances_;
     std::shared_ptr<const RegionPlaces> places_;
-    // Of each set, a curve.
+    // Each set has a curve in each of these.
     std::vector<std::vector<double>> pairs_, g_of_bin_, k_isotropic_;
     std::vector<Values> values_;
 };

@@ -7,7 +7,7 @@
 //
 // m an edge's middle, d the way along it, f x d = f_x d_y - f_y d_x, sinc(t) = sin(pi t) / (pi t).
 //
-// What the region's shape adds to the sums over points is their expectation N W(f) / W(0), which is taken away:
+// The region's shape adds to the sums over points their expectation N W(f) / W(0), which is taken away:
 //
 //   P(f) = |sum over points of exp(-2 pi i f.x) - N W(f) / W(0)|^2 / N
 //
@@ -45,7 +45,7 @@ public:
     RegionPeriodogram(std::shared_ptr<const FramedRegion> region, int size, bool is_exact);
     ~RegionPeriodogram();
 
-    /// Of points in the frame.
+    /// Takes points in the frame.
     void compute(const PointSet& points, HalfSpectrum& result);
 
 private:

@@ -12,7 +12,7 @@ namespace {
 /// Pairs of edges that may be looked at before a table is worth its error: seconds.
 constexpr double most_exact_work = 2e8;
 
-/// Those that a table may take.
+/// A table may take so many of them.
 constexpr double most_table_work = 5e8;
 
 constexpr int finest_table = 128, coarsest_table = 16;

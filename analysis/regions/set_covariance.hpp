@@ -26,7 +26,7 @@ namespace poissonlab {
 class SetCovariance
 {
 public:
-    /// Of a region that these edges are the boundary of.
+    /// These edges are the boundary of a region.
     explicit SetCovariance(std::span<const RegionEdge> edges);
 
     /// By the closed form. Rounding leaves some 1e-16 of the area, times the root of the number of edges.

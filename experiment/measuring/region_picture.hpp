@@ -6,7 +6,7 @@
 
 namespace poissonlab {
 
-/// Of points in the frame; of more than some 100,000 the first ones.
+/// Draws points in the frame; of more than some 100,000 the first ones.
 MarkPicture region_picture_of(const FramedRegion& region, const PointSet& points);
 
 }

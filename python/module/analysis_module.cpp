@@ -22,6 +22,17 @@ namespace py = pybind11;
 namespace poissonlab {
 namespace {
 
+/// Does what may throw InputError because of an argument, and says so.
+template <class Work>
+auto said_by_call(const Work& work)
+{
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw error.place().is_argument ? error.moved_to({"analyze"}) : error;
+    }
+}
+
 /// Sets that were analysed.
 class AnalysedSets
 {
@@ -71,17 +82,6 @@ public:
     }
 
 private:
-    /// Does what may throw InputError because of an argument, and says so.
-    template <class Work>
-    static auto said_by_call(const Work& work)
-    {
-        try {
-            return work();
-        } catch (const InputError& error) {
-            throw error.place().is_argument ? error.moved_to({"analyze"}) : error;
-        }
-    }
-
     /// Parts are put together as those of a series that is stored: sums depend on the order.
     void analyse()
     {

@@ -89,7 +89,7 @@ Plot region_distance_plot(const PlaneRegionCurves& curves, RegionFunction functi
 {
     Plot plot = function_plot(curves, function, "share", value_itself);
     plot.y.step = 0.2;
-    // Nothing changes after nearly all are counted.
+    // The axis ends where nearly all are counted.
     const auto& rows = *curves.rows;
     const auto end = std::ranges::find_if(rows, [](const RegionCurveRow& row) {
         return row.of(RegionFunction::nearest) > 0.999 && row.of(RegionFunction::empty_space) > 0.999;

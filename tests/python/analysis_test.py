@@ -52,7 +52,7 @@ class Analyses(FolderTest):
             self.assert_same_bytes(column, stored[name])
             self.assert_same_bytes(getattr(pl.open(out)["points"].region, name), stored[name])
         self.assertEqual(len(pl.analyze(sets_of(1, 20)).region.distance), 0)
-        with self.assertRaisesRegex(pl.InputError, "1 of 61 points lies not in the region"):
+        with self.assertRaisesRegex(pl.InputError, "1 of 61 points lies outside the region"):
             pl.analyze(numpy.vstack([points, [[0, 40]]]), region=region)
         with self.assertRaisesRegex(pl.InputError, "domain: does not go with region"):
             pl.analyze(points, region=region, domain=(0, 64))

@@ -83,7 +83,7 @@ TEST(FramedRegion, TakesPlacesBesideTheBoundaryForPlacesOnIt)
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "trees: 1 of 2 points lies not in the region field: the first is point 2, (500400, 5300401)");
+                     "trees: 1 of 2 points lies outside the region field: the first is point 2, (500400, 5300401)");
     }
 }
 

@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Windows, SpatstatTest, testing::Bool(),
 TEST(ProductLimit, IsTheShareWhereAllIsSeen)
 {
     EXPECT_EQ(product_limit({{0.5, 9}, {1.5, 9}, {1.5, 9}, {7, 9}}, 1, 3), (std::vector<double>{0.25, 0.75, 0.75}));
-    // Of three, one is lost at 1.2; of the two that are left, one ends.
+    // One of three is lost at 1.2; one of the two that are left ends.
     EXPECT_EQ(product_limit({{1.5, 9}, {3, 1.2}, {5, 9}}, 1, 3), (std::vector<double>{0, 0.5, 0.5}));
 }
 

@@ -77,7 +77,7 @@ TEST(RegionPeriodogram, OfRandomPointsIsOne)
         }
         for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += power.power[i] / sets;
     }
-    // Of independent points the expectation is 1 - |W(f)|^2 exactly: powers vary by their mean.
+    // The expectation of independent points is 1 - |W(f)|^2 exactly, and powers vary by their mean.
     for (int u = 0; u <= 16; ++u)
         for (int v = -16; v <= 16; ++v) {
             if (u == 0 && v <= 0) continue;
