@@ -38,7 +38,7 @@ places <- function(W, n) {
   ppp(x[keep], y[keep], window = W, check = FALSE)
 }
 
-out <- c("// What spatstat and survival measure of a small set of points: written by spatstat_numbers.R.",
+out <- c("// Numbers of spatstat and survival for a small set of points, written by spatstat_numbers.R.",
          "#pragma once", "", "#include \"base/regions/plane_region.hpp\"", "", "#include <vector>", "",
          "namespace poissonlab::test {", "",
          "/// Functions at reach / count, 2 reach / count, ...",

@@ -1,4 +1,4 @@
-// What spatstat and survival measure of a small set of points: written by spatstat_numbers.R.
+// Numbers of spatstat and survival for a small set of points, written by spatstat_numbers.R.
 #pragma once
 
 #include "base/regions/plane_region.hpp"
