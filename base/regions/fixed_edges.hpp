@@ -39,7 +39,7 @@ inline bool is_below(const FixedEdge& edge, std::int64_t side) { return edge[2] 
 inline bool spans_height(const FixedEdge& e, std::uint32_t y) { return e[1] <= y && y < e[3]; }
 inline bool spans_width(const FixedEdge& e, std::uint32_t x) { return (e[0] <= x) != (e[2] <= x); }
 
-/// Of a position on the edge's line.
+/// Does a position on the edge's line lie between its ends?
 inline bool is_between(const FixedEdge& e, const TorusPoint<2>& p)
 {
     return std::min(e[0], e[2]) <= p[0] && p[0] <= std::max(e[0], e[2]) && e[1] <= p[1] && p[1] <= e[3];

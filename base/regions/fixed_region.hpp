@@ -120,7 +120,7 @@ private:
                   bool lies_right = false);
     void add_ring(const RegionRing& ring, bool is_hole);
 
-    /// What is known of a position, with margins or without.
+    /// The facts about a position, with margins or without.
     struct Inside
     {
         bool moved = false; ///< as contains_moved()

@@ -44,7 +44,7 @@ double area_of(const PlaneRegion& region);
 
 std::size_t corner_count(const PlaneRegion& region);
 
-/// What a minimum distance is enlarged by, so that points in the box that are so far apart have coordinates whose
+/// A minimum distance is enlarged by this, so that points in the box that are so far apart have coordinates whose
 /// computed distance is not below it: each coordinate is rounded twice, by half a unit in the last place of the largest
 /// one at most, and so are differences, squares and root.
 double distance_rounding(double distance, const RegionBox& box);

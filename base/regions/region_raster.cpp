@@ -65,7 +65,7 @@ private:
         }
     }
 
-    /// Of two ways the one farther to the left, around what lies there.
+    /// Takes the way farther to the left of two, around what lies there.
     std::uint32_t step_from(std::uint32_t place)
     {
         auto& [first, second] = next_[place];

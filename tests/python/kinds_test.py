@@ -50,7 +50,7 @@ class Kinds(unittest.TestCase):
 
     def test_methods_make_points_in_regions(self):
         for method, keys in (("elimination", {"points": 60, "candidates": 3}), ("lloyd", {"points": 60, "iterations": 5}),
-                             ("relaxation", {"points": 60, "attempts": 100}), ("bridson", {"min_distance": 1})):
+                             ("relaxation", {"points": 60, "attempts": 100}), ("bridson", {"min_distance": 0.9})):
             made = distribute.points(region="disk 0 0 5", method=method, engine="reference", **keys)
             self.assertGreaterEqual(len(made.points), 60)
             self.assertLessEqual(numpy.linalg.norm(made.points, axis=1).max(), 5)

@@ -83,7 +83,7 @@ void check_particles(const TilesPointsOptions& options, const TileBlock& block, 
                         printable(options.out.string())));
 }
 
-/// What the file says of its points.
+/// The comment of the file.
 std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region)
 {
     const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));

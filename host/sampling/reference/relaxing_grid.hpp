@@ -20,7 +20,7 @@ class Darts
 public:
     explicit Darts(const StreamKey& stream) : stream_(stream) { size_.fill(std::uint64_t{1} << 32); }
 
-    /// Those that fall into a box.
+    /// The darts fall into a box.
     Darts(const StreamKey& stream, const FixedBox& box) : stream_(stream)
     {
         static_assert(D == 2);

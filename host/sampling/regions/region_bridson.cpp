@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// What random words are for: the last word of Philox' counter.
+/// The last word of Philox' counter says what random words are for.
 constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
 
 class BridsonInRegion
@@ -64,7 +64,7 @@ private:
     }
 
     /// A place in the ring of one to two distances around a point: the first of uniform ones in the square around that.
-    /// Nothing where it is so far away that it would come around the torus.
+    /// There is none where it is so far away that it would come around the torus.
     std::optional<TorusPosition> dart_around(const TorusPosition& around, std::uint32_t turn, std::uint32_t& word) const
     {
         __extension__ using Wide = unsigned __int128;

@@ -30,7 +30,7 @@ protected:
     {
         const std::string file = (folder_.path() / name).string();
         write_png(file, {.width = width, .height = static_cast<int>(pixels.size()) / width, .channels = 1},
-                  [&](int x, int y) { return &pixels[static_cast<std::size_t>(y * width + x)]; });
+                  [&](int first, int) { return &pixels[static_cast<std::size_t>(first * width)]; });
         return file;
     }
 
