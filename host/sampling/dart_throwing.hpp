@@ -10,6 +10,7 @@
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "host/sampling/darts/dart_request.hpp"
 #include "host/sampling/darts/dart_settler.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
@@ -21,24 +22,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-struct DartThrowingRequest
-{
-    int dimension = 2;
-    double min_distance = 0;           ///< 2 r, in (0, 1], unit lengths
-    std::optional<std::size_t> points; ///< stop at so many points; empty: at saturation
-    StreamKey stream{};
-
-    /// In 2D: the points lie in this region, in its fixed-point coordinates, which must not meet around the torus:
-    /// min_distance is at most 1/2. Empty: everywhere.
-    std::shared_ptr<const FixedRegion> region{};
-
-    /// Darts fall into these cells only; empty: into all.
-    std::optional<DartBlock> block{};
-
-    /// No darts of later batches.
-    std::uint32_t most_batches = UINT32_MAX;
-};
 
 /// Points in dart order (every prefix is a dart throwing of its own). Coordinates are multiples of 2^-32.
 /// Fewer points than asked for: the set is saturated, no further point of that grid of coordinates fits.

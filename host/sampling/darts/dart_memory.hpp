@@ -1,8 +1,9 @@
 // The memory that dart throwing takes on a device.
 #pragma once
 
-#include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/darts/dart_buffers.hpp"
+#include "host/sampling/darts/dart_request.hpp"
+#include "host/sampling/darts/dart_settler.hpp"
 
 namespace poissonlab {
 

@@ -1,8 +1,8 @@
 // A set of darts thrown block by block, in memory.
 #pragma once
 
-#include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/darts/dart_blocks.hpp"
+#include "host/sampling/darts/dart_request.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -58,7 +58,7 @@ TEST(DartBlocks, AreTheWholeTorusTogether)
     EXPECT_EQ(plane.blocks, 9u);
     EXPECT_TRUE(plane.agree);
     EXPECT_TRUE(plane.is_whole) << plane.points;
-    const Together space = throw_in_blocks<3>(saturated(3, 3000), 30, 8);
+    const Together space = throw_in_blocks<3>(saturated(3, 30'000), 58, 14);
     EXPECT_EQ(space.blocks, 8u);
     EXPECT_TRUE(space.agree);
     EXPECT_TRUE(space.is_whole) << space.points;
