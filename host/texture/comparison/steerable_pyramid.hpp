@@ -2,8 +2,8 @@
 //
 // Portilla and Simoncelli, A Parametric Texture Model Based on Joint Statistics of Complex Wavelet Coefficients, IJCV
 // 40, 2000, section 3: edges are large magnitudes at neighbouring places, in several orientations and scales at once,
-// which neither colours nor the power spectrum know of. Filters are of their kind, with four orientations and scales, each
-// as many coefficients as pixels; coefficients at the border, which see the opposite one, do not count.
+// which neither colours nor the power spectrum know of. Filters are of their kind, with four orientations and scales,
+// each as many coefficients as pixels; coefficients at the border, which see the opposite one, do not count.
 #pragma once
 
 #include "host/texture/comparison/light_map.hpp"
