@@ -54,6 +54,7 @@ enum class Purpose : std::uint32_t
     variance_windows = 61,
     texture_quilting = 64,
     region_envelope = 70,
+    class_darts = 70,
 };
 
 /// The 64-bit key of one independent stream.

@@ -1,6 +1,7 @@
 // Structs that kernels are told by value have the same layout on the device, and constants the same values.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
+#include "kernels/common/darts/class_darts.h"
 #include "kernels/common/darts/dart_throwing.h"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/voronoi_darts.h"
@@ -48,6 +49,20 @@ std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<
 std::vector<std::string> layout_of(const std::string& type, const std::string& last)
 {
     return {"sizeof(struct " + type + ")", "__builtin_offsetof(struct " + type + ", " + last + ")"};
+}
+
+TEST(Contract, OfClassDarts)
+{
+    using namespace contract::class_darts;
+    const std::size_t batch[] = {LAYOUT_OF(SlotBatch, key_y)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("SlotBatch", "key_y")),
+                ElementsAreArray(batch));
+    const std::size_t pair[] = {LAYOUT_OF(ClassPair, reach)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassPair", "reach")),
+                ElementsAreArray(pair));
+    const std::size_t cells[] = {LAYOUT_OF(ClassCells, unused)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "unused")),
+                ElementsAreArray(cells));
 }
 
 TEST(Contract, OfDartThrowing)

@@ -1,0 +1,102 @@
+#include "host/sampling/classes/class_cells.hpp"
+
+#include "base/geometry/lattice.hpp"
+#include "base/geometry/torus.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+/// The least whole number whose square is no less.
+std::uint64_t square_root_above(std::uint64_t squared)
+{
+    auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(squared)));
+    // No square of a number above 2^32 - 1 fits; the root of the largest value is 2^32.
+    root = std::min<std::uint64_t>(root, UINT32_MAX);
+    while (root > 0 && root * root >= squared) --root;
+    while (root <= UINT32_MAX && root * root < squared) ++root;
+    return root;
+}
+
+std::size_t most_points_of(const ClassDartRequest& request, std::size_t i)
+{
+    if (!request.points.empty()) return request.points[i];
+    return packing_bound(request.distances.at(i, i), request.dimension);
+}
+
+}
+
+OpenCells whole_torus(int dimension) { return {0, std::vector<std::uint32_t>(static_cast<std::size_t>(dimension))}; }
+
+std::uint32_t first_level(const ClassDistances& distances, std::size_t own)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < distances.classes(); ++i) largest = std::max(largest, distances.at(own, i));
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(2 / largest)), 1.0, 31.0));
+}
+
+OpenCells all_cells(std::uint32_t level, int dimension)
+{
+    const std::size_t side = std::size_t{1} << level;
+    OpenCells all{level, {}};
+    all.cells.reserve(lattice_cells(side, dimension) * static_cast<std::size_t>(dimension));
+    for (std::size_t i = 0; i < lattice_cells(side, dimension); ++i)
+        for (int k = 0; k < dimension; ++k)
+            all.cells.push_back(static_cast<std::uint32_t>(i >> static_cast<std::uint32_t>(k) * level & (side - 1)));
+    return all;
+}
+
+OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension)
+{
+    const auto axes = static_cast<std::size_t>(dimension);
+    const bool is_split = parents.level < last_level;
+    OpenCells open{parents.level + (is_split ? 1 : 0), {}};
+    for (std::size_t i = 0; i < parents.count(dimension); ++i)
+        for (std::uint32_t bits = kept[i]; bits != 0; bits &= bits - 1) {
+            const int child = std::countr_zero(bits);
+            for (std::size_t k = 0; k < axes; ++k) {
+                const std::uint32_t cell = parents.cells[i * axes + k];
+                open.cells.push_back(is_split ? 2 * cell + (static_cast<std::uint32_t>(child) >> k & 1) : cell);
+            }
+        }
+    return open;
+}
+
+std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances)
+{
+    std::vector<contract::class_darts::ClassPair> pairs;
+    for (std::size_t i = 0; i < distances.classes(); ++i)
+        for (std::size_t j = 0; j < distances.classes(); ++j) {
+            const std::uint64_t squared = squared_threshold(distances.at(i, j));
+            pairs.push_back({.squared = squared, .reach = square_root_above(squared)});
+        }
+    return pairs;
+}
+
+ClassGrids class_grids(const ClassDartRequest& request)
+{
+    ClassGrids all;
+    for (std::size_t i = 0; i < request.distances.classes(); ++i) {
+        const double by_distance = std::floor(std::log2(1 / request.distances.at(i, i)));
+        const double by_count =
+            std::ceil(std::log2(static_cast<double>(most_points_of(request, i))) / request.dimension);
+        const auto bits = static_cast<std::uint32_t>(std::clamp(std::min(by_distance, by_count), 0.0, 15.0));
+        all.grids.push_back({.bits = bits, .first = static_cast<std::uint32_t>(all.cells)});
+        all.cells += lattice_cells(std::size_t{1} << bits, request.dimension);
+    }
+    return all;
+}
+
+std::size_t most_class_points(const ClassDartRequest& request)
+{
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < request.distances.classes(); ++i) sum += most_points_of(request, i);
+    return sum;
+}
+
+}

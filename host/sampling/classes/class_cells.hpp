@@ -1,0 +1,51 @@
+// The cells that dart throwing with classes looks at: those that may have room, and those in which points lie.
+#pragma once
+
+#include "host/sampling/classes/class_darts.hpp"
+#include "kernels/common/darts/class_darts.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// Cells that may have room for a class: 2^level along each axis, D coordinates each. At first one, all of the torus.
+struct OpenCells
+{
+    std::uint32_t level = 0;
+    std::vector<std::uint32_t> cells;
+
+    std::size_t count(int dimension) const { return cells.size() / static_cast<std::size_t>(dimension); }
+};
+
+OpenCells whole_torus(int dimension);
+
+/// The level at which cells are looked at first: they are about half as wide as the largest distance that the class
+/// keeps, so that disks cover some.
+std::uint32_t first_level(const ClassDistances& distances, std::size_t own);
+
+/// The last level, of single coordinates.
+inline constexpr std::uint32_t last_level = 32;
+
+/// All cells of a level.
+OpenCells all_cells(std::uint32_t level, int dimension);
+
+/// The children of cells, one level below, whose bits are set; at the last level, the cells themselves.
+OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension);
+
+/// The pairs of a class with all classes, class after class.
+std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances);
+
+/// Grids with about a point a cell at most, and the number of their cells.
+struct ClassGrids
+{
+    std::vector<contract::class_darts::ClassGrid> grids;
+    std::size_t cells = 0;
+};
+
+ClassGrids class_grids(const ClassDartRequest& request);
+
+/// An upper bound of the number of points.
+std::size_t most_class_points(const ClassDartRequest& request);
+
+}

@@ -1,0 +1,224 @@
+// Runs kernels/class_darts.cl: a batch of slots after the other, until all classes are at their ends or full.
+#include "host/sampling/classes/class_darts.hpp"
+
+#include "base/geometry/torus.hpp"
+#include "host/device/needed_buffers.hpp"
+#include "host/sampling/classes/class_cells.hpp"
+#include "host/sampling/classes/fill_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace poissonlab {
+
+using contract::class_darts::ClassCells;
+using contract::class_darts::ClassGrid;
+using contract::class_darts::ClassPair;
+using contract::class_darts::SlotBatch;
+
+struct ClassDartBuffers
+{
+    using Words = Buffer<std::uint32_t>;
+
+    Buffer<ClassPair> pairs;
+    Buffer<ClassGrid> grids;
+    Buffer<ClassCells> lists;
+    Words cells, kept;              ///< those of all lists; bits of the list that is refined
+    Words slot_classes, candidates; ///< a slot of the batch each
+    Words heads, points, counters;
+};
+
+namespace {
+
+constexpr std::size_t least_slots = 16, first_slots = 64, most_slots = 65'536;
+
+/// Cells of lists for each point, about: they are refined as room for points goes.
+constexpr std::size_t cells_a_point = 4;
+
+/// The buffers whose sizes are known beforehand, nearly.
+NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request)
+{
+    const std::size_t classes = request.distances.classes(), points = most_class_points(request);
+    const auto axes = static_cast<std::size_t>(request.dimension);
+    return {{b.pairs, classes * classes},
+            {b.grids, classes},
+            {b.lists, classes},
+            {b.cells, std::max(classes, cells_a_point * points) * axes},
+            {b.kept, cells_a_point * points},
+            {b.slot_classes, most_slots},
+            {b.candidates, most_slots},
+            {b.heads, class_grids(request).cells},
+            {b.points, points * contract::class_darts::POINT_WORDS(axes)},
+            {b.counters, contract::class_darts::COUNTERS}};
+}
+
+class ThrowingClasses
+{
+public:
+    ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
+          order_(request.shares, request.points), open_(request.distances.classes(), whole_torus(request.dimension)),
+          lists_(open_.size())
+    {
+        const KernelProgram program = kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}});
+        find_ = device.kernel(program, "find_darts");
+        settle_ = device.kernel(program, "settle_class_darts");
+        cover_ = device.kernel(program, "cover_cells");
+        reserve(device, class_buffers(buffers, request));
+        const ClassGrids grids = class_grids(request);
+        buffers.pairs.write(class_pairs(request.distances));
+        buffers.grids.write(grids.grids);
+        buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
+        write_lists();
+    }
+
+    ClassedPoints run()
+    {
+        std::uint32_t skipped = 0;
+        std::size_t wanted = first_slots;
+        while (order_.next()) {
+            const std::vector<std::uint32_t> slots = next_slots(wanted);
+            const auto [settled, redrawn] = settle(slots, skipped);
+            for (std::size_t i = 0; i < settled; ++i) order_.add(slots[i]);
+            classes_.insert(classes_.end(), slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(settled));
+            skipped = settled > 0 ? 0 : skipped;
+            const bool has_stalled = settled < slots.size();
+            if (has_stalled) skipped = refine(slots[settled]) ? skipped + contract::class_darts::TRIES : 0;
+            // How many slots a batch has changes nothing but time: those that meet each other are settled one by one.
+            const bool are_too_many = has_stalled || 4 * redrawn > settled;
+            wanted = are_too_many ? std::max(least_slots, wanted / 2)
+                                  : std::clamp(classes_.size() / 4, least_slots, std::min(2 * wanted, most_slots));
+        }
+        return result();
+    }
+
+private:
+    SlotBatch batch_of(std::size_t slots, std::uint32_t skipped) const
+    {
+        return {.classes = words(open_.size()),
+                .first = words(classes_.size()),
+                .slots = words(slots),
+                .skipped = skipped,
+                .key_x = request_.stream[0],
+                .key_y = request_.stream[1]};
+    }
+
+    std::vector<std::uint32_t> next_slots(std::size_t wanted) const
+    {
+        FillOrder order = order_;
+        std::vector<std::uint32_t> slots;
+        for (auto next = order.next(); next && slots.size() < wanted; next = order.next()) {
+            slots.push_back(*next);
+            order.add(*next);
+        }
+        return slots;
+    }
+
+    /// The number of slots that have a point now, and of those that needed another dart.
+    std::pair<std::size_t, std::size_t> settle(const std::vector<std::uint32_t>& slots, std::uint32_t skipped)
+    {
+        ClassDartBuffers& b = buffers_;
+        const SlotBatch batch = batch_of(slots.size(), skipped);
+        b.slot_classes.write(slots);
+        find_.run(slots.size(), group_size_, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads,
+                  b.points, b.candidates);
+        settle_.run(1, 1, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads, b.points, b.candidates,
+                    b.counters);
+        std::array<std::uint32_t, contract::class_darts::COUNTERS> counters{};
+        b.counters.read(counters);
+        return {counters[contract::class_darts::SETTLED], counters[contract::class_darts::REDRAWN]};
+    }
+
+    /// Returns whether there may still be room for the class.
+    bool refine(std::uint32_t own)
+    {
+        if (open_[own].level == 0) {
+            open_[own] = all_cells(first_level(request_.distances, own) - 1, request_.dimension);
+            write_lists();
+        }
+        ClassDartBuffers& b = buffers_;
+        const std::size_t count = open_[own].count(request_.dimension);
+        reserve(device_, b.kept, count);
+        const std::uint32_t level = std::min(open_[own].level + 1, last_level);
+        cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], level, b.pairs, b.grids, b.cells, b.heads,
+                   b.points, b.kept);
+        open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension);
+        if (open_[own].cells.empty()) order_.close(own);
+        write_lists();
+        return !open_[own].cells.empty();
+    }
+
+    void write_lists()
+    {
+        std::size_t all = 0;
+        for (std::size_t i = 0; i < open_.size(); ++i) {
+            const std::size_t count = open_[i].count(request_.dimension);
+            lists_[i] = {.level = open_[i].level, .first = words(all), .count = words(count), .unused = 0};
+            all += count;
+        }
+        reserve(device_, buffers_.cells, all * static_cast<std::size_t>(request_.dimension));
+        for (std::size_t i = 0; i < open_.size(); ++i)
+            buffers_.cells.write(open_[i].cells, lists_[i].first * static_cast<std::size_t>(request_.dimension));
+        buffers_.lists.write(lists_);
+    }
+
+    ClassedPoints result() const
+    {
+        const auto axes = static_cast<std::size_t>(request_.dimension);
+        const std::size_t all = contract::class_darts::POINT_WORDS(axes);
+        const std::vector<std::uint32_t> points = buffers_.points.read(0, classes_.size() * all);
+        ClassedPoints result{{request_.dimension, {}}, classes_, {}};
+        result.points.coordinates.reserve(classes_.size() * axes);
+        for (std::size_t i = 0; i < classes_.size(); ++i)
+            for (std::size_t k = 0; k < axes; ++k) result.points.coordinates.push_back(points[i * all + k] * 0x1p-32);
+        for (std::uint32_t i = 0; i < open_.size(); ++i) result.is_full.push_back(order_.is_closed(i));
+        return result;
+    }
+
+    static std::uint32_t words(std::size_t value) { return static_cast<std::uint32_t>(value); }
+
+    Device& device_;
+    ClassDartBuffers& buffers_;
+    const ClassDartRequest& request_;
+    std::size_t group_size_;
+    FillOrder order_;
+    std::vector<OpenCells> open_;
+    std::vector<ClassCells> lists_;      ///< where those are on the device
+    std::vector<std::uint32_t> classes_; ///< of the points so far
+    Kernel find_, settle_, cover_;
+};
+
+}
+
+std::vector<std::size_t> ClassedPoints::counts() const
+{
+    std::vector<std::size_t> counts(is_full.size());
+    for (const std::uint32_t own : classes) ++counts[own];
+    return counts;
+}
+
+PointSet ClassedPoints::of_class(std::uint32_t wanted) const
+{
+    PointSet set{points.dimension, {}};
+    for (std::size_t i = 0; i < classes.size(); ++i)
+        if (classes[i] == wanted) set.coordinates.insert(set.coordinates.end(), points[i].begin(), points[i].end());
+    return set;
+}
+
+ClassDartThrower::ClassDartThrower(Device device, std::size_t work_group_size)
+    : DeviceMethod(std::move(device), work_group_size, std::make_shared<ClassDartBuffers>())
+{}
+
+ClassedPoints ClassDartThrower::throw_darts(const ClassDartRequest& request)
+{
+    return ThrowingClasses(device_, *buffers_, request, work_group_size_).run();
+}
+
+DeviceMemory ClassDartThrower::memory(const ClassDartRequest& request)
+{
+    ClassDartBuffers buffers;
+    return memory_of(class_buffers(buffers, request));
+}
+
+}

@@ -1,0 +1,64 @@
+// Dart throwing with classes of points on the unit torus: each class and all together are even.
+//
+// Wei, Multi-class blue noise sampling, SIGGRAPH 2010, section 3. Points come one after the other, each of the class
+// that is least filled: darts of that class are thrown until one is far enough from all points, by a distance for each
+// pair of classes. A class is full when no further point of it fits, which is proven: then the others go on. Points are
+// never taken away again; the paper does so where a class of large distances finds no room.
+//
+// The darts of a slot, the place of one point, fall uniformly into cells that may have room for its class: the whole
+// torus at first, and, each time that TRIES darts of a slot failed, the parts of half the size that no single point
+// covers. Those are never more than what is left, so the law is that of darts that fall anywhere.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "base/random/random.hpp"
+#include "host/sampling/classes/class_distances.hpp"
+#include "host/sampling/device_method.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace poissonlab {
+
+inline constexpr std::size_t most_classes = 32;
+
+struct ClassDartRequest
+{
+    int dimension = 2;
+    ClassDistances distances;
+    std::vector<double> shares;      ///< see FillOrder
+    std::vector<std::size_t> points; ///< of each class, where it stops; empty: at saturation
+    StreamKey stream{};
+};
+
+struct ClassedPoints
+{
+    PointSet points;                    ///< in the order in which they came; coordinates are multiples of 2^-32
+    std::vector<std::uint32_t> classes; ///< of each point
+    std::vector<bool> is_full;          ///< of each class: no further point of it fits, proven
+
+    std::vector<std::size_t> counts() const; ///< points of each class
+    PointSet of_class(std::uint32_t wanted) const;
+
+    bool operator==(const ClassedPoints&) const = default;
+};
+
+namespace reference {
+ClassedPoints throw_class_darts(const ClassDartRequest& request);
+}
+
+/// The same, by kernels/class_darts.cl: the same bytes as the reference on every device.
+class ClassDartThrower : DeviceMethod<struct ClassDartBuffers>
+{
+public:
+    /// `work_group_size` 0: the default.
+    explicit ClassDartThrower(Device device, std::size_t work_group_size = 0);
+
+    ClassedPoints throw_darts(const ClassDartRequest& request);
+
+    /// The memory that throw_darts() takes, nearly: chance decides how many cells have room.
+    static DeviceMemory memory(const ClassDartRequest& request);
+};
+
+}

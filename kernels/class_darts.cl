@@ -1,0 +1,233 @@
+// Dart throwing with classes: a distance for each pair of them.
+//
+// Wei, Multi-class blue noise sampling, 2010. The order in which classes get points is known beforehand: slot i is the
+// place of the point that comes as number i, and its class. Each slot has darts of its own, and the first of them that
+// is far enough from all points of slots before becomes its point:
+//
+//   find_darts          a work-item a slot: its first dart that no point of former batches rejects
+//   settle_class_darts  a work-item: slot after slot, the first dart from there on that no point of this batch rejects
+//   cover_cells         a work-item a cell: which of its children no single point's disk covers
+//
+// Darts fall into cells that may have room for their class, uniformly. When TRIES darts of a slot failed, the batch
+// ends there, and the host refines these cells.
+//
+// Needs DIMENSION (2 or 3).
+
+#define LARGE_DISKS 1
+
+#include "kernels/common/darts/class_darts.h"
+#include "kernels/common/philox.clh"
+#include "kernels/common/torus.clh"
+
+/// All points, with the grids of their classes.
+typedef struct
+{
+    global const struct ClassPair* pairs; ///< of the class that is asked for, with all others
+    global const struct ClassGrid* grids;
+    global const uint* heads;
+    global const uint* points;
+    uint classes;
+} ClassedPoints;
+
+/// Cells of a grid along an axis.
+typedef struct
+{
+    uint first;
+    uint count;
+} CellRange;
+
+/// The cells in which coordinates from `low` - `reach` to `low` + `extent` + `reach` lie.
+CellRange cells_around(uint low, uint extent, ulong reach, uint bits)
+{
+    const ulong cells = 1ul << bits;
+    const ulong from = ((ulong)low + (1ul << 32) - reach) >> (32 - bits);
+    const ulong to = ((ulong)low + (1ul << 32) + extent + reach) >> (32 - bits);
+    CellRange range;
+    range.count = (uint)min(to - from + 1, cells);
+    range.first = (uint)(from & (cells - 1));
+    return range;
+}
+
+Position point_at(global const uint* points, uint number)
+{
+    Position position;
+    FOR_EACH_AXIS(k) position.c[k] = points[number * POINT_WORDS + k];
+    return position;
+}
+
+/// The squared distance from a point to the farthest of low, low + 1, ..., low + extent along each axis.
+ulong squared_farthest(const Position* point, const Position* low, uint extent)
+{
+    ulong sum = 0;
+    FOR_EACH_AXIS(k) sum += square(axis_farthest(point->c[k], low->c[k], extent));
+    return sum;
+}
+
+/// Is the box nearer to one point of a class than `pair` says, all of it?
+bool is_covered_by(const ClassedPoints* all, uint other, const Position* low, uint extent)
+{
+    const struct ClassPair pair = all->pairs[other];
+    const struct ClassGrid grid = all->grids[other];
+    CellRange ranges[DIMENSION];
+    FOR_EACH_AXIS(k) ranges[k] = cells_around(low->c[k], extent, pair.reach, grid.bits);
+    const uint last = (1u << grid.bits) - 1;
+#if DIMENSION == 3
+    for (uint z = 0; z < ranges[2].count; ++z) {
+        const uint slice = ((ranges[2].first + z) & last) << grid.bits;
+#else
+    {
+        const uint slice = 0;
+#endif
+        for (uint y = 0; y < ranges[1].count; ++y) {
+            const uint row = (slice | ((ranges[1].first + y) & last)) << grid.bits;
+            for (uint x = 0; x < ranges[0].count; ++x) {
+                const uint cell = row | ((ranges[0].first + x) & last);
+                for (uint link = all->heads[grid.first + cell]; link != 0;
+                     link = all->points[(link - 1) * POINT_WORDS + NEXT_WORD]) {
+                    const Position point = point_at(all->points, link - 1);
+                    if (squared_farthest(&point, low, extent) < pair.squared) return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+/// The same of any class.
+bool is_covered(const ClassedPoints* all, const Position* low, uint extent)
+{
+    for (uint other = 0; other < all->classes; ++other)
+        if (is_covered_by(all, other, low, extent)) return true;
+    return false;
+}
+
+/// A dart of a slot: somewhere in the cells of its class.
+Position dart_of(uint slot, uint number, uint own, struct ClassCells list, global const uint* cells, uint2 key)
+{
+    const uint4 words = philox((uint4)(slot, number, own, 0), key);
+    const uint offset[3] = {words.y, words.z, words.w};
+    const uint chosen = list.first + (uint)((ulong)words.x * list.count >> 32);
+    Position dart;
+    FOR_EACH_AXIS(k)
+    {
+        const ulong low = (ulong)cells[chosen * DIMENSION + k] << (32 - list.level);
+        dart.c[k] = (uint)(low + ((ulong)offset[k] >> list.level));
+    }
+    return dart;
+}
+
+/// The darts of a slot of the batch.
+typedef struct
+{
+    uint slot;
+    uint own; ///< its class
+    uint skipped;
+    struct ClassCells list;
+    uint2 key;
+} SlotDarts;
+
+SlotDarts darts_of(struct SlotBatch batch, uint id, global const uint* slot_classes,
+                   global const struct ClassCells* lists)
+{
+    SlotDarts darts;
+    darts.slot = batch.first + id;
+    darts.own = slot_classes[id];
+    darts.skipped = id == 0 ? batch.skipped : 0;
+    darts.list = lists[darts.own];
+    darts.key = (uint2)(batch.key_x, batch.key_y);
+    return darts;
+}
+
+/// The first dart from `number` on that no point rejects; TRIES where there is none.
+uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, global const uint* cells)
+{
+    for (; number < TRIES; ++number) {
+        const Position dart = dart_of(darts->slot, darts->skipped + number, darts->own, darts->list, cells, darts->key);
+        if (!is_covered(all, &dart, 0)) break;
+    }
+    return number;
+}
+
+ClassedPoints points_for(uint own, struct SlotBatch batch, global const struct ClassPair* pairs,
+                         global const struct ClassGrid* grids, global const uint* heads, global const uint* points)
+{
+    ClassedPoints all;
+    all.pairs = &pairs[own * batch.classes];
+    all.grids = grids;
+    all.heads = heads;
+    all.points = points;
+    all.classes = batch.classes;
+    return all;
+}
+
+/// candidates: the number of the dart.
+kernel void find_darts(struct SlotBatch batch, global const uint* slot_classes, global const struct ClassPair* pairs,
+                       global const struct ClassGrid* grids, global const struct ClassCells* lists,
+                       global const uint* cells, global const uint* heads, global const uint* points,
+                       global uint* candidates)
+{
+    const uint id = get_global_id(0);
+    if (id >= batch.slots) return;
+    const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
+    const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
+    candidates[id] = first_free(&darts, 0, &all, cells);
+}
+
+void insert(const Position* position, uint number, uint own, struct ClassGrid grid, global uint* heads,
+            global uint* points)
+{
+    uint cell = 0;
+    for (int k = DIMENSION - 1; k >= 0; --k)
+        cell = cell << grid.bits | (uint)((ulong)position->c[k] >> (32 - grid.bits));
+    global uint* point = &points[number * POINT_WORDS];
+    FOR_EACH_AXIS(k) point[k] = position->c[k];
+    point[CLASS_WORD] = own;
+    point[NEXT_WORD] = heads[grid.first + cell];
+    heads[grid.first + cell] = number + 1;
+}
+
+/// One work-item.
+kernel void settle_class_darts(struct SlotBatch batch, global const uint* slot_classes,
+                               global const struct ClassPair* pairs, global const struct ClassGrid* grids,
+                               global const struct ClassCells* lists, global const uint* cells, global uint* heads,
+                               global uint* points, global const uint* candidates, global uint* counters)
+{
+    if (get_global_id(0) != 0) return;
+    counters[REDRAWN] = 0;
+    uint id = 0;
+    for (; id < batch.slots; ++id) {
+        const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
+        const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
+        const uint number = first_free(&darts, candidates[id], &all, cells);
+        if (number != candidates[id]) ++counters[REDRAWN];
+        if (number == TRIES) break;
+        const Position dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+        insert(&dart, darts.slot, darts.own, grids[darts.own], heads, points);
+    }
+    counters[SETTLED] = id;
+}
+
+/// kept: for each cell of a list, a bit for each of its children at `level` that is not covered; where they have that
+/// level already, for itself. Children are counted with bit k for the upper half along axis k.
+kernel void cover_cells(struct SlotBatch batch, uint own, struct ClassCells list, uint level,
+                        global const struct ClassPair* pairs, global const struct ClassGrid* grids,
+                        global const uint* cells, global const uint* heads, global const uint* points,
+                        global uint* kept)
+{
+    const uint id = get_global_id(0);
+    if (id >= list.count) return;
+    const ClassedPoints all = points_for(own, batch, pairs, grids, heads, points);
+    const bool is_split = level > list.level;
+    const uint extent = (uint)((1ul << (32 - level)) - 1);
+    uint bits = 0;
+    for (uint child = 0; child < (is_split ? 1u << DIMENSION : 1u); ++child) {
+        Position low;
+        FOR_EACH_AXIS(k)
+        {
+            const ulong cell = cells[(list.first + id) * DIMENSION + k];
+            low.c[k] = (uint)((is_split ? 2 * cell + (child >> k & 1) : cell) << (32 - level));
+        }
+        if (!is_covered(&all, &low, extent)) bits |= 1u << child;
+    }
+    kept[id] = bits;
+}

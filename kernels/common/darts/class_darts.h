@@ -1,0 +1,58 @@
+// The contract of class_darts.cl, its host code, host/sampling/classes/class_darts.cpp, and its twin.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(class_darts)
+
+enum
+{
+    TRIES = 256 ///< darts of a slot at a list of cells, before the list is refined
+};
+
+enum Counter
+{
+    SETTLED, ///< slots of the batch that have a point
+    REDRAWN, ///< slots whose first dart met another one of the batch
+    COUNTERS
+};
+
+/// A point's coordinates and class, and then the number of the next point in its cell, and one; 0: none.
+DERIVED(CLASS_WORD, (size_t DIMENSION), DIMENSION)
+DERIVED(NEXT_WORD, (size_t DIMENSION), DIMENSION + 1)
+DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 2)
+
+/// How far two classes keep apart.
+struct ClassPair
+{
+    ulong squared; ///< in units of 2^-64
+    ulong reach;   ///< the least length whose square is no less, in units of 2^-32
+};
+
+/// Cells of points of one class, 2^bits along each axis.
+struct ClassGrid
+{
+    uint bits;
+    uint first; ///< its place among the heads of all classes
+};
+
+/// Cells that may have room for one class, 2^level along each axis.
+struct ClassCells
+{
+    uint level;
+    uint first; ///< its place among the cells of all classes
+    uint count;
+    uint unused;
+};
+
+/// The arguments of find_darts and settle_class_darts. Slots are the places of points in the order in which they come.
+struct SlotBatch
+{
+    uint classes;
+    uint first; ///< slot: so many points are there
+    uint slots;
+    uint skipped;      ///< darts of the first slot that failed at former lists of cells
+    uint key_x, key_y; ///< of random numbers
+};
+
+END_CONTRACT
