@@ -104,6 +104,7 @@ Command aperiodic_verify_command();
 Command points_dart_throwing_command();
 Command distribute_warp_command();
 Command distribute_rank_command();
+Command distribute_classes_command();
 Command distribute_darts_command();
 Command distribute_points_command();
 Command distribute_stipple_command();

@@ -1,4 +1,5 @@
 // Writes point sets as text, CSV, PLY or USD; NumPy and HDF5 are those of placed_file.
+#include "base/files/npy_header.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/placed_file.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <iterator>
 
@@ -75,17 +75,7 @@ void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_
 
 std::string npy_header(std::uint64_t points, int dimension)
 {
-    // The numbers start at a multiple of 64 bytes; blanks and an end of line fill the header up to there.
-    constexpr std::size_t alignment = 64;
-    constexpr std::size_t before_header = npy_magic.size() + 2 + 2;
-    std::string header = fmt::format("{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}, {}), }}",
-                                     std::endian::native == std::endian::little ? '<' : '>', points, dimension);
-    const std::size_t unpadded = before_header + header.size() + 1;
-    header.append((alignment - unpadded % alignment) % alignment, ' ');
-    header += '\n';
-    return fmt::format("{}{}{}{}", npy_magic, std::string_view("\x01\x00", 2),
-                       std::string{static_cast<char>(header.size() % 256), static_cast<char>(header.size() / 256)},
-                       header);
+    return npy_header_of(fmt::format("'{}f8'", npy_byte_order()), fmt::format("({}, {})", points, dimension));
 }
 
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment)

@@ -15,6 +15,7 @@ std::vector<Kind> listed_kinds()
                                  rank_kind,
                                  dart_kind,
                                  region_point_kind,
+                                 class_kind,
                                  stippling_kind,
                                  hatching_kind,
                                  icon_kind,

@@ -27,6 +27,7 @@ Kind self_similar_kind();
 Kind rank_kind();
 Kind dart_kind();
 Kind region_point_kind();
+Kind class_kind();
 Kind stippling_kind();
 Kind hatching_kind();
 Kind icon_kind();

@@ -1,8 +1,10 @@
 // Pictures in dots and strokes: numbers in proportion to ink, tones, and the same places by both engines.
 #include "host/distribution/stipple.hpp"
 
+#include "host/distribution/even_points.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
+#include "host/sampling/warp/warp.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

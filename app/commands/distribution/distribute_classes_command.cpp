@@ -1,0 +1,76 @@
+// poissonlab distribute classes: points of several classes on the unit torus.
+#include "app/commands/kind_options.hpp"
+#include "app/commands/picture_output.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/distribution/classes/class_files.hpp"
+#include "host/distribution/classes/class_pictures.hpp"
+#include "host/distribution/classes/class_points.hpp"
+#include "host/kinds/kinds.hpp"
+#include "reports/drawings/mark_image.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto distribute_classes_notes =
+    R"help(Each class and all together are even (Wei 2010): points of the same class keep its distance, points of two classes the
+distance of the density that both, and all classes of larger distances, have together. Each point is of the class that is
+least filled: darts of it are thrown until one fits. --points ends there; else the set ends when no further point of any
+class fits, which is proven. Distances are those of --distances, in sides of the torus, or of --relative-radius for so
+many points, or of all pairs: --matrix, row after row.
+Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
+.ply (vertices with a class), .npy (records x, y, class), .svg and .png (disks in colours). --spectra FILE.csv has the
+radially averaged power of each class and of all, and cross power of pairs.
+  poissonlab distribute classes --points 100 400 1600 --out forest.csv --out forest.png
+  poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
+  poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --out two.npy --spectra two.csv)help";
+
+struct ClassOptions : KindOptions
+{
+    using KindOptions::KindOptions;
+    OutputFiles outs{{".csv", ".ply", ".npy", ".svg", ".png"}};
+    std::string spectra;
+};
+
+void write_class_output(const std::filesystem::path& file, const ClassSet& set, const std::string& comment)
+{
+    if (std::ranges::find(class_file_ends(), file.extension().string()) != class_file_ends().end())
+        return write_class_file(file, set.points, comment);
+    write_picture_file(file, draw_marks(class_picture(set.points, set.request.distances), {}));
+}
+
+void throw_class_points(const ClassOptions& o)
+{
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<ClassSettings>();
+    o.outs.check(o.command());
+    if (!o.spectra.empty()) {
+        if (settings.dimension != 2) throw InputError("--spectra: is for points of the plane, --dimension 2");
+        OutputFiles{{".csv"}, false, {o.spectra}}.check(o.command());
+    }
+    const ClassSet set = throw_classes(settings, o.seed(), o.place());
+    const std::string what = fmt::format("{} points of {} classes: {}", set.points.points.size(), settings.classes(),
+                                         fmt::join(set.points.counts(), ", "));
+    o.say_note(settings.points.empty() ? what + "; no further one fits" : what);
+    const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
+    for (const std::string& out : o.outs.names) write_class_output(out, set, comment);
+    if (!o.spectra.empty()) write_whole_file(o.spectra, spectra_csv(set.points, class_spectra(set.points)));
+    if (o.prints_json()) print_numbers(class_numbers(set));
+}
+
+}
+
+Command distribute_classes_command()
+{
+    const auto o = std::make_shared<ClassOptions>(*find_kind("distribution", "classes"));
+    return kind_command(
+        o, {o->outs.option(), {"--spectra", &o->spectra, "Write radial spectra to this .csv file", "FILE"}},
+        distribute_classes_notes, throw_class_points);
+}
+
+}

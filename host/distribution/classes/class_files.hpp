@@ -1,0 +1,23 @@
+// Files of points that have classes.
+#pragma once
+
+#include "host/sampling/classes/class_darts.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The ends of names of files of points with classes: .csv (columns x, y, in 3D z, class), .ply (ascii, vertices with
+/// the property class) and .npy (records of these fields).
+const std::vector<std::string>& class_file_ends();
+
+/// Writes points in one of these formats, whole or not at all. Numbers read back are the same doubles. Throws
+/// StorageError.
+void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment);
+
+/// The classes alone, as a NumPy array of uint32.
+void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points);
+
+}

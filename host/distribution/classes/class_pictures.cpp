@@ -1,0 +1,121 @@
+#include "host/distribution/classes/class_pictures.hpp"
+
+#include "host/distribution/charts/curve_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// The longest side of the picture: its numbers have two decimals.
+constexpr double class_picture_side = 4096;
+
+/// The part of a class' distance that the radius of its disks is.
+constexpr double shown_radius = 0.16;
+
+/// Pairs whose curves a picture has room for.
+constexpr std::size_t most_curves = 18;
+
+/// Classes that have points, by which spectra are listed.
+std::vector<std::uint32_t> used_classes(const ClassedPoints& points)
+{
+    const std::vector<std::size_t> counts = points.counts();
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) used.push_back(i);
+    return used;
+}
+
+std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) names.push_back(fmt::format("{}, {}", used[j], used[i]));
+    return names;
+}
+
+MarkCurve curve_of(const std::string& name, const std::string& color, const std::vector<double>& values, double unit)
+{
+    MarkCurve curve{name, color, {}};
+    for (std::size_t k = 0; k < values.size(); ++k)
+        curve.places.push_back({static_cast<double>(k + 1) / unit, values[k]});
+    return curve;
+}
+
+/// Frequencies over the root of the number of all points.
+CurveAxis frequency_axis(const CrossSpectra& spectra, double unit)
+{
+    return {"frequency / sqrt(number of all points)", 0, static_cast<double>(spectra.bins()) / unit, 0.5};
+}
+
+double root_of_number(const ClassedPoints& points) { return std::sqrt(static_cast<double>(points.points.size())); }
+
+}
+
+MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& distances)
+{
+    MarkPicture picture{class_picture_side, class_picture_side};
+    for (std::uint32_t i = 0; i < distances.classes(); ++i) {
+        MarkGroup disks{class_color(i)};
+        const double radius = std::clamp(shown_radius * distances.at(i, i), 5e-4, 0.03) * class_picture_side;
+        for (std::size_t p = 0; p < points.classes.size(); ++p) {
+            const auto at = points.points[p];
+            if (points.classes[p] != i || (at.size() == 3 && at[2] > 0.1)) continue;
+            disks.disks.push_back({at[0] * class_picture_side, at[1] * class_picture_side, radius});
+        }
+        picture.groups.push_back(std::move(disks));
+    }
+    // Large disks lie below small ones.
+    std::ranges::stable_sort(picture.groups, std::greater{},
+                             [](const MarkGroup& g) { return g.disks.empty() ? 0 : g.disks.front()[2]; });
+    return picture;
+}
+
+CrossSpectra class_spectra(const ClassedPoints& points)
+{
+    std::vector<PointSet> sets;
+    for (const std::uint32_t i : used_classes(points)) sets.push_back(points.of_class(i));
+    return cross_spectra(sets, static_cast<int>(std::clamp(2.5 * root_of_number(points), 8.0, 1024.0)));
+}
+
+MarkPicture power_picture(const ClassedPoints& points, const CrossSpectra& spectra)
+{
+    const std::vector<std::uint32_t> used = used_classes(points);
+    const double unit = root_of_number(points);
+    std::vector<MarkCurve> curves{curve_of("all", "#000000", spectra.power.back(), unit)};
+    for (std::size_t i = 0; i < std::min(used.size(), most_curves); ++i)
+        curves.push_back(curve_of(fmt::format("class {}", used[i]), class_color(used[i]), spectra.power[i], unit));
+    return curve_marks(frequency_axis(spectra, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves);
+}
+
+MarkPicture cross_picture(const ClassedPoints& points, const CrossSpectra& spectra)
+{
+    const std::vector<std::string> names = pair_names(used_classes(points));
+    const double unit = root_of_number(points);
+    std::vector<MarkCurve> curves;
+    for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
+        curves.push_back(curve_of(names[i], class_color(i), spectra.cross[i], unit));
+    return curve_marks(frequency_axis(spectra, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves);
+}
+
+std::string spectra_csv(const ClassedPoints& points, const CrossSpectra& spectra)
+{
+    const std::vector<std::uint32_t> used = used_classes(points);
+    std::string text = "frequency,all";
+    for (const std::uint32_t i : used) text += fmt::format(",class_{}", i);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) text += fmt::format(",cross_{}_{}", used[j], used[i]);
+    text += '\n';
+    for (std::size_t k = 0; k < spectra.bins(); ++k) {
+        text += fmt::format("{},{:.9g}", k + 1, spectra.power.back()[k]);
+        for (std::size_t i = 0; i < used.size(); ++i) text += fmt::format(",{:.9g}", spectra.power[i][k]);
+        for (const std::vector<double>& cross : spectra.cross) text += fmt::format(",{:.9g}", cross[k]);
+        text += '\n';
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,160 @@
+#include "host/distribution/classes/class_points.hpp"
+
+#include "analysis/measures/distance_statistics.hpp"
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/distribution/classes/least_between.hpp"
+#include "host/sampling/classes/class_cells.hpp"
+#include "host/settings/sampler_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+/// The matrix that settings say or imply.
+ClassDistances asked_distances(const ClassSettings& settings)
+{
+    const std::size_t classes = settings.classes();
+    if (!settings.matrix.empty()) {
+        ClassDistances given(classes);
+        for (std::size_t i = 0; i < classes; ++i)
+            for (std::size_t j = 0; j < classes; ++j) given.set(i, j, settings.matrix[i * classes + j]);
+        return given;
+    }
+    if (!settings.distances.empty()) return wei_distances(settings.distances, settings.dimension);
+    std::vector<double> distances;
+    for (const std::size_t count : settings.points)
+        distances.push_back(std::min(1.0, min_distance_for(settings.relative_radius, count, settings.dimension)));
+    return wei_distances(distances, settings.dimension);
+}
+
+/// Full classes have fewer points than were asked for.
+void check_numbers(const ClassSettings& settings, const ClassedPoints& points)
+{
+    const std::vector<std::size_t> counts = points.counts();
+    for (std::size_t i = 0; i < settings.points.size(); ++i) {
+        if (counts[i] == settings.points[i]) continue;
+        double share = 1;
+        for (std::size_t j = 0; j < counts.size(); ++j)
+            share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(settings.points[j]));
+        const double scale = std::pow(share, 1.0 / settings.dimension);
+        throw InputError(
+            fmt::format("class {} is full with {} of {} points: no further one fits; {} can be reached", i, counts[i],
+                        settings.points[i],
+                        settings.distances.empty() && settings.matrix.empty()
+                            ? fmt::format("a relative radius of about {:.3f}", 0.99 * scale * settings.relative_radius)
+                            : fmt::format("distances of about {:.3f} times as much", 0.99 * scale)));
+    }
+}
+
+double radius_of(double least, std::size_t points, int dimension)
+{
+    return points < 2 ? 0 : relative_radius(least, points, dimension);
+}
+
+}
+
+std::size_t ClassSettings::classes() const
+{
+    if (!matrix.empty()) return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+    return std::max(points.size(), distances.size());
+}
+
+ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed)
+{
+    ClassDartRequest request{.dimension = settings.dimension,
+                             .distances = asked_distances(settings),
+                             .shares = {settings.points.begin(), settings.points.end()},
+                             .points = settings.points,
+                             .stream = stream_key(seed, Purpose::class_darts, 0)};
+    if (settings.points.empty())
+        for (std::size_t i = 0; i < request.distances.classes(); ++i)
+            request.shares.push_back(std::pow(request.distances.at(i, i), -settings.dimension));
+    // Full classes have half as many points as a packing, nearly.
+    if (const std::size_t most = most_class_points(request); most > 2 * static_cast<std::size_t>(max_points))
+        throw InputError(fmt::format("these are {} points; at most {}", most / 2, max_points));
+    return request;
+}
+
+ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+{
+    ClassSet set{class_dart_request(settings, seed), {}};
+    if (place.engine == Engine::reference) {
+        set.points = reference::throw_class_darts(set.request);
+    } else {
+        Device& device = place.device();
+        check_fits("dart throwing", ClassDartThrower::memory(set.request), device.info());
+        set.points = ClassDartThrower(device).throw_darts(set.request);
+    }
+    check_numbers(settings, set.points);
+    return set;
+}
+
+ClassDistances least_distances(const ClassedPoints& points)
+{
+    const std::size_t classes = points.is_full.size();
+    std::vector<PointSet> sets;
+    for (std::uint32_t i = 0; i < classes; ++i) sets.push_back(points.of_class(i));
+    ClassDistances least(classes);
+    for (std::size_t i = 0; i < classes; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            least.set(i, j, i == j ? min_toroidal_distance(sets[i]) : least_distance_between(sets[i], sets[j]));
+    return least;
+}
+
+std::vector<DistributionNumber> class_numbers(const ClassSet& set)
+{
+    const ClassDistances least = least_distances(set.points);
+    const std::vector<std::size_t> counts = set.points.counts();
+    const std::size_t all = set.points.points.size();
+    const int d = set.request.dimension;
+    double least_of_all = INFINITY;
+    std::vector<DistributionNumber> numbers;
+    numbers.push_back({"points", "Points", static_cast<double>(all), "of all classes"});
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        numbers.push_back({fmt::format("points_{}", i), fmt::format("Points of class {}", i),
+                           static_cast<double>(counts[i]),
+                           set.points.is_full[i] ? "no further one fits" : "as asked for"});
+        numbers.push_back({fmt::format("relative_radius_{}", i), fmt::format("Relative radius of class {}", i),
+                           radius_of(least.at(i, i), counts[i], d), "on the torus, of its points alone"});
+        for (std::size_t j = 0; j <= i; ++j) least_of_all = std::min(least_of_all, least.at(i, j));
+    }
+    numbers.push_back({"relative_radius", "Relative radius", radius_of(least_of_all, all, d), "of all points"});
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            numbers.push_back({fmt::format("distance_{}_{}", j, i),
+                               fmt::format("Distance {}, {}", j, i),
+                               set.request.distances.at(i, j),
+                               "that the two classes keep",
+                               {},
+                               true});
+            if (std::isfinite(least.at(i, j)))
+                numbers.push_back({fmt::format("least_{}_{}", j, i),
+                                   fmt::format("Least distance {}, {}", j, i),
+                                   least.at(i, j),
+                                   "of points of the two classes",
+                                   {},
+                                   true});
+        }
+    return numbers;
+}
+
+DistributionTable distance_table(const ClassSet& set)
+{
+    const ClassDistances least = least_distances(set.points);
+    DistributionTable table{
+        "Distances that classes keep, and the least that there are", {"classes", "kept", "least"}, {}};
+    for (std::size_t i = 0; i < least.classes(); ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            table.rows.push_back({fmt::format("{}, {}", j, i), fmt::format("{:.6f}", set.request.distances.at(i, j)),
+                                  std::isfinite(least.at(i, j)) ? fmt::format("{:.6f}", least.at(i, j)) : "none"});
+    return table;
+}
+
+}

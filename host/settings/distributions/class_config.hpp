@@ -1,0 +1,21 @@
+// The settings of [[distribution]] kind = "classes".
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace poissonlab {
+
+/// kind = "classes": see host/distribution/classes/class_points.hpp. Lists have a value for each class.
+struct ClassSettings
+{
+    std::vector<std::size_t> points; ///< empty: to saturation
+    std::vector<double> distances;   ///< of points of the same class; empty: of `matrix`, or those of relative_radius
+    std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
+    double relative_radius = 0.62;   ///< of each class, where there are no distances
+    int dimension = 2;
+
+    std::size_t classes() const;
+};
+
+}
