@@ -107,6 +107,8 @@ Command distribute_rank_command();
 Command distribute_classes_command();
 Command distribute_darts_command();
 Command distribute_points_command();
+Command distribute_dither_mask_command();
+Command distribute_mri_mask_command();
 Command distribute_stipple_command();
 Command distribute_hatch_command();
 Command distribute_icons_command();

@@ -55,6 +55,8 @@ enum class Purpose : std::uint32_t
     texture_quilting = 64,
     region_envelope = 70,
     class_darts = 70,
+    mri_mask = 71,
+    dither_mask = 72,
 };
 
 /// The 64-bit key of one independent stream.

@@ -16,6 +16,8 @@ std::vector<Kind> listed_kinds()
                                  dart_kind,
                                  region_point_kind,
                                  class_kind,
+                                 sampling_mask_kind,
+                                 dither_mask_kind,
                                  stippling_kind,
                                  hatching_kind,
                                  icon_kind,

@@ -28,6 +28,8 @@ Kind rank_kind();
 Kind dart_kind();
 Kind region_point_kind();
 Kind class_kind();
+Kind sampling_mask_kind();
+Kind dither_mask_kind();
 Kind stippling_kind();
 Kind hatching_kind();
 Kind icon_kind();

@@ -20,6 +20,8 @@ class Made:
     pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
     points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
     region's own; None where there are none.
+    classes: of points with classes: the class of each, uint32; else None.
+    mask: of masks: an array of shape (rows, columns); else None.
     tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south; else None.
     files: the paths of all files, which are there as long as this object is; save() keeps them.
     """
@@ -35,9 +37,12 @@ class Made:
         self.files = [folder / name for name in made["files"]]
         tiles = folder / "tiles.txt"
         self.tiles = numpy.loadtxt(tiles, dtype=numpy.int64, ndmin=2) if tiles.exists() else None
-        points = folder / "points.npy"
-        self.points = numpy.load(points) if points.exists() else None
+        self.points, self.classes, self.mask = (self._array(name) for name in ("points", "classes", "mask"))
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
+
+    def _array(self, name):
+        file = self._folder / f"{name}.npy"
+        return numpy.load(file) if file.exists() else None
 
     def save(self, folder):
         """Copy all files to a folder, which is made where it is not there. Returns its path."""

@@ -37,8 +37,18 @@ class Kinds(unittest.TestCase):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
                           "darts", "points"})
+                          "darts", "classes", "mri_mask", "dither_mask"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
+
+    def test_classes_and_masks_are_arrays(self):
+        made = distribute.classes(points=[10, 40], engine="reference")
+        self.assertEqual(made.points.shape, (50, 2))
+        self.assertEqual(list(numpy.bincount(made.classes)), [10, 40])
+        mask = distribute.mri_mask(shape=[32, 24], acceleration=4, calibration=[4, 4]).mask
+        self.assertEqual((mask.shape, mask.dtype, mask.sum()), ((32, 24), numpy.uint8, 192))
+        ranks = distribute.dither_mask(size=32, by="void-and-cluster").mask
+        self.assertEqual(sorted(ranks.ravel()), list(range(1024)))
 
     def test_darts_fall_into_regions_in_their_own_units(self):
         made = distribute.darts(region="rectangle 500 -20 540 10", min_distance=2, engine="reference")

@@ -1,0 +1,27 @@
+// Measures of masks of samples: numbers, distances and densities.
+#pragma once
+
+#include "host/distribution/masks/sampling_mask.hpp"
+#include "results/pictures/distribution_result.hpp"
+#include "results/pictures/mark_picture.hpp"
+
+#include <vector>
+
+namespace poissonlab {
+
+/// The least distance of two samples that are not in the calibration area both, in pixels, and the least one in parts
+/// of what they are to have at least; infinite where there is no such pair near enough to matter.
+struct MaskDistances
+{
+    double least = 0;
+    double least_part = 0;
+};
+
+MaskDistances mask_distances(const MaskField& field, const SamplingMask& mask);
+
+std::vector<DistributionNumber> mask_numbers(const MaskField& field, const SamplingMask& mask);
+
+/// The part of pixels that are samples by their distance from the middle, in parts of half the grid.
+MarkPicture mask_profile(const SamplingMask& mask);
+
+}

@@ -1,0 +1,52 @@
+// `poissonlab distribute classes`, `mri-mask` and `dither-mask`: their files and what they print.
+#include "base/files/whole_file.hpp"
+#include "tests/support/program.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(DistributeClasses, WritesPointsWithClassesAndSpectra)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_program(folder.path(), {"distribute", "classes", "--engine", "reference", "--points", "20", "80", "--out",
+                                    "a.csv", "--out", "a.svg", "--spectra", "s.csv", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    const std::string points = read_whole_file(folder.path() / "a.csv");
+    EXPECT_THAT(points, StartsWith("x,y,class\n"));
+    EXPECT_EQ(std::ranges::count(points, '\n'), 101);
+    EXPECT_THAT(read_whole_file(folder.path() / "s.csv"), StartsWith("frequency,all,class_0,class_1,cross_0_1\n1,"));
+    EXPECT_THAT(read_whole_file(folder.path() / "a.svg"), HasSubstr("<svg"));
+    EXPECT_THAT(outcome.out, HasSubstr("\"least_0_1\": "));
+}
+
+TEST(DistributeMasks, WriteFilesOfOtherPrograms)
+{
+    const TemporaryFolder folder;
+    const Outcome samples = run_program(folder.path(), {"distribute", "mri-mask", "--shape", "64", "48",
+                                                        "--acceleration", "4", "--out", "a.cfl", "--out", "a.png"});
+    EXPECT_EQ(samples.status, 0) << samples.error;
+    EXPECT_EQ(samples.out, "768 samples of 64 x 48 pixels, acceleration 4; 0 of them in the calibration area\n");
+    EXPECT_THAT(read_whole_file(folder.path() / "a.hdr"), StartsWith("# Dimensions\n1 64 48 1 "));
+    EXPECT_EQ(read_whole_file(folder.path() / "a.cfl").size(), 64U * 48 * 8);
+    EXPECT_EQ(run_program(folder.path(), {"distribute", "mri-mask", "--acceleration", "8", "--out", "c.npy"}).out,
+              "8192 samples of 256 x 256 pixels, acceleration 8; 0 of them in the calibration area\n");
+    const Outcome thresholds =
+        run_program(folder.path(), {"distribute", "dither-mask", "--size", "32", "--colors", "2", "--tile-pixels", "4",
+                                    "--out", "b.ptiles", "--out", "b.png", "--quiet"});
+    EXPECT_EQ(thresholds.status, 0) << thresholds.error;
+    const PoissonTileSet tiles = read_tile_set(folder.path() / "b.ptiles");
+    EXPECT_EQ(tiles.ranks.size(), 16U * 16);
+}
+
+}
+}
