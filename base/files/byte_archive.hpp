@@ -76,6 +76,12 @@ private:
         put(value.has_value());
         if (value) put(*value);
     }
+    template <class T, std::size_t n>
+        requires(!IsBlock<T>::value)
+    void put(const std::array<T, n>& list)
+    {
+        for (const T& value : list) put(value);
+    }
     template <class T, class Allocator>
     void put(const std::vector<T, Allocator>& list)
     {
@@ -148,6 +154,12 @@ private:
         get(is_there);
         value.reset();
         if (is_there) get(value.emplace());
+    }
+    template <class T, std::size_t n>
+        requires(!IsBlock<T>::value)
+    void get(std::array<T, n>& list)
+    {
+        for (T& value : list) get(value);
     }
     template <class T, class Allocator>
     void get(std::vector<T, Allocator>& list)

@@ -53,10 +53,10 @@ enum class Purpose : std::uint32_t
     hyperuniformity_test = 60,
     variance_windows = 61,
     texture_quilting = 64,
-    region_envelope = 70,
     class_darts = 70,
     mri_mask = 71,
     dither_mask = 72,
+    region_envelope = 73,
 };
 
 /// The 64-bit key of one independent stream.

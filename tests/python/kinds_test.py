@@ -36,8 +36,7 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points"})
-                          "darts", "classes", "mri_mask", "dither_mask"})
+                          "darts", "points", "classes", "mri_mask", "dither_mask"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 
