@@ -34,8 +34,8 @@ private:
     std::uint64_t thrown_ = 0, found_ = 0;
 };
 
-/// What the weights of each point are multiplied by in sample elimination, in FACTOR_UNITS, so that points beside the
-/// boundary are as crowded as if the set went on beyond it: one over the part of the weight of a disk around the point
+/// The factors of the weights of each point in sample elimination, in FACTOR_UNITS. They make points beside the
+/// boundary as crowded as if the set went on beyond it: one over the part of the weight of a disk around the point
 /// that lies inside, by 128 places in it.
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const EliminationReach& reach);

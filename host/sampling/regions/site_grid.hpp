@@ -22,7 +22,7 @@ public:
 
     const contract::region_lloyd::SiteGrid& grid() const { return grid_; }
 
-    /// Of sorted sites: their positions, their numbers, and whether they lie in the region when they are moved by
+    /// Sorted sites have positions, numbers, and a mark that says whether they lie in the region when they are moved by
     /// (e^2, e).
     std::span<const TorusPoint<2>> sites() const { return sites_; }
     std::span<const std::uint32_t> numbers() const { return numbers_; }

@@ -350,7 +350,9 @@ Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::p
 
 Keys::Said Keys::region(std::string& value)
 {
-    return region("region", value, "where points lie, in units of its own: a file of GeoJSON or WKT").required();
+    return region("region", value,
+                  "where points lie, in units of its own: a file of GeoJSON, WKT or pixels, or a formula")
+        .required();
 }
 
 Keys::Said Keys::region(const std::string& key, std::string& value, std::string help)

@@ -8,7 +8,7 @@ CONTRACT(sample_elimination)
 /// Weights are integers, in units of which the largest of a pair has so many: sums are exact, in any order.
 REAL(WEIGHT_UNITS, 0x1p40)
 
-/// What factors of points are in units of: a factor of 1 is so many.
+/// Factors of points are whole numbers, and this one is a factor of 1.
 enum
 {
     FACTOR_UNITS = 16

@@ -39,7 +39,7 @@ TEST(ClassPoints, HaveDistancesOfTheRelativeRadius)
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{20, 60, 200}));
     EXPECT_DOUBLE_EQ(set.request.distances.at(1, 1), min_distance_for(0.62, 60, 2));
     EXPECT_EQ(number_of(set, "points"), 280);
-    // What is measured, of sets apart, is no less than what is kept.
+    // Measured distances are no less than those that are kept.
     for (int i = 0; i < 3; ++i) {
         EXPECT_GE(number_of(set, "relative_radius_" + std::to_string(i)), 0.62 - 1e-12);
         for (int j = 0; j <= i; ++j) {
