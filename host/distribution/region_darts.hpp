@@ -8,6 +8,7 @@
 // and from points, wherever these lie, by margins of the region's grid.
 #pragma once
 
+#include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/obstacles.hpp"
@@ -65,13 +66,7 @@ PointSet in_units_of(const FixedRegion& region, const PointSet& fixed);
 /// Throws InputError, which says that there is no room for a single point.
 [[noreturn]] void fail_without_room(const RegionDartRequest& request, const DartSettings& settings);
 
-/// Distances of points from their nearest ones: the least and the mean. Of two points or more.
-struct NearestDistances
-{
-    double least = 0;
-    double mean = 0;
-};
-
+/// The least and the mean distance of nearest points in the plane, without a torus. There are two points or more.
 NearestDistances nearest_distances(const PointSet& points);
 
 }

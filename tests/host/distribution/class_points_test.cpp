@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-const DistributionPlace plain_place{.engine = Engine::reference, .device = {}};
+const DistributionPlace class_place{.engine = Engine::reference, .device = {}};
 
 ClassSettings three_classes()
 {
@@ -35,7 +35,7 @@ double number_of(const ClassSet& set, const std::string& key)
 
 TEST(ClassPoints, HaveDistancesOfTheRelativeRadius)
 {
-    const ClassSet set = throw_classes(three_classes(), 1, plain_place);
+    const ClassSet set = throw_classes(three_classes(), 1, class_place);
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{20, 60, 200}));
     EXPECT_DOUBLE_EQ(set.request.distances.at(1, 1), min_distance_for(0.62, 60, 2));
     EXPECT_EQ(number_of(set, "points"), 280);
@@ -54,7 +54,7 @@ TEST(ClassPoints, TakeAMatrixAsItIs)
 {
     ClassSettings settings;
     settings.matrix = {0.1, 0.2, 0.2, 0.05};
-    const ClassSet set = throw_classes(settings, 1, plain_place);
+    const ClassSet set = throw_classes(settings, 1, class_place);
     EXPECT_GE(number_of(set, "least_0_1"), 0.2 - 1e-15);
     EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
 }
@@ -64,7 +64,7 @@ TEST(ClassPoints, SayWhereThereIsNoRoom)
     ClassSettings settings = three_classes();
     settings.relative_radius = 0.9;
     EXPECT_THAT(
-        message_of([&] { throw_classes(settings, 1, plain_place); }),
+        message_of([&] { throw_classes(settings, 1, class_place); }),
         testing::MatchesRegex("class [0-2] is full with [0-9]+ of [0-9]+ points: no further one fits; a relative "
                               "radius of about 0\\.[0-9]+ can be reached"));
 }
@@ -76,7 +76,7 @@ TEST(ClassPoints, AreEvenTogether)
 {
     ClassSettings settings;
     settings.points = {500, 500};
-    const ClassSet set = throw_classes(settings, 2, plain_place);
+    const ClassSet set = throw_classes(settings, 2, class_place);
     const CrossSpectra spectra = class_spectra(set.points);
     double low = 0, between = 0;
     for (std::size_t k = 0; k < 30; ++k) {
