@@ -19,6 +19,7 @@ std::map<std::string, long> largest_values(const std::string& toml)
         {"points_per_tile", 16}, {"size", 256},       {"colors", 4}};
     if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
     if (toml.find("equal_moments = 2") != std::string::npos) values["points_per_tile"] = 32;
+    if (toml.find("compare = true") != std::string::npos) values["sets"] = 1;
     if (toml.find("levels = ") != std::string::npos) values["points"] = 1024;
     return values;
 }
@@ -45,10 +46,27 @@ void add_after(std::string& toml, const std::string& line, const std::string& li
         toml.insert(at + line.size() + 1, lines + "\n");
 }
 
+/// Comparisons of textures take seconds each, and so do times of full screens: two comparisons are left, of one
+/// exemplar.
+std::string with_two_comparisons(std::string toml)
+{
+    const std::string comparison = "compare = true\n";
+    std::size_t at = 0;
+    for (int kept = 0; kept < 2 && at != std::string::npos; ++kept) at = toml.find(comparison, at + 1);
+    if (at == std::string::npos) return toml;
+    while ((at = toml.find(comparison, at + 1)) != std::string::npos) toml.erase(at, comparison.size());
+    static const std::regex head(R"(\n# [a-z]+\.png\n)");
+    const auto parts = std::sregex_iterator(toml.begin(), toml.end(), head);
+    if (std::distance(parts, {}) < 2) return toml;
+    return std::regex_replace(toml.substr(0, static_cast<std::size_t>(std::next(parts)->position())),
+                              std::regex("timing = true\n"), "");
 }
 
-std::string small_config(const std::string& toml)
+}
+
+std::string small_config(const std::string& whole)
 {
+    const std::string toml = with_two_comparisons(whole);
     const std::map<std::string, long> values = largest_values(toml);
     static const std::regex assignment(R"(\b([a-z_]+) = (\[[-0-9, ]*\]|[0-9]+))");
     std::string result;
@@ -65,7 +83,11 @@ std::string small_config(const std::string& toml)
     result = std::regex_replace(result, std::regex(R"(min_distance = \[.*\])"), "min_distance = [0.06, 0.05]");
     result = std::regex_replace(result, std::regex(R"(variant = \["P", "G"\])"), "variant = \"P\"");
     // Defaults that are large.
-    add_after(result, "[[texture]]", "size = 16\ncandidates = 2");
+    static const std::regex tiles(R"(\nkind = "(corner|wang|omega|compact|marked|cross)[^"]*")");
+    if (result.find("compare = true") == std::string::npos)
+        add_after(result, "[[texture]]", "size = 16\ncandidates = 2");
+    else
+        result = std::regex_replace(result, tiles, "$&\nsize = 16\ncandidates = 2");
     add_after(result, "sampler = \"averaged-tiles\"", "iterations = 2");
     add_after(result, "sampler = \"recursive-wang-tiles\"", "points_per_tile = 128");
     return result;
