@@ -18,7 +18,8 @@ nlohmann::ordered_json described_value(const ParameterSpec& spec, const std::str
 {
     nlohmann::ordered_json json{{"key", spec.key}, {"help", spec.help}, {"allowed", allowed}};
     if (!spec.unit.empty()) json["unit"] = spec.unit;
-    if (spec.kind == ParameterSpec::Kind::number || spec.kind == ParameterSpec::Kind::integer) {
+    const bool is_number = spec.kind == ParameterSpec::Kind::number || spec.kind == ParameterSpec::Kind::integer;
+    if (is_number && spec.minimum < spec.maximum) { // lists of numbers have no range, but words
         json["minimum"] = spec.minimum;
         json["maximum"] = spec.maximum;
     }

@@ -11,6 +11,12 @@
 namespace poissonlab {
 namespace {
 
+std::string without_backslashes(std::string text)
+{
+    std::erase(text, '\\');
+    return text;
+}
+
 /// The commands whose help has --json, by the manual page.
 std::set<std::string> commands_with_json(const TemporaryFolder& folder)
 {
@@ -18,7 +24,7 @@ std::set<std::string> commands_with_json(const TemporaryFolder& folder)
     std::set<std::string> commands;
     std::string command;
     for (std::string line; std::getline(page, line);) {
-        if (line.starts_with(".SS ")) command = line.substr(4);
+        if (line.starts_with(".SS ")) command = without_backslashes(line.substr(4));
         if (line == "\\fB\\-\\-json\\fR") commands.insert(command);
     }
     return commands;
@@ -46,6 +52,9 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"distribute warp", {"--density 1 --points 16 --method random --out a.txt", "least_spacing"}},
         {"distribute rank", {"--density 1 --points 64 --out a.txt", "asked_for", "64"}},
         {"distribute darts", {"--region 'rectangle 0 0 3 2' --points 9 --quiet --out a.txt", "area", "6"}},
+        {"distribute points",
+         {"--region 'rectangle 0 0 3 2' --method lloyd --iterations 2 --points 9 --quiet --out a.txt", "area", "6"}},
+        {"points dart-throwing", {"--points 20 --relative-radius 0.6 --quiet --out p.npy", "points", "20"}},
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
         {"distribute mri-mask", {"--shape 32 32 --acceleration 4 --out a.npy", "samples", "256"}},
         {"distribute dither-mask", {"--size 16 --colors 1 --tile-pixels 4 --out a.png", "least_distance_4"}},
@@ -62,6 +71,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"texture build",
          {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
         {"texture verify", {"texture", "tiles", "16"}},
+        {"texture endless", {"hexagons --exemplar grey.pgm --window 0 0 16 9 --quiet --out a.png", "height", "9"}},
         {"merge", {"run --out all", "merged"}},
         {"diff", {"run run", "changed", "false"}},
         {"devices", {"", "devices"}},
