@@ -108,8 +108,9 @@ TEST_F(ParticleFiles, BadArgumentsLeaveNothingBehind)
         "tiles points: --out a.hdf5: particles are in a cube: --window must have as many tiles along each axis");
     expect_error_with("plane.ptiles --torus 4 --out a.h5part",
                       "a.h5part: particles of simulations are in 3D; these points are in 2D");
-    expect_error_with("spheres.ptiles --out a.hdf5", "tiles points: needs --window or --torus, and not both");
-    expect_error_with("spheres.ptiles --torus 2 --window 0 0 0 1 1 1 --out a.hdf5", "and not both");
+    expect_error_with("spheres.ptiles --out a.hdf5", "tiles points: needs one of --window, --torus and --region");
+    expect_error_with("spheres.ptiles --torus 2 --window 0 0 0 1 1 1 --out a.hdf5",
+                      "needs one of --window, --torus and --region");
     expect_error_with("spheres.ptiles --torus 65536 --out a.hdf5", "--torus 65536: must be 1 to 65,535 tiles");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.hdf5"));
 }
