@@ -32,8 +32,9 @@ struct NearestDistances
     double least = 0, mean = 0;
 };
 
-/// Finds both for a set on disk, which is a torus or a window, strip by strip. The least distance is that of the functions
-/// above, bit by bit; the mean is a sum in another order, and differs by its rounding, less than N 2^-53 of it.
+/// Finds both for a set on disk, which is a torus or a window, strip by strip. The least distance is that of the
+/// functions above, bit by bit; the mean is a sum in another order, and differs by its rounding, less than N 2^-53 of
+/// it.
 NearestDistances nearest_distances(const PointStrips& points, bool is_window);
 
 }

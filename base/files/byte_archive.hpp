@@ -77,8 +77,7 @@ private:
         if (value) put(*value);
     }
     template <class T, std::size_t n>
-        requires(!IsBlock<T>::value)
-    void put(const std::array<T, n>& list)
+    requires(!IsBlock<T>::value) void put(const std::array<T, n>& list)
     {
         for (const T& value : list) put(value);
     }
@@ -156,8 +155,7 @@ private:
         if (is_there) get(value.emplace());
     }
     template <class T, std::size_t n>
-        requires(!IsBlock<T>::value)
-    void get(std::array<T, n>& list)
+    requires(!IsBlock<T>::value) void get(std::array<T, n>& list)
     {
         for (T& value : list) get(value);
     }

@@ -154,8 +154,9 @@ TEST_F(TextureCommand, WrongArguments)
                  "texture build: --exemplar /dev/null: is a device, no file: must be a picture's file");
     const std::string whole = content_of(folder_.path() / "noise.png");
     folder_.write("cut.png", whole.substr(0, whole.size() / 2));
-    expect_error("build corner --colors 2 --size 16 --exemplar cut.png --out o",
-                 "texture build: --exemplar: cut.png: cannot read the picture: the file is cut off"); // and no line of libpng's
+    expect_error(
+        "build corner --colors 2 --size 16 --exemplar cut.png --out o",
+        "texture build: --exemplar: cut.png: cannot read the picture: the file is cut off"); // and no line of libpng's
     expect_error("build corner --colors 2 --size large --exemplar noise.png --out o",
                  "texture build: --size large: must be an integer from 16 to 512");
     folder_.write("text.png", "no picture");

@@ -86,9 +86,10 @@ TEST(KernelFiles, ListEveryFile)
 /// Else the host could build what the test above does not know of.
 TEST(KernelFiles, AreBuiltAsListedOnly)
 {
-    EXPECT_EQ(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 3}}).options,
-              "-D DIMENSION=2 -D COVER_BITS=3");
-    EXPECT_THROW(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 4}}),
+    EXPECT_EQ(
+        kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 3}, {"REGION", 0}}).options,
+        "-D DIMENSION=2 -D COVER_BITS=3 -D REGION=0");
+    EXPECT_THROW(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 4}, {"REGION", 0}}),
                  std::logic_error);
     EXPECT_THROW(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}}), std::logic_error);
     EXPECT_THROW(kernel_program("repulsion.cl", {{"DIMENSIONS", 2}}), std::logic_error);

@@ -81,7 +81,8 @@ TEST_P(MethodsInRegions, AreTheSameByKernelInsideAndKeepWhatTheyPromise)
     }
     const double least = least_of_all_pairs(made.points);
     EXPECT_GE(least, made.sure_distance);
-    // Distances are parts of the densest packing's in the region's area. The boundary lets all be a little farther apart.
+    // Distances are parts of the densest packing's in the region's area. The boundary lets all be a little farther
+    // apart.
     const double densest = max_min_distance(300, 2) * std::sqrt(whole.area());
     if (GetParam() == RegionMethod::relaxation) {
         EXPECT_LT(least, made.sure_distance * 1.02);
