@@ -14,7 +14,7 @@ namespace {
 std::map<std::string, long> largest_values(const std::string& toml)
 {
     std::map<std::string, long> values{
-        {"points", 256},         {"realizations", 3}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
+        {"points", 256},         {"realizations", 2}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
         {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
         {"points_per_tile", 16}, {"size", 256},       {"colors", 4}};
     if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
