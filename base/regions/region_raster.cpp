@@ -2,16 +2,15 @@
 #include "base/regions/region_raster.hpp"
 
 #include "base/densities/density_values.hpp"
+#include "base/densities/plane_formula.hpp"
 #include "base/errors/errors.hpp"
 #include "base/images/linear_picture.hpp"
 
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -172,24 +171,13 @@ FormulaLattice lattice_of(const std::string& formula, const std::array<double, 2
     lattice.columns = columns + 2;
     lattice.rows = rows + 2;
     lattice.values.assign(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows), -1);
-    double x = 0, y = 0;
-    try {
-        mu::Parser parser;
-        parser.DefineVar("x", &x);
-        parser.DefineVar("y", &y);
-        parser.DefineConst("pi", std::numbers::pi);
-        parser.DefineConst("e", std::numbers::e);
-        parser.SetExpr(formula);
-        for (int row = 0; row < rows; ++row)
-            for (int column = 0; column < columns; ++column) {
-                x = low[0] + (high[0] - low[0]) * column / (columns - 1);
-                y = low[1] + (high[1] - low[1]) * row / (rows - 1);
-                const double value = parser.Eval();
-                lattice.values[lattice.node(column + 1, row + 1)] = std::isnan(value) ? -1 : value;
-            }
-    } catch (const mu::Parser::exception_type& error) {
-        throw InputError(fmt::format("formula \"{}\": {}", shortened(formula), printable(error.GetMsg())));
-    }
+    PlaneFormula plane(formula);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const double value = plane.at(low[0] + (high[0] - low[0]) * column / (columns - 1),
+                                          low[1] + (high[1] - low[1]) * row / (rows - 1));
+            lattice.values[lattice.node(column + 1, row + 1)] = std::isnan(value) ? -1 : value;
+        }
     return lattice;
 }
 
