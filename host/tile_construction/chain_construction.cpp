@@ -52,6 +52,7 @@ public:
 
 private:
     using Tiles = ChainFiller::Tiles;
+    using Replaced = std::set<std::array<std::size_t, 2>>; ///< direction, number
 
     // Filling.
 
@@ -63,12 +64,14 @@ private:
             const Tiles failed = filler_.fill_anew(open, inside_stage, round);
             if (failed.empty()) return;
             if (round + 1 == max_rounds) give_up(failed);
-            open = with_other_chains(failed, round);
+            const Replaced replaced = replace_chains(failed, round);
+            if (replaced.empty()) give_up(failed);
+            open = tiles_with(replaced);
         }
     }
 
-    /// Gives failed tiles another chain each. Returns all tiles that have one of these.
-    Tiles with_other_chains(const Tiles& failed, std::uint32_t round)
+    /// Gives failed tiles another chain each, and returns these; none where a tile has no other.
+    Replaced replace_chains(const Tiles& failed, std::uint32_t round)
     {
         Replaced replaced;
         for (const std::uint32_t tile : failed) {
@@ -79,13 +82,11 @@ private:
                 has_new = choice_.replace(pieces_, chain.direction, chain.number(p_.colors));
                 if (has_new) replaced.insert(key(chain));
             }
-            if (!has_new) give_up(failed);
+            if (!has_new) return {};
         }
         report_.remade += replaced.size();
-        return tiles_with(replaced);
+        return replaced;
     }
-
-    using Replaced = std::set<std::array<std::size_t, 2>>; ///< direction, number
 
     std::array<std::size_t, 2> key(const PlacedChain& chain) const
     {
@@ -195,13 +196,34 @@ private:
         return open;
     }
 
-    /// Gives tiles that cannot have equal moments other chains; false: they have had them already.
+    /// Gives tiles that cannot have equal moments other chains, and where there are no more, those that they had before
+    /// joint relaxation. False: they have these already.
     bool give_way(const Tiles& failed)
     {
+        if (moment_replacements_ < max_rounds && fill_with_even_chains(failed, moment_replacements_++)) return true;
         const std::size_t before = back_.size();
         const Tiles open = with_chains_back(failed);
         if (back_.size() == before) return false;
         mend_tiles(open);
+        return true;
+    }
+
+    /// Gives failed tiles other chains, whose shares are evened out towards those of all others. All stays as it is where
+    /// tiles cannot be filled with them. False: there are no others.
+    bool fill_with_even_chains(const Tiles& failed, std::uint32_t round)
+    {
+        const ChainPieces before = pieces_;
+        const Replaced replaced = replace_chains(failed, round);
+        if (replaced.empty()) {
+            pieces_ = before; // some tiles may have had another chain
+            return false;
+        }
+        ChainPieces even = pieces_;
+        for (std::uint32_t i = 0; i < evening_steps; ++i) even_out_chains(even, p_);
+        for (const auto& [direction, number] : replaced)
+            pieces_.chains[direction][number] = even.chains[direction][number];
+        if (!filler_.fill_anew(filler_.repel(tiles_with(replaced)), repair_stage, max_rounds + round).empty())
+            pieces_ = before;
         return true;
     }
 
@@ -212,6 +234,7 @@ private:
     ChainPieces pieces_;
     ChainPieces saved_; ///< as they were before joint relaxation
     Replaced back_;     ///< chains that are as they were then
+    std::uint32_t moment_replacements_ = 0; ///< rounds of giving tiles other chains so that moments can be equal
     ChainChoice choice_;
     ChainFiller filler_;
 };
