@@ -208,8 +208,8 @@ private:
         return true;
     }
 
-    /// Gives failed tiles other chains, whose shares are evened out towards those of all others. All stays as it is where
-    /// tiles cannot be filled with them. False: there are no others.
+    /// Gives failed tiles other chains, whose shares are evened out towards those of all others. All stays as it is
+    /// where tiles cannot be filled with them. False: there are no others.
     bool fill_with_even_chains(const Tiles& failed, std::uint32_t round)
     {
         const ChainPieces before = pieces_;
@@ -232,8 +232,8 @@ private:
     const ConstructionOptions& options_;
     ConstructionReport report_;
     ChainPieces pieces_;
-    ChainPieces saved_; ///< as they were before joint relaxation
-    Replaced back_;     ///< chains that are as they were then
+    ChainPieces saved_;                     ///< as they were before joint relaxation
+    Replaced back_;                         ///< chains that are as they were then
     std::uint32_t moment_replacements_ = 0; ///< rounds of giving tiles other chains so that moments can be equal
     ChainChoice choice_;
     ChainFiller filler_;
