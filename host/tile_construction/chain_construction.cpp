@@ -22,6 +22,10 @@ namespace {
 /// Steps of moving chains towards even shares before tiles are filled: afterwards they move with what is inside.
 constexpr std::uint32_t evening_steps = 100;
 
+/// Other chains are tried where fewer than one in so many tiles cannot have equal moments: among more, each new chain
+/// brings new tiles that cannot.
+constexpr std::size_t tiles_a_failure = 50;
+
 /// Settings that ask for a little more than the minimum distance, which rounding then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)
 {
@@ -200,7 +204,9 @@ private:
     /// joint relaxation. False: they have these already.
     bool give_way(const Tiles& failed)
     {
-        if (moment_replacements_ < max_rounds && fill_with_even_chains(failed, moment_replacements_++)) return true;
+        const bool are_few = failed.size() * tiles_a_failure < p_.tiles;
+        if (are_few && moment_replacements_ < max_rounds && fill_with_even_chains(failed, moment_replacements_++))
+            return true;
         const std::size_t before = back_.size();
         const Tiles open = with_chains_back(failed);
         if (back_.size() == before) return false;
