@@ -22,7 +22,7 @@ namespace {
 /// Steps of moving chains towards even shares before tiles are filled: afterwards they move with what is inside.
 constexpr std::uint32_t evening_steps = 100;
 
-/// Other chains are tried where fewer than one in so many tiles cannot have equal moments: among more, each new chain
+/// Other chains are tried where two tiles, or one in so many, cannot have equal moments: among more, each new chain
 /// brings new tiles that cannot.
 constexpr std::size_t tiles_a_failure = 50;
 
@@ -204,7 +204,7 @@ private:
     /// joint relaxation. False: they have these already.
     bool give_way(const Tiles& failed)
     {
-        const bool are_few = failed.size() * tiles_a_failure < p_.tiles;
+        const bool are_few = failed.size() <= std::max<std::size_t>(2, p_.tiles / tiles_a_failure);
         if (are_few && moment_replacements_ < max_rounds && fill_with_even_chains(failed, moment_replacements_++))
             return true;
         const std::size_t before = back_.size();

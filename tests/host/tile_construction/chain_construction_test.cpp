@@ -343,6 +343,15 @@ TEST(ChainMoments, DoNotDependOnWhoMakesThem)
     EXPECT_EQ(chains_by_device(set.parameters, 0, 1), set);
 }
 
+/// A tile of this set can have equal moments neither with its chains nor with those that it was filled with before.
+TEST(ChainMoments, AreMadePossibleByOtherChains)
+{
+    PoissonTileParameters p = tile_set_parameters(PoissonTileKind::corner, 2, 2, 24, 0.84);
+    set_border(p, TileBorder::chain, {}, {}, 2);
+    p.seed = 5;
+    EXPECT_EQ(certify(chains_by_device(p)).moments.equal_order(), 2U);
+}
+
 TEST(ChainMoments, ThatCannotBeHadAreRefusedWithThoseThatCan)
 {
     PoissonTileParameters p = chain_parameters(2, 12, 0.7);
