@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -201,9 +203,10 @@ private:
     }
 
     /// Gives tiles that cannot have equal moments other chains, and where there are no more, those that they had before
-    /// joint relaxation. False: they have these already.
+    /// joint relaxation. False: they have these already, or that made more tiles fail.
     bool give_way(const Tiles& failed)
     {
+        if (failed.size() > 2 * std::exchange(failed_before_, failed.size())) return false;
         const bool are_few = failed.size() <= std::max<std::size_t>(2, p_.tiles / tiles_a_failure);
         if (are_few && moment_replacements_ < max_rounds && fill_with_even_chains(failed, moment_replacements_++))
             return true;
@@ -238,8 +241,9 @@ private:
     const ConstructionOptions& options_;
     ConstructionReport report_;
     ChainPieces pieces_;
-    ChainPieces saved_;                     ///< as they were before joint relaxation
-    Replaced back_;                         ///< chains that are as they were then
+    ChainPieces saved_;                                                     ///< as they were before joint relaxation
+    Replaced back_;                                                         ///< chains that are as they were then
+    std::size_t failed_before_ = std::numeric_limits<std::uint32_t>::max(); ///< tiles without equal moments
     std::uint32_t moment_replacements_ = 0; ///< rounds of giving tiles other chains so that moments can be equal
     ChainChoice choice_;
     ChainFiller filler_;
