@@ -38,19 +38,22 @@ constexpr auto main_notes = R"(Examples:
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
-/// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none. `allowed`
-/// are the words for what the command takes; empty: the type's range.
+/// Accepts what is an integer of this type and of the option's range, and nothing else: no overflow, no sign for
+/// numbers that have none.
 template <class Integer>
-CLI::Validator integer(std::string allowed)
+CLI::Validator integer(const Option& option)
 {
     using Limits = std::numeric_limits<Integer>;
-    if (allowed.empty()) allowed = fmt::format("an integer from {} to {}", Limits::min(), Limits::max());
+    const std::string allowed =
+        option.allowed.empty() ? fmt::format("an integer from {} to {}", Limits::min(), Limits::max()) : option.allowed;
     return CLI::Validator(
-        [allowed](const std::string& text) -> std::string {
+        [allowed, least = option.least, most = option.most](const std::string& text) -> std::string {
             Integer value{};
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end) return {};
+            const bool is_in_range = std::is_signed_v<Integer> || (static_cast<std::uint64_t>(value) >= least &&
+                                                                   static_cast<std::uint64_t>(value) <= most);
+            if (error == std::errc() && stop == end && is_in_range) return {};
             return fmt::format("{}: must be {}", text, allowed);
         },
         "");
@@ -66,7 +69,7 @@ CLI::Validator threads()
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
             if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) return {};
-            return fmt::format("{}: must be {}", text, integers(1, most_threads));
+            return fmt::format("{}: must be {}", text, Integers{1, most_threads}.words());
         },
         "");
 }
@@ -89,10 +92,10 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
     if constexpr (std::is_same_v<Value, int>) added->check(threads());
-    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option.allowed));
+    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
-        added->expected(1, option.most_values)->check(integer<std::int64_t>(option.allowed));
+        added->expected(1, option.most_values)->check(integer<std::int64_t>(option));
     // Numbers apart by commas in one word are a list as well.
     if constexpr (std::is_same_v<Value, std::vector<double>>)
         added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',')->check(number(true));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,23 +33,35 @@ struct Option
     std::string help;
     std::string value_name{}; ///< what the help calls the value, "DIR"; empty: its type
     bool is_required = false;
-    int most_values = 1;    ///< of a list of numbers
-    std::string excludes{}; ///< the option that does not go together with this one
-    std::string allowed{};  ///< "an integer from 1 to 64", for messages about other words; empty: any of its type
+    int most_values = 1;     ///< of a list of numbers
+    std::string excludes{};  ///< the option that does not go together with this one
+    std::string allowed{};   ///< "an integer from 1 to 64", for messages about other words; empty: any of its type
+    std::uint64_t least = 0; ///< that `allowed` names, of a natural number
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     std::vector<std::string> words{}; ///< that shells complete; empty: names of files
 };
 
-/// The option with the words for what its command takes. Only the command itself refuses other values of the type.
+/// The option with the words for what its command takes, which alone refuses other values of the type.
 inline Option allowing(Option option, std::string values)
 {
     option.allowed = std::move(values);
     return option;
 }
 
-/// Words of Option::allowed.
-inline std::string integers(std::uint64_t least, std::uint64_t most)
+/// Natural numbers that an option takes.
+struct Integers
 {
-    return "an integer from " + std::to_string(least) + " to " + std::to_string(most);
+    std::uint64_t least, most;
+
+    std::string words() const { return "an integer from " + std::to_string(least) + " to " + std::to_string(most); }
+};
+
+/// The option that takes these numbers, and none beside them.
+inline Option allowing(Option option, const Integers& integers)
+{
+    option.least = integers.least;
+    option.most = integers.most;
+    return allowing(std::move(option), integers.words());
 }
 
 /// Does the work of a command. Returns the exit status, or throws.

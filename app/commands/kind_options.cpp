@@ -170,7 +170,7 @@ void OutputFiles::check(const std::string& command) const
 
 Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise)
 {
-    return allowing({"--pixels", &pixels, "The width of a .png; default: " + otherwise, "W"}, integers(1, most));
+    return allowing({"--pixels", &pixels, "The width of a .png; default: " + otherwise, "W"}, Integers{1, most});
 }
 
 InputError KindOptions::of_command(const InputError& error) const

@@ -133,7 +133,7 @@ TEST_F(AperiodicCommand, PrintsTilings)
 TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
 {
     expect_error("tile kari --construction diagonal --repeat 0 --window 0 0 1 1",
-                 "aperiodic tile: --repeat 0: must be an integer from 1 to 16");
+                 "aperiodic tile: --repeat 0: must be an integer from 1 to 16 (see poissonlab aperiodic tile --help)");
     expect_error("tile kari --window 0 0 1", "aperiodic tile: --window 0 0 1: must be X Y W H");
     expect_error("tile kari --window 0 0 0 1", "aperiodic tile: --window 0 0 0 1: sizes must be at least 1");
     expect_error("tile kari --method substitution --window 0 0 1 1",
@@ -153,7 +153,7 @@ TEST_F(AperiodicCommand, WrongArguments)
 {
     expect_error("verify karj --width 3", "aperiodic verify: SET karj: must be one of \"culik\", \"kari\", \"ammann\", "
                                           "\"jeandel-rao\", or a file of tiles; did you mean \"kari\"?");
-    expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64");
+    expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64 (see poissonlab aperiodic verify --help)");
     expect_error("verify kari --width 3 --construction diagnal",
                  "aperiodic verify: --construction diagnal: must be one of \"diagonal\", \"horizontal\", \"vertical\", "
                  "\"rotation\", \"subdivision\"; did you mean \"diagonal\"?");
@@ -162,7 +162,7 @@ TEST_F(AperiodicCommand, WrongArguments)
     expect_error("verify kari --width 3 --out a.gif", "aperiodic verify: --out a.gif: must end in .svg or .png");
     expect_error("verify kari --width 3 --out no/a.png", "aperiodic verify: --out no/a.png: there is no folder no");
     expect_error("convert kari --construction diagonal --repeat 17",
-                 "aperiodic convert: --repeat 17: must be an integer from 1 to 16");
+                 "aperiodic convert: --repeat 17: must be an integer from 1 to 16 (see poissonlab aperiodic convert --help)");
     expect_error("convert kari --construction diagonal --repeat 3 --out a.png",
                  "aperiodic convert: --out a.png: 58910 tiles cannot be drawn (at most 20000)");
     expect_error("convert kari --construction diagonal --repeat 5",

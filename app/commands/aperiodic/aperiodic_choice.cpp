@@ -50,17 +50,9 @@ CornerConstruction chosen_construction(const std::string& command, const std::st
     return value_of_word(command, "--construction", word, corner_constructions);
 }
 
-void check_repetitions(const std::string& command, std::uint32_t repetitions)
-{
-    if (repetitions < 1 || repetitions > most_repetitions)
-        throw InputError(
-            fmt::format("{}: --repeat {}: must be an integer from 1 to {}", command, repetitions, most_repetitions));
-}
-
 ChosenTiles constructed_tiles(const std::string& command, const AskedTiles& asked)
 {
     ChosenTiles chosen = chosen_set(command, asked.set);
-    check_repetitions(command, asked.repeat);
     if (asked.construction.empty()) return chosen;
     auto steps = repeat_construction(chosen.wang, chosen_construction(command, asked.construction), asked.repeat);
     if (steps.size() < asked.repeat)

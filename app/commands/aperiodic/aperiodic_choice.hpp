@@ -42,9 +42,6 @@ CornerConstruction chosen_construction(const std::string& command, const std::st
 
 inline constexpr std::uint32_t most_repetitions = 16; ///< of a construction
 
-/// Throws InputError for a number of repetitions that is not from 1 to that.
-void check_repetitions(const std::string& command, std::uint32_t repetitions);
-
 /// The tiles that the construction makes of the set, as often as is asked for; the set itself without one. Throws
 /// InputError also for repetitions that are not from 1 to 16, and where the construction is ambiguous before the last
 /// one.

@@ -80,7 +80,6 @@ void write_corners(const std::filesystem::path& file, const std::string& name, c
 void convert(const AskedTiles& options)
 {
     const CornerConstruction construction = chosen_construction("aperiodic convert", options.construction);
-    check_repetitions("aperiodic convert", options.repeat);
     const ChosenTiles chosen = chosen_set("aperiodic convert", options.set);
     const auto steps = repeat_construction(chosen.wang, construction, options.repeat);
     if (!options.out.empty()) write_corners(options.out, chosen.name, steps.back());
@@ -102,7 +101,7 @@ Command aperiodic_convert_command()
          {"--construction", &o->construction, "diagonal, horizontal, vertical, rotation or subdivision", "NAME",
           required},
          allowing({"--repeat", &o->repeat, "How often, each time on the Wang tiles of the last one; default: 1", "K"},
-                  integers(1, most_repetitions)),
+                  Integers{1, most_repetitions}),
          {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles", "FILE"},
          json_option(o->as_json)},
         aperiodic_convert_notes,

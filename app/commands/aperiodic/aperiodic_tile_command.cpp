@@ -147,7 +147,6 @@ MadeTiling made_tiling(const AperiodicTileOptions& o, TilingMethod method, const
 void tile(const AperiodicTileOptions& options)
 {
     const TilingMethod method = checked_method(options);
-    check_repetitions("aperiodic tile", options.repeat);
     const TileWindow window = checked_tile_window(options, method);
     options.work.engine("aperiodic tile"); // throws for one that there is not
     if (!options.out.empty()) check_picture_file("aperiodic tile", options.out);
@@ -173,7 +172,7 @@ Command aperiodic_tile_command()
                      {"--window", &o->window, "The tiles: lower left one, width and height", "X Y W H", required, 4},
                      {"--construction", &o->construction, "Corner tiles of aperiodic convert instead", "NAME"},
                      allowing({"--repeat", &o->repeat, "How often that construction; default: 1", "K"},
-                              integers(1, most_repetitions)),
+                              Integers{1, most_repetitions}),
                      {"--method", &o->method, "beatty, substitution or search; default: the set's own, else search",
                       "NAME"},
                      {"--out", &o->out, "Draw the tiling instead (.svg, .png)", "FILE"},

@@ -118,9 +118,6 @@ PeriodSearch searched(const WangList& list, const AperiodicVerifyOptions& option
 
 void verify_aperiodic(const AperiodicVerifyOptions& options)
 {
-    if (options.width < 1 || options.width > largest_width)
-        throw InputError(
-            fmt::format("aperiodic verify: --width {}: must be an integer from 1 to {}", options.width, largest_width));
     if (!options.out.empty()) check_picture_file("aperiodic verify", options.out);
     const ChosenTiles chosen = constructed_tiles("aperiodic verify", options);
     if (!options.as_json) {
@@ -150,9 +147,9 @@ Command aperiodic_verify_command()
             {{"SET", &o->set, aperiodic_set_help},
              {"--construction", &o->construction, "Search the corner tiles of aperiodic convert instead", "NAME"},
              allowing({"--repeat", &o->repeat, "How often that construction; default: 1", "K"},
-                      integers(1, most_repetitions)),
+                      Integers{1, most_repetitions}),
              allowing({"--width", &o->width, "The largest circumference of cylinders, in tiles", "W", required},
-                      integers(1, largest_width)),
+                      Integers{1, largest_width}),
              {"--out", &o->out, "Where a tiling that repeats is drawn (.svg, .png)", "FILE"},
              json_option(o->as_json)},
             aperiodic_verify_notes,

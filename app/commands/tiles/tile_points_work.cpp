@@ -37,8 +37,6 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
 /// The whole torus.
 TileBlock torus_block(std::uint32_t tiles, int dimension)
 {
-    if (tiles < 1 || tiles > 65'535)
-        throw InputError(fmt::format("tiles points: --torus {}: must be 1 to 65,535 tiles", tiles));
     TileBlock block;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) block.size[axis] = tiles;
     return block;

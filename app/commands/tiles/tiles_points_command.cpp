@@ -75,7 +75,7 @@ Command tiles_points_command()
                       "X Y W H (3D: X Y Z W H D)", optional, 6},
                      allowing({"--torus", &o->torus,
                                "Instead of a window: so many tiles along each axis, whose opposite edges fit", "N"},
-                              integers(1, 65'535)),
+                              Integers{1, 65'535}),
                      {"--region", &o->region, "Instead of both: a region of the plane, in whose units the points are",
                       "REGION"},
                      {"--planar", &o->is_planar,

@@ -73,7 +73,7 @@ void matrix_key(Keys& keys, ClassSettings& s)
 void class_keys(Keys& keys, ClassSettings& s)
 {
     std::vector<double> points;
-    class_list(keys, "points", points, {1, static_cast<double>(max_points)}, "a whole number",
+    class_list(keys, "points", points, {1, static_cast<double>(max_points)}, "a whole number from 1",
                "how many points there are")
         .otherwise("as many as there is room for");
     for (const double count : points) {
