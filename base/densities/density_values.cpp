@@ -19,8 +19,8 @@ std::size_t channel_number(const LinearPicture& picture, std::string_view channe
 {
     const auto found = std::ranges::find(picture.channels, channel);
     if (found == picture.channels.end())
-        throw InputError(fmt::format("{}: \"{}\": must be light, ink or a channel of the picture: {}", name,
-                                     printable(channel), fmt::join(picture.channels, ", ")));
+        throw UnknownChannel(fmt::format("{}: \"{}\": must be light, ink or a channel of the picture: {}", name,
+                                         printable(channel), fmt::join(picture.channels, ", ")));
     return static_cast<std::size_t>(found - picture.channels.begin());
 }
 

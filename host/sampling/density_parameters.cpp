@@ -1,6 +1,7 @@
 #include "host/sampling/density_parameters.hpp"
 
 #include "base/densities/density_text.hpp"
+#include "base/densities/density_values.hpp"
 #include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +55,8 @@ std::optional<Density> given_density(const Parameters& given)
         if (density.width != density.height)
             throw InputError(fmt::format("has {} x {} pixels: must be square", density.width, density.height));
         return density;
+    } catch (const UnknownChannel& error) {
+        throw given.error(channel_key, error.what());
     } catch (const InputError& error) {
         throw given.error(density_key, error.what());
     }

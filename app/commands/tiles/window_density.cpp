@@ -1,6 +1,7 @@
 #include "app/commands/tiles/window_density.hpp"
 
 #include "base/densities/density_text.hpp"
+#include "base/densities/density_values.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,8 @@ WindowDensity::WindowDensity(const std::string& text, const std::string& from, c
     try {
         density_ = density_of_text(text, from, area.size[0], area.size[1]);
         if (!density_->note.empty() && !is_quiet) fmt::print(stderr, "poissonlab: note: {}\n", density_->note);
+    } catch (const UnknownChannel& error) {
+        throw InputError(fmt::format("tiles points: --density-from: {}", error.what()));
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", option, error.what()));
     }

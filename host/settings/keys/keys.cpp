@@ -1,6 +1,7 @@
 #include "host/settings/keys/keys.hpp"
 
 #include "base/densities/density_text.hpp"
+#include "base/densities/density_values.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_text.hpp"
@@ -454,12 +455,17 @@ InputError Keys::problem(const std::string& what) const
 void Keys::check(const std::string& key, const std::function<void()>& work) const
 {
     if (!is_given(key)) return;
+    const auto said_of = [&](const std::string& said, const InputError& error) {
+        const std::string message = fmt::format("{}: {}", name_of(said), error.what());
+        return where_.is_argument ? InputError(fmt::format("{}: {}", name_, message))
+                                  : InputError::at(given(said)->location, message);
+    };
     try {
         work();
+    } catch (const UnknownChannel& error) {
+        throw said_of(key + "_from", error);
     } catch (const InputError& error) {
-        const std::string message = fmt::format("{}: {}", name_of(key), error.what());
-        throw where_.is_argument ? InputError(fmt::format("{}: {}", name_, message))
-                                 : InputError::at(given(key)->location, message);
+        throw said_of(key, error);
     }
 }
 
