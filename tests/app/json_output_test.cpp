@@ -71,6 +71,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"texture build",
          {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
         {"texture verify", {"texture", "tiles", "16"}},
+        {"texture export", {"texture --formats dds --out engine", "layers", "16"}},
         {"texture endless", {"hexagons --exemplar grey.pgm --window 0 0 16 9 --quiet --out a.png", "height", "9"}},
         {"merge", {"run --out all", "merged"}},
         {"diff", {"run run", "changed", "false"}},

@@ -57,6 +57,11 @@ AtlasLayout atlas_layout(const TextureSet& set)
     return layout;
 }
 
+bool has_places(const TextureSet& set)
+{
+    return set.kind != TextureKind::omega && set.colors.horizontal == set.colors.vertical && set.is_complete();
+}
+
 PngPixels atlas_of(const TextureSet& set)
 {
     const AtlasLayout layout = atlas_layout(set);

@@ -103,6 +103,10 @@ struct AtlasLayout
 };
 AtlasLayout atlas_layout(const TextureSet& set);
 
+/// True for complete sets of corner tiles, and of Wang tiles with the same number of colours along both axes: places in
+/// the packing follow from colours, and colours from the hash of runtime/texture_tiles.h.
+bool has_places(const TextureSet& set);
+
 /// The pixels of all tiles in their places; black where there is none.
 PngPixels atlas_of(const TextureSet& set);
 

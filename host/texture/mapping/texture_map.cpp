@@ -72,11 +72,6 @@ std::size_t pixels_at_once(const TextureView& view)
 
 }
 
-bool has_places(const TextureSet& set)
-{
-    return set.kind != TextureKind::omega && set.colors.horizontal == set.colors.vertical && set.is_complete();
-}
-
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed)
 {
     if (!has_places(set))

@@ -58,9 +58,6 @@ struct TexturePyramid
     int width(int level) const { return levels.colors * levels.colors * (levels.size >> level); }
 };
 
-/// True for complete sets of corner tiles, and of Wang tiles with the same number of colours along both axes.
-bool has_places(const TextureSet& set);
-
 /// The pyramid of a set whose tiles a seed lays. Throws InputError for sets without places in the sense of
 /// has_places(), and for tiles whose size is no power of two.
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed);

@@ -1,0 +1,181 @@
+#include "tiles/texture/engine/engine_map.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/images/srgb_light.hpp"
+#include "tiles/texture/engine/height_normals.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace poissonlab {
+namespace {
+
+/// What each 16-bit number of sRGB is of light, as whole 2^-40: no last bit of a power decides anything.
+const std::vector<double>& light_of_words()
+{
+    static const std::vector<double> all = [] {
+        std::vector<double> light;
+        for (int word = 0; word < 65536; ++word) {
+            const double v = word / 65535.0;
+            light.push_back(std::round((v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4)) * 0x1p40) *
+                            0x1p-40);
+        }
+        return light;
+    }();
+    return all;
+}
+
+/// The number whose light is nearest.
+std::uint16_t word_of_light(double light)
+{
+    const std::vector<double>& all = light_of_words();
+    const auto above = std::ranges::lower_bound(all, light);
+    if (above == all.begin()) return 0;
+    if (above == all.end()) return 65535;
+    return static_cast<std::uint16_t>(above - all.begin() - (light - above[-1] < *above - light ? 1 : 0));
+}
+
+double decoded(const RawPicture& picture, std::size_t number, MapMeaning meaning)
+{
+    const bool is_color = meaning == MapMeaning::colors;
+    if (picture.type == SampleType::byte) {
+        const std::uint8_t byte = picture.bytes[number];
+        return is_color ? static_cast<double>(light_of_bytes()[byte]) : byte;
+    }
+    if (picture.type == SampleType::word) {
+        std::uint16_t word = 0;
+        std::memcpy(&word, &picture.bytes[2 * number], sizeof(word));
+        return is_color ? light_of_words()[word] : word;
+    }
+    float real = 0;
+    std::memcpy(&real, &picture.bytes[4 * number], sizeof(real));
+    return static_cast<double>(real);
+}
+
+EngineMap decoded_map(const std::string& name, const RawPicture& picture, MapMeaning meaning)
+{
+    EngineMap map{name, meaning, picture.type, picture.width, picture.height, static_cast<int>(picture.channels.size()),
+                  {}};
+    const std::size_t numbers = picture.at(0, picture.height) / picture.pixel_bytes() * picture.channels.size();
+    map.values.reserve(numbers);
+    const std::size_t alpha = picture.channels.size() % 2 == 0 ? picture.channels.size() - 1 : numbers;
+    for (std::size_t i = 0; i < numbers; ++i) {
+        const bool is_alpha = i % picture.channels.size() == alpha;
+        map.values.push_back(decoded(picture, i, is_alpha ? MapMeaning::numbers : meaning));
+    }
+    return map;
+}
+
+/// The number that a file holds for a value, appended to its bytes.
+void append_encoded(std::vector<std::uint8_t>& bytes, double value, SampleType type, MapMeaning meaning)
+{
+    const auto append = [&](auto number) {
+        const auto all = std::bit_cast<std::array<std::uint8_t, sizeof(number)>>(number);
+        bytes.insert(bytes.end(), all.begin(), all.end());
+    };
+    const double most = type == SampleType::byte ? 255 : 65535;
+    if (meaning == MapMeaning::directions) value = (value + 1) / 2 * most;
+    const auto nearest = [&] { return std::clamp(std::floor(value + 0.5), 0.0, most); };
+    if (type == SampleType::real)
+        append(static_cast<float>(value));
+    else if (type == SampleType::word)
+        append(meaning == MapMeaning::colors ? word_of_light(value) : static_cast<std::uint16_t>(nearest()));
+    else
+        append(meaning == MapMeaning::colors ? byte_of_light(static_cast<float>(value))
+                                             : static_cast<std::uint8_t>(nearest()));
+}
+
+/// A companion's name: what stands between atlas- and the file's ending.
+std::string companion_name(const CompanionMap& map)
+{
+    return std::filesystem::path(map.atlas_file).stem().string().substr(std::string_view("atlas-").size());
+}
+
+EngineMap companion(const std::filesystem::path& folder, const TextureSet& set, const CompanionMap& map, bool is_height)
+{
+    const std::filesystem::path file = folder / map.atlas_file;
+    const RawPicture picture = read_raw_picture(file);
+    const AtlasLayout layout = atlas_layout(set);
+    if (picture.width != layout.columns * set.size || picture.height != layout.rows * set.size)
+        throw InputError::at({file.string()},
+                             fmt::format("{} x {} pixels: must be {} x {}", picture.width, picture.height,
+                                         layout.columns * set.size, layout.rows * set.size));
+    if (picture.channels.size() > 4)
+        throw InputError::at({file.string()},
+                             fmt::format("{} channels: textures have at most 4", picture.channels.size()));
+    const bool is_color = map.is_original && !is_height && picture.type != SampleType::real;
+    return decoded_map(companion_name(map), picture, is_color ? MapMeaning::colors : MapMeaning::numbers);
+}
+
+RawPicture picture_of(const PngPixels& pixels)
+{
+    static const std::vector<std::string> grey{"Y"}, colors{"R", "G", "B"};
+    return {pixels.width, pixels.height, SampleType::byte, pixels.channels == 1 ? grey : colors, pixels.values};
+}
+
+}
+
+std::vector<EngineMap> engine_maps(const std::filesystem::path& folder, const TextureSet& set,
+                                   const std::string& heights, double relief)
+{
+    std::vector<EngineMap> maps{decoded_map("", picture_of(atlas_of(set)), MapMeaning::colors)};
+    std::vector<std::string> names;
+    for (const CompanionMap& map : set.companions) names.push_back(companion_name(map));
+    if (!heights.empty() && std::ranges::find(names, heights) == names.end())
+        throw InputError(
+            fmt::format("normals of {}: there is no such companion; {}", printable(heights),
+                        names.empty() ? "the set has none" : fmt::format("there are: {}", fmt::join(names, ", "))));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const bool is_height = names[i] == heights;
+        maps.push_back(companion(folder, set, set.companions[i], is_height));
+        if (is_height) maps.push_back(height_normals(maps.back(), set, relief));
+    }
+    return maps;
+}
+
+int tile_levels(int size) { return std::countr_zero(static_cast<unsigned>(size)) + 1; }
+
+EngineMap halved(const EngineMap& map)
+{
+    EngineMap half{map.name, map.meaning, map.type, map.width / 2, map.height / 2, map.channels, {}};
+    const auto step = static_cast<std::size_t>(map.channels), row_values = static_cast<std::size_t>(map.width) * step;
+    half.values.reserve(map.values.size() / 4);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(half.height); ++row)
+        for (std::size_t column = 0; column < static_cast<std::size_t>(half.width); ++column)
+            for (std::size_t c = 0; c < step; ++c) {
+                const std::size_t at = 2 * row * row_values + 2 * column * step + c;
+                half.values.push_back(((map.values[at] + map.values[at + step]) +
+                                       (map.values[at + row_values] + map.values[at + row_values + step])) /
+                                      4);
+            }
+    return half;
+}
+
+RawPicture encoded_level(const EngineMap& map)
+{
+    static const std::vector<std::string> grey{"Y", "A"}, colors{"R", "G", "B", "A"};
+    const auto& names = map.channels < 3 ? grey : colors;
+    RawPicture picture{map.width, map.height, map.type, {names.begin(), names.begin() + map.channels}, {}};
+    picture.bytes.reserve(picture.at(0, map.height));
+    const auto channels = static_cast<std::size_t>(map.channels);
+    for (std::size_t first = 0; first < map.values.size(); first += channels) {
+        double length = 1;
+        if (map.meaning == MapMeaning::directions)
+            length = std::sqrt(map.values[first] * map.values[first] + map.values[first + 1] * map.values[first + 1] +
+                               map.values[first + 2] * map.values[first + 2]);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const bool is_alpha = map.meaning == MapMeaning::colors && channels % 2 == 0 && c == channels - 1;
+            append_encoded(picture.bytes, map.values[first + c] / length, map.type,
+                           is_alpha ? MapMeaning::numbers : map.meaning);
+        }
+    }
+    return picture;
+}
+
+}
