@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 //
 // Endless textures of corner tiles and of complete sets of Wang tiles: which texel of the atlas is shown where. For C99,
-// C++, OpenCL C 1.2 and GLSL 4.3; it needs nothing else.
+// C++, OpenCL C 1.2, GLSL 4.3 and ES 3.00 (with TTILES_GLSL defined there) and HLSL (TTILES_HLSL); it needs nothing else.
 //
 // `poissonlab texture build corner` and `wang` write the atlas, docs/texture-set.md: C^2 x C^2 tiles of T x T texels,
 // packed so that what lies beside a tile in the atlas has the colours of what lies beside it in the texture. A hash
@@ -25,7 +25,7 @@
 #define TTILES_FUNCTION static inline
 #endif
 #define ttiles_uint uint
-#elif defined(GL_core_profile) || defined(VULKAN) || defined(TTILES_GLSL)
+#elif defined(GL_core_profile) || defined(VULKAN) || defined(TTILES_GLSL) || defined(TTILES_HLSL)
 #define TTILES_FUNCTION
 #define ttiles_uint uint
 #else

@@ -234,11 +234,41 @@ TEST_F(TextureExport, HasTheNormalsOfEveryTiling)
     }
 }
 
+/// That these texts compile, and find the right tiles: tests/runtime. MaterialX hands the inputs of a node to its
+/// function in their order, the output last.
+TEST_F(TextureExport, HasLookUpsWithTheNumbersOfTheSet)
+{
+    build("wang --colors 2", "set");
+    printed("export set --formats glsl --formats hlsl --formats wgsl --formats mtlx --quiet --out engine");
+    const std::string numbers = "#define TTILES_COLORS 2u\n#define TTILES_SIZE 16\n#define TTILES_LEVELS 5\n"
+                                "#define TTILES_WANG 1\n";
+    EXPECT_THAT(read_whole_file(at("engine/look_up.glsl")), HasSubstr("#define TTILES_GLSL\n" + numbers));
+    EXPECT_THAT(read_whole_file(at("engine/look_up.hlsl")), HasSubstr("#define TTILES_HLSL\n" + numbers));
+    EXPECT_THAT(read_whole_file(at("engine/look_up.wgsl")),
+                HasSubstr("const ttiles_colors = 2u;\nconst ttiles_size = 16;\nconst ttiles_levels = 5;\n"
+                          "const ttiles_wang = true;\n"));
+    EXPECT_EQ(test::read_raw_png(at("engine/atlas.png")).samples, test::read_raw_png(at("set/atlas.png")).samples);
+    const std::string document = read_whole_file(at("engine/texture_tiles.mtlx"));
+    EXPECT_THAT(document, HasSubstr("16 wang tiles of 16 x 16 texels"));
+    EXPECT_THAT(document, HasSubstr("file=\"texture_tiles.glsl\" function=\"ttiles_color3\""));
+    EXPECT_THAT(document, HasSubstr("type=\"filename\" value=\"atlas.png\" colorspace=\"srgb_texture\""));
+    std::size_t place = document.find("<nodedef");
+    for (const char* input : {"name=\"file\" type=\"filename\"", "name=\"texcoord\" type=\"vector2\"",
+                              "name=\"seed\" type=\"integer\"", "name=\"out\" type=\"color3\"", "</nodedef>"}) {
+        place = document.find(input, place);
+        ASSERT_NE(place, std::string::npos) << input;
+    }
+    EXPECT_THAT(read_whole_file(at("engine/texture_tiles.glsl")),
+                AllOf(HasSubstr(numbers), HasSubstr("void ttiles_color3(sampler2D atlas, vec2 texcoord, int seed, "
+                                                    "out vec3 result)\n")));
+}
+
 TEST_F(TextureExport, SaysWhatIsWrong)
 {
     build("corner --colors 2", "set");
     expect_error("export set --formats tga --out e",
-                 "texture export: --formats tga: must be one of \"dds\", \"ktx2\", \"png\"");
+                 "texture export: --formats tga: must be one of \"dds\", \"ktx2\", \"png\", \"glsl\", \"hlsl\", "
+                 "\"wgsl\", \"mtlx\", \"page\"");
     expect_error("export set --normals bumps --out e",
                  "texture export: normals of bumps: there is no such companion; there are: height");
     expect_error("export set --normals height --relief 0 --out e",
@@ -249,6 +279,10 @@ TEST_F(TextureExport, SaysWhatIsWrong)
         "export omega --normals height --out e",
         "texture export: normals of height: must be of a complete set of corner or Wang tiles, whose neighbours "
         "in the atlas have the texels of those in a tiling");
+    expect_error(
+        "export omega --formats page --out e",
+        "texture export: --formats page: is for complete sets of corner or Wang tiles, which a hash lays; omega "
+        "are laid in scanlines");
     EXPECT_FALSE(exists(at("e")));
     printed("export omega --formats dds --quiet --out scanned");
     EXPECT_FALSE(exists(at("scanned/atlas.dds")));

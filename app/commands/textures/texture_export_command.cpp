@@ -3,6 +3,8 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "experiment/run/progress.hpp"
+#include "reports/engine/look_up_texts.hpp"
+#include "reports/engine/plane_page.hpp"
 #include "tiles/texture/engine/engine_texture.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +22,11 @@ Bytes of colours are averaged as light, other numbers as they are.
           tiles-NAME.dds of companions. Without compression, header DX10
   ktx2    the same as KTX2 files
   png     tiles/00000.png and so on, a picture for each layer (.exr of floating-point numbers)
+  glsl    look_up.glsl: which tile is where, and its colours by hardware filters or exactly; GLSL 4.3 and ES 3.00
+  hlsl    look_up.hlsl
+  wgsl    look_up.wgsl
+  mtlx    texture_tiles.mtlx, a node and a material of MaterialX, with texture_tiles.glsl and atlas.png
+  page    plane.html, which flies over the plane in a browser
 A tile's layer is its place in the packing, as runtime/texture_tiles.h counts; of sets without a packing, which have no
 packed atlas, it is its number in texture.json. Bilinear look-ups in the packed atlas are right at levels with 2^level <=
 ring; layers are for look-ups that fetch each texel through its own tile.
@@ -33,9 +40,20 @@ enum class EngineFiles
     dds,
     ktx2,
     png,
+    glsl,
+    hlsl,
+    wgsl,
+    mtlx,
+    page,
 };
-constexpr WordTable<EngineFiles, 3> engine_files{
-    {{{EngineFiles::dds, "dds"}, {EngineFiles::ktx2, "ktx2"}, {EngineFiles::png, "png"}}}};
+constexpr WordTable<EngineFiles, 8> engine_files{{{{EngineFiles::dds, "dds"},
+                                                   {EngineFiles::ktx2, "ktx2"},
+                                                   {EngineFiles::png, "png"},
+                                                   {EngineFiles::glsl, "glsl"},
+                                                   {EngineFiles::hlsl, "hlsl"},
+                                                   {EngineFiles::wgsl, "wgsl"},
+                                                   {EngineFiles::mtlx, "mtlx"},
+                                                   {EngineFiles::page, "page"}}}};
 
 struct TextureExportOptions
 {
@@ -46,6 +64,13 @@ struct TextureExportOptions
     bool as_json = false;
     bool quiet = false;
 };
+
+/// The set's folder as a person calls it.
+std::string set_name(const TextureExportOptions& o)
+{
+    const std::filesystem::path folder = o.folder.has_filename() ? o.folder : o.folder.parent_path();
+    return printable(folder.filename().string());
+}
 
 /// What is written, in the order of the files.
 struct EngineExport
@@ -92,6 +117,22 @@ struct EngineExport
         if (wants(EngineFiles::png)) write_layers("tiles" + name, encoded_level(map));
     }
 
+    /// Texts in which the hash finds tiles.
+    void write_texts()
+    {
+        if (wants(EngineFiles::glsl)) write_whole_file(place("look_up.glsl"), glsl_look_up(set));
+        if (wants(EngineFiles::hlsl)) write_whole_file(place("look_up.hlsl"), hlsl_look_up(set));
+        if (wants(EngineFiles::wgsl)) write_whole_file(place("look_up.wgsl"), wgsl_look_up(set));
+        if (wants(EngineFiles::mtlx)) {
+            write_whole_file(place("texture_tiles.glsl"), materialx_function(set));
+            write_whole_file(place("texture_tiles.mtlx"), materialx_document(set, "atlas.png", "texture_tiles.glsl"));
+            const PngPixels atlas = atlas_of(set);
+            write_png(place("atlas.png"), {atlas.width, atlas.height, atlas.channels},
+                      [&](int row, int) { return &atlas.values[atlas.at(0, row, 0)]; });
+        }
+        if (wants(EngineFiles::page)) write_whole_file(place("plane.html"), render_plane_page(set, set_name(options)));
+    }
+
     static void make_folder(const std::filesystem::path& folder)
     {
         std::error_code problem;
@@ -136,6 +177,16 @@ void check_export(const TextureExportOptions& o)
         throw InputError(fmt::format("texture export: --out {}: is no folder", o.out.string()));
 }
 
+/// Throws InputError where texts are asked for that a set without places has not.
+void check_places(const TextureExportOptions& o, const TextureSet& set)
+{
+    for (const std::string& word : o.formats)
+        if (!has_places(set) && *engine_files.find(word) > EngineFiles::png)
+            throw InputError(fmt::format("texture export: --formats {}: is for complete sets of corner or Wang tiles, "
+                                         "which a hash lays; {} are laid in scanlines",
+                                         word, printable(o.folder.string())));
+}
+
 void export_texture(const TextureExportOptions& o)
 {
     check_export(o);
@@ -148,9 +199,11 @@ void export_texture(const TextureExportOptions& o)
             throw error.moved_to({"texture export"});
         }
     }();
+    check_places(o, set);
     EngineExport all{o, set, {}};
     EngineExport::make_folder(o.out);
     for (const EngineMap& map : maps) all.write_map(map);
+    if (has_places(set)) all.write_texts();
     print_exported(all, maps.size());
 }
 
@@ -162,7 +215,7 @@ Command texture_export_command()
     return {"export",
             "Write a texture set as DDS, KTX2 and PNG files for engines",
             {{"DIR", &o->folder, "What texture build made"},
-             {"--formats", &o->formats, "dds, ktx2, png; default: all", "NAME"},
+             {"--formats", &o->formats, "dds, ktx2, png, glsl, hlsl, wgsl, mtlx, page; default: all", "NAME"},
              {"--normals", &o->normals, "The companion whose heights get normals", "NAME"},
              {"--relief", &o->relief, "Of heights: texels from black to white, or from 0 to 1; default: 8", "TEXELS"},
              {"--out", &o->out, "The folder of the files", "DIR", required},

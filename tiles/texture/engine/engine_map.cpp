@@ -121,10 +121,12 @@ RawPicture picture_of(const PngPixels& pixels)
 
 }
 
+EngineMap color_map(const TextureSet& set) { return decoded_map("", picture_of(atlas_of(set)), MapMeaning::colors); }
+
 std::vector<EngineMap> engine_maps(const std::filesystem::path& folder, const TextureSet& set,
                                    const std::string& heights, double relief)
 {
-    std::vector<EngineMap> maps{decoded_map("", picture_of(atlas_of(set)), MapMeaning::colors)};
+    std::vector<EngineMap> maps{color_map(set)};
     std::vector<std::string> names;
     for (const CompanionMap& map : set.companions) names.push_back(companion_name(map));
     if (!heights.empty() && std::ranges::find(names, heights) == names.end())
