@@ -88,9 +88,31 @@ TEST_F(TextureCommand, MapsThePlane)
     EXPECT_EQ(read_png(folder_.path() / "c.png").values, read_png(folder_.path() / "d.png").values);
     printed("build wang --colors 2 --tiles compact --exemplar noise.png --size 16 --attempts 3 --quiet --out eight");
     expect_error(
-        "map eight --out e.png",
-        "eight: 8 wang tiles: must be a complete set of corner or Wang tiles, whose places in the atlas follow "
-        "from their colours; others are laid in scanlines, one by one");
+        "map eight --lookup exact --out e.png",
+        "eight: --lookup exact: is for complete sets of corner or Wang tiles, which a hash lays; must be repeated");
+    expect_error("map eight --laid 10 --out e.png", "texture map: --laid 10: must be 4, 9, 16, 25, 36, 49 or 64");
+}
+
+/// Tiles without a hash are laid in a window first: omega, compact and marked ones; the window repeats.
+TEST_F(TextureCommand, MapsAWindowOfTilesThatAreLaid)
+{
+    const std::vector<std::string> kinds{"omega --colors 4", "wang --colors 2 --tiles compact",
+                                         "wang --colors 2 --tiles random-marks --marked-exemplar noise.png"};
+    for (const std::string& kind : kinds) {
+        SCOPED_TRACE(kind);
+        printed("build " + kind + " --exemplar noise.png --size 16 --attempts 2 --candidates 1 --quiet --out laid");
+        const std::string map =
+            "map laid --size 64 64 --above 2 --pitch 90 --field 90 --filter nearest --seed 7 --laid 16 ";
+        printed(map + "--tile 7 8 --engine reference --out map.png");
+        printed(map + "--tile 23 -8 --out again.png");
+        printed("tile laid --window 0 0 16 16 --seed 7 --out tile.png");
+        const PngPixels shown = read_png(folder_.path() / "map.png"), tile = read_png(folder_.path() / "tile.png");
+        for (int row = 0; row < 64; ++row)
+            for (int i = 0; i < 3 * 64; ++i)
+                ASSERT_EQ(shown.values[shown.at(0, row, i)], tile.values[tile.at(88, row + 88, i)])
+                    << i / 3 << " " << row;
+        EXPECT_EQ(read_png(folder_.path() / "again.png").values, shown.values);
+    }
 }
 
 /// Straight above, with a texel a pixel, the map is what `texture tile` draws: its middle is that of tile (-3, 5).
@@ -108,6 +130,27 @@ TEST_F(TextureCommand, MapsThePlaneThatItDraws)
             for (int i = 0; i < 3 * 64; ++i)
                 ASSERT_EQ(map.values[map.at(0, row, i)], tile.values[tile.at(8, row + 8, i)]) << i / 3 << " " << row;
     }
+}
+
+/// Other methods are mapped as pictures of a window: 4 x 4 tiles, rows from the south.
+TEST_F(TextureCommand, MapsPictures)
+{
+    printed("endless hexagons --exemplar noise.png --window 0 0 256 256 --quiet --engine reference --out hexagons.png");
+    printed("map hexagons.png --size 256 256 --tile 1 2 --above 2 --pitch 90 --field 90 --filter nearest --engine "
+            "reference "
+            "--out map.png");
+    const PngPixels map = read_png(folder_.path() / "map.png"), picture = read_png(folder_.path() / "hexagons.png");
+    // The middle of the map is that of tile (1, 2), from the lower left; a tile has 64 pixels.
+    for (int row = 0; row < 256; ++row)
+        for (int column = 0; column < 256; ++column)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(map.values[map.at(column, row, c)],
+                          picture.values[picture.at((column + 96 + 128) % 256, (row + 96 + 128) % 256, c)])
+                    << column << " " << row;
+    expect_error("map noise.png --out a.png",
+                 "noise.png: 120 x 110 pixels: must be a square whose side is a power of two from 64 to 8192");
+    expect_error("map hexagons.png --lookup exact --out a.png",
+                 "hexagons.png: --lookup exact: is for texture sets; must be repeated");
 }
 
 TEST_F(TextureCommand, MakesTilesWithMarkedCorners)

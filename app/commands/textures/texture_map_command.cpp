@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
 #include "host/sampling/sampler.hpp"
+#include "host/texture/exemplar.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,9 @@ namespace poissonlab {
 namespace {
 
 constexpr auto texture_map_notes =
-    R"(DIR has a complete set of corner or Wang tiles. The camera is above the middle of a tile and looks to the north; a
+    R"(DIR has a texture set, or is a picture, such as one of `texture endless`, which is repeated. Complete sets of corner
+or Wang tiles are laid by a hash, anywhere; of others, a window of --laid N x N tiles is laid in scanlines and repeated,
+with seams where windows meet. The camera is above the middle of a tile and looks to the north; a
 --pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
@@ -26,7 +29,7 @@ Look-ups:
   packed       neighbours in the atlas, as graphics cards read them: the same up to the level that the ring allows, of
                Wang tiles but at their corners
   clamped      no neighbours: tiles become visible
-  repeated     the atlas itself, side by side, for comparison
+  repeated     the atlas itself, side by side, for comparison; of sets without a hash, the window that was laid
 Averages are of light. The same tiles lie where the program of runtime/texture_tiles.h, C, OpenCL C or GLSL, sees them.
 --frames writes a fly-through: PICTURE gets a number before its suffix.
   poissonlab texture map gravel --size 1024 576 --pitch 12 --out plain.png
@@ -40,7 +43,8 @@ struct TextureMapOptions
     double above = 2, pitch = 15, yaw = 0, field = 60;
     std::uint32_t samples = 1;
     std::string filter = "anisotropic";
-    std::string lookup = "exact";
+    std::string lookup; // empty: the one that is right for the set
+    std::uint32_t laid = 25;
     std::uint32_t frames = 1;
     double advance = 0;
     WorkOptions work;
@@ -90,6 +94,34 @@ TextureCamera checked_camera(const TextureMapOptions& o)
     return camera;
 }
 
+/// The number of which --laid is the square.
+int checked_laid_root(const TextureMapOptions& o)
+{
+    for (int n = 2; n <= most_laid_root; ++n)
+        if (o.laid == static_cast<std::uint32_t>(n * n)) return n;
+    throw InputError(fmt::format("texture map: --laid {}: must be 4, 9, 16, 25, 36, 49 or 64", o.laid));
+}
+
+/// Exact look-ups, or those that were asked for; sets without places have one.
+TextureLookup lookup_of(const TextureMapOptions& o, const TextureSet& set)
+{
+    if (has_places(set)) return o.lookup.empty() ? TextureLookup::exact : *texture_lookups.find(o.lookup);
+    if (!o.lookup.empty() && o.lookup != texture_lookups[TextureLookup::repeated])
+        throw InputError(
+            fmt::format("--lookup {}: is for complete sets of corner or Wang tiles, which a hash lays; must "
+                        "be repeated",
+                        o.lookup));
+    return TextureLookup::repeated;
+}
+
+/// A picture has no other look-up than to be repeated.
+PngPixels mapped_picture(const TextureMapOptions& o)
+{
+    if (!o.lookup.empty() && o.lookup != texture_lookups[TextureLookup::repeated])
+        throw InputError(fmt::format("--lookup {}: is for texture sets; must be repeated", o.lookup));
+    return read_exemplar(o.folder);
+}
+
 std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame)
 {
     if (o.frames == 1) return o.out;
@@ -101,13 +133,19 @@ std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame
 void map_texture_plane(const TextureMapOptions& o)
 {
     TextureCamera camera = checked_camera(o);
-    const TextureLookup lookup = value_of_word("texture map", "--lookup", o.lookup, texture_lookups);
+    if (!o.lookup.empty()) value_of_word("texture map", "--lookup", o.lookup, texture_lookups);
+    const int laid_root = checked_laid_root(o);
     const DistributionPlace place = o.work.place("texture map");
     if (o.out.extension() != ".png")
         throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
+    TextureLookup lookup = TextureLookup::repeated;
     const TexturePyramid pyramid = [&] {
         try {
-            return texture_pyramid(read_texture_set(o.folder), o.work.seed());
+            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
+                return picture_pyramid(mapped_picture(o));
+            const TextureSet set = read_texture_set(o.folder);
+            lookup = lookup_of(o, set);
+            return has_places(set) ? texture_pyramid(set, o.work.seed()) : laid_pyramid(set, o.work.seed(), laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({o.folder.string()});
@@ -137,7 +175,7 @@ Command texture_map_command()
     const auto o = std::make_shared<TextureMapOptions>();
     return {
         "map", "Draw the endless plane that texture tiles cover, in perspective",
-        joined({{{"DIR", &o->folder, "What texture build made: a complete set of corner or Wang tiles"},
+        joined({{{"DIR", &o->folder, "What texture build made, or a picture"},
                  allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
                           Integers{1, most_map_pixels}),
                  {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
@@ -147,6 +185,9 @@ Command texture_map_command()
                  {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
                  {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
                  {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+                 {"--laid", &o->laid,
+                  "Of sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25",
+                  "N"},
                  allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
                           Integers{1, most_map_samples}),
                  allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},

@@ -4,6 +4,7 @@
 #include "base/images/srgb_light.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,31 @@ void append_mean(std::vector<float>& light, std::size_t first, int channels)
     }
 }
 
+/// All levels of a square of n^2 x n^2 tiles.
+TexturePyramid pyramid_of(const PngPixels& tiles, int size, int n, std::uint32_t seed)
+{
+    if (!std::has_single_bit(static_cast<unsigned>(size)))
+        throw InputError(fmt::format("tile_size = {}: must be a power of two, so that texels of all levels are within "
+                                     "tiles",
+                                     size));
+    TexturePyramid pyramid;
+    pyramid.channels = tiles.channels;
+    auto& levels = pyramid.levels;
+    levels.seed = seed;
+    levels.colors = n;
+    levels.size = size;
+    levels.top = std::countr_zero(static_cast<unsigned>(size));
+    pyramid.light = base_level(tiles);
+    for (int level = 1; level <= levels.top; ++level) {
+        const std::size_t below = levels.offsets[level - 1];
+        levels.offsets[level] = static_cast<std::uint32_t>(pyramid.light.size());
+        append_level(pyramid.light, below, pyramid.width(level - 1), pyramid.channels);
+    }
+    levels.offsets[levels.top + 1] = static_cast<std::uint32_t>(pyramid.light.size());
+    append_mean(pyramid.light, levels.offsets[levels.top], pyramid.channels);
+    return pyramid;
+}
+
 double rounded(double value) { return std::round(value * 0x1p40) * 0x1p-40; }
 
 /// A direction in tiles: east, north, up.
@@ -78,27 +104,31 @@ TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed)
         throw InputError(fmt::format("{} {} tiles: must be a complete set of corner or Wang tiles, whose places in the "
                                      "atlas follow from their colours; others are laid in scanlines, one by one",
                                      set.tiles.size(), texture_kinds[set.kind]));
-    if (!std::has_single_bit(static_cast<unsigned>(set.size)))
-        throw InputError(fmt::format("tile_size = {}: must be a power of two, so that texels of all levels are within "
-                                     "tiles",
-                                     set.size));
-    TexturePyramid pyramid;
-    pyramid.channels = set.exemplar.channels;
+    TexturePyramid pyramid =
+        pyramid_of(atlas_of(set), set.size, static_cast<int>(set.colors.horizontal), static_cast<std::uint32_t>(seed));
     pyramid.is_wang = set.kind == TextureKind::wang;
-    auto& levels = pyramid.levels;
-    levels.seed = static_cast<std::uint32_t>(seed);
-    levels.colors = static_cast<int>(set.colors.horizontal);
-    levels.size = set.size;
-    levels.top = std::countr_zero(static_cast<unsigned>(set.size));
-    pyramid.light = base_level(atlas_of(set));
-    for (int level = 1; level <= levels.top; ++level) {
-        const std::size_t below = levels.offsets[level - 1];
-        levels.offsets[level] = static_cast<std::uint32_t>(pyramid.light.size());
-        append_level(pyramid.light, below, pyramid.width(level - 1), pyramid.channels);
-    }
-    levels.offsets[levels.top + 1] = static_cast<std::uint32_t>(pyramid.light.size());
-    append_mean(pyramid.light, levels.offsets[levels.top], pyramid.channels);
     return pyramid;
+}
+
+TexturePyramid laid_pyramid(const TextureSet& set, std::uint64_t seed, int n)
+{
+    const auto side = static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
+    if (side * static_cast<std::uint64_t>(set.size) > most_laid_pixels)
+        throw InputError(fmt::format("{} x {} tiles of {} pixels: must be at most {} pixels along a side", side, side,
+                                     set.size, most_laid_pixels));
+    const TextureWindow window = texture_window(set, {0, 0, side, side}, seed);
+    const PngPixels laid = texture_window_pixels(set, window, set.values, set.exemplar.channels);
+    return pyramid_of(laid, set.size, n, static_cast<std::uint32_t>(seed));
+}
+
+TexturePyramid picture_pyramid(const PngPixels& picture)
+{
+    const auto side = static_cast<unsigned>(picture.width);
+    if (picture.width != picture.height || !std::has_single_bit(side) || side < 64 || side > most_laid_pixels)
+        throw InputError(fmt::format("{} x {} pixels: must be a square whose side is a power of two from 64 to {}",
+                                     picture.width, picture.height, most_laid_pixels));
+    const int n = side <= 4 * most_tile_pixels ? 2 : 4;
+    return pyramid_of(picture, picture.width / (n * n), n, 0);
 }
 
 PngPixels level_pixels(const TexturePyramid& pyramid, int level)
