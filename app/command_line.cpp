@@ -167,7 +167,8 @@ std::vector<Command> all_commands(const std::string& typed)
         distribute_darts_command(),    distribute_points_command(),     distribute_classes_command(),
         distribute_mri_mask_command(), distribute_dither_mask_command()};
     std::vector<Command> of_textures{texture_build_command(), texture_verify_command(),  texture_tile_command(),
-                                     texture_map_command(),   texture_endless_command(), texture_export_command()};
+                                     texture_map_command(),   texture_endless_command(), texture_export_command(),
+                                     texture_cells_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),

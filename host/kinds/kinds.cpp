@@ -18,6 +18,7 @@ std::vector<Kind> listed_kinds()
                                  class_kind,
                                  sampling_mask_kind,
                                  dither_mask_kind,
+                                 cell_kind,
                                  stippling_kind,
                                  hatching_kind,
                                  icon_kind,

@@ -30,6 +30,7 @@ Kind region_point_kind();
 Kind class_kind();
 Kind sampling_mask_kind();
 Kind dither_mask_kind();
+Kind cell_kind();
 Kind stippling_kind();
 Kind hatching_kind();
 Kind icon_kind();

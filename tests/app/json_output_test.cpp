@@ -71,6 +71,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"texture build",
          {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
         {"texture verify", {"texture", "tiles", "16"}},
+        {"texture cells", {"cells.toml --window 0 0 5 4 --quiet --out a.csv", "cells", "20"}},
         {"texture export", {"texture --formats dds --out engine", "layers", "16"}},
         {"texture endless", {"hexagons --exemplar grey.pgm --window 0 0 16 9 --quiet --out a.png", "height", "9"}},
         {"merge", {"run --out all", "merged"}},
@@ -91,6 +92,7 @@ TEST(JsonOutput, IsOneObjectOfEachCommandThatHasIt)
     std::string picture = "P2 32 32 255\n";
     for (int i = 0; i < 32 * 32; ++i) picture += std::to_string(i * 7 % 256) + "\n";
     folder.write("grey.pgm", picture);
+    folder.write("cells.toml", "[[corner]]\ncolor = \"#000000\"\n[[corner]]\ncolor = \"#ffffff\"\n[rule]\n");
     for (const auto& [command, sample] : json_cases()) {
         missing.erase(command);
         const Outcome outcome =

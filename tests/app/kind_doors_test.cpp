@@ -43,6 +43,7 @@ const std::vector<KeySpec>& keys_of(const Kind& kind)
 std::string placed_key(const Kind& kind)
 {
     if (kind.command == "distribute instances") return "scene";
+    if (kind.command == "texture cells") return "alphabet";
     return kind.command == "tiles build" || kind.command == "packing" || kind.command == "texture build" ? "kind" : "";
 }
 

@@ -18,6 +18,7 @@ TEST(ShippedConfigs, ArePlannable)
         if (entry.path().parent_path().filename() == "peers" && entry.path().extension() != ".toml")
             continue;                                                       // scripts
         if (entry.path().parent_path().filename() == "exemplars") continue; // photographs, and where they are from
+        if (entry.path().parent_path().filename() == "alphabets") continue; // what cells.toml reads
         SCOPED_TRACE(entry.path());
         EXPECT_EQ(entry.path().extension(), ".toml");
         if (read_collection(entry.path())) continue; // its configs are here as well

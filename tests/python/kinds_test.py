@@ -5,12 +5,13 @@ import pathlib
 import shutil
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import numpy
 
 import poissonlab
 from poissonlab import _poissonlab, distribute, kinds
-from support import program
+from support import SOURCE, program
 
 
 class Kinds(unittest.TestCase):
@@ -36,7 +37,7 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "mri_mask", "dither_mask"})
+                          "darts", "points", "classes", "mri_mask", "dither_mask", "cells"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 
@@ -149,6 +150,21 @@ class OtherKinds(unittest.TestCase):
                 poissonlab.texture.build("corner", pattern="noise", pattern_size=80, **small).save(folder / "large")
                 poissonlab.texture.build("corner", exemplar=folder / "large" / "exemplar.png",
                                          also=[folder / "set" / "atlas.png"], **small)
+
+    def test_maps_of_cells_are_put_together_from_what_tiled_reads(self):
+        made = distribute.cells(alphabet=SOURCE / "configs/alphabets/islands.toml", window=[-7, 12, 9, 6], rng=4)
+        self.assertEqual(made.numbers["cells"], 54)
+        picture, cells = made.pictures["map"], made.pictures["map-tiles"]
+        with tempfile.TemporaryDirectory() as name:
+            root = ElementTree.parse(made.save(pathlib.Path(name) / "map") / "map.tmx").getroot()
+        self.assertEqual((root.get("width"), root.get("height"), root.get("orientation")), ("9", "6", "orthogonal"))
+        image = root.find("tileset/image")
+        self.assertEqual((image.get("source"), image.get("width")), ("map-tiles.png", str(cells.shape[1])))
+        rows = root.find("layer/data").text.strip().splitlines()
+        numbers = numpy.array([[int(word) for word in row.strip(",").split(",")] for row in rows]) - 1
+        drawn = cells.reshape(9, 16, 9, 16, -1).swapaxes(1, 2).reshape(81, 16, 16, -1)[numbers]
+        numpy.testing.assert_array_equal(drawn.swapaxes(1, 2).reshape(picture.shape), picture)
+        self.assertEqual(len(root.findall("tileset/wangsets/wangset/wangtile")), 81)
 
     def test_schemes_and_constructions_are_drawn(self):
         self.assertTrue(poissonlab.tilings.isohedral(type=16, random=True, rng=5).pictures)

@@ -1,0 +1,48 @@
+// Maps of cells: a window of the endless map that an alphabet and a seed give, as a picture and for editors of maps.
+#pragma once
+
+#include "base/images/png_file.hpp"
+#include "tiles/cells/cell_alphabet.hpp"
+#include "tiles/tilings/tiling.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The cells of a window by corner_index(), rows from north to south.
+struct CellMap
+{
+    std::uint64_t columns = 0, rows = 0;
+    std::vector<TileIndex> cells;
+};
+
+inline constexpr std::uint64_t most_map_cells = std::uint64_t{1} << 22;
+inline constexpr std::uint64_t most_map_side = 65'500; ///< pixels of its picture
+
+/// The colour of the lattice point (x, y): ttiles_color() of runtime/texture_tiles.h over as many colours as weights
+/// have in their sum, of which each corner has its weight's share, in their order.
+Color cell_corner(const CellAlphabet& alphabet, std::uint64_t seed, std::int64_t x, std::int64_t y);
+
+/// Windows with the same seed fit together; places count modulo 2^32.
+CellMap cell_map(const CellAlphabet& alphabet, const TileWindow& window, std::uint64_t seed);
+
+/// The picture of a map, cell by cell, and of all cells in the packing of corner tiles (closed_packing.hpp), C^2 x C^2
+/// of them, which is a map as well. Throws StorageError.
+void write_cell_map(const std::filesystem::path& file, const CellAlphabet& alphabet, const CellMap& map);
+CellMap packed_cells(Color colors);
+
+/// The number of a cell in that picture, row by row from its upper left.
+std::uint32_t cell_number(const CellAlphabet& alphabet, TileIndex cell);
+
+/// Those numbers, a line a row: what a layer of a map in Tiled has, but that it counts from 1.
+std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first = 0);
+
+/// A map of Tiled (TMX 1.10): one layer as CSV and a tile set with the picture `picture`, whose tiles know the colours
+/// of their corners, as its terrain brush wants them.
+std::string tiled_map(const CellAlphabet& alphabet, const CellMap& map, const std::string& picture);
+
+}
