@@ -117,7 +117,7 @@ std::string dds_file(const GpuTexture& texture)
     const auto width = static_cast<std::uint32_t>(texture.width), height = static_cast<std::uint32_t>(texture.height),
                layers = static_cast<std::uint32_t>(texture.layers),
                levels = static_cast<std::uint32_t>(texture.levels.size());
-    // What is there: capabilities, height, width, pitch, format, levels; then that it is a texture, with levels or
+    // The header has capabilities, height, width, pitch, format and levels; capabilities: a texture, with levels or
     // layers.
     constexpr std::uint32_t has_all = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000;
     const std::uint32_t capabilities = 0x1000U | (levels > 1 ? 0x400008U : 0) | (texture.is_array ? 0x8U : 0);

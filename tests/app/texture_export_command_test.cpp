@@ -54,7 +54,7 @@ protected:
     }
 };
 
-/// Of an atlas, the texel of a tile's layer: places count from the lower left.
+/// The texel of the atlas that a layer shows: places count from the lower left.
 std::pair<int, int> atlas_texel(int layer, int column, int row)
 {
     return {layer % side * tile + column, (side - 1 - layer / side) * tile + row};
@@ -66,7 +66,7 @@ double light(double value)
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-/// What a tile's texels under one of a level are in the mean, as a byte of sRGB; or of numbers.
+/// The mean of the texels of a tile that one texel of a level covers: as a byte of sRGB, or of numbers.
 double mean_below(const RawPng& atlas, int layer, int level, int column, int row, int channel)
 {
     const int block = 1 << level;

@@ -9,7 +9,7 @@
 
 namespace poissonlab::test {
 
-/// What is in a file: its format's number, and the texels of each level of each layer.
+/// The contents of a file: its format's number, and the texels of each level of each layer.
 struct GpuFile
 {
     std::uint32_t format = 0, width = 0, height = 0, layers = 0;

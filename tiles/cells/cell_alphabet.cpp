@@ -6,7 +6,7 @@
 namespace poissonlab {
 namespace {
 
-/// What two colours weigh at a place, the heaviest and the next, and how fast their difference grows per cell.
+/// The heaviest colour at a place, how much more it weighs than the next one, and how fast that grows per cell.
 struct Heaviest
 {
     std::size_t color = 0;

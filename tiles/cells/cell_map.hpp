@@ -38,7 +38,7 @@ CellMap packed_cells(Color colors);
 /// The number of a cell in that picture, row by row from its upper left.
 std::uint32_t cell_number(const CellAlphabet& alphabet, TileIndex cell);
 
-/// Those numbers, a line a row: what a layer of a map in Tiled has, but that it counts from 1.
+/// The numbers of all cells of a map, a line a row, counted from `first`: layers of Tiled count from 1.
 std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first = 0);
 
 /// A map of Tiled (TMX 1.10): one layer as CSV and a tile set with the picture `picture`, whose tiles know the colours

@@ -72,7 +72,7 @@ std::string set_name(const TextureExportOptions& o)
     return printable(folder.filename().string());
 }
 
-/// What is written, in the order of the files.
+/// Writes the files, and lists them in their order.
 struct EngineExport
 {
     const TextureExportOptions& options;
