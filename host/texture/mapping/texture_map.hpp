@@ -62,17 +62,18 @@ struct TexturePyramid
 /// has_places(), and for tiles whose size is no power of two.
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed);
 
-/// The pyramid of a window of n^2 x n^2 tiles that are laid by scanlines from its north-west, as sets without places are:
-/// TextureLookup::repeated shows it as it is, side by side. Tiles do not fit where windows meet. Throws InputError as
-/// texture_window() does, and for tiles whose size is no power of two.
+/// The pyramid of a window of n^2 x n^2 tiles that are laid by scanlines from its north-west, as sets without places
+/// are: TextureLookup::repeated shows it as it is, side by side. Tiles do not fit where windows meet. Throws InputError
+/// as texture_window() does, and for tiles whose size is no power of two.
 TexturePyramid laid_pyramid(const TextureSet& set, std::uint64_t seed, int n);
 
-/// Sides of such windows are squares of 2 to this, in tiles, and have so many pixels: a gigabyte of colours at all levels.
+/// Sides of such windows are squares of 2 to this, in tiles, and have so many pixels: a gigabyte of colours at all
+/// levels.
 inline constexpr int most_laid_root = 8;
 inline constexpr std::uint64_t most_laid_pixels = 8192;
 
-/// The pyramid of a picture as TextureLookup::repeated shows it: it counts as 4 x 4 tiles, or 16 x 16 beyond 2048 pixels.
-/// Throws InputError for one that is no square whose side is a power of two from 64 to most_laid_pixels.
+/// The pyramid of a picture as TextureLookup::repeated shows it: it counts as 4 x 4 tiles, or 16 x 16 beyond 2048
+/// pixels. Throws InputError for one that is no square whose side is a power of two from 64 to most_laid_pixels.
 TexturePyramid picture_pyramid(const PngPixels& picture);
 
 /// The atlas at a level as it is stored: north first, encoded.
