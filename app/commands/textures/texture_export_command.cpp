@@ -213,9 +213,10 @@ Command texture_export_command()
 {
     const auto o = std::make_shared<TextureExportOptions>();
     return {"export",
-            "Write a texture set as DDS, KTX2 and PNG files for engines",
+            "Write a texture set for engines: textures with levels within tiles, look-ups for shaders, a page",
             {{"DIR", &o->folder, "What texture build made"},
-             {"--formats", &o->formats, "dds, ktx2, png, glsl, hlsl, wgsl, mtlx, page; default: all", "NAME"},
+             {"--formats", &o->formats, "dds, ktx2, png, glsl, hlsl, wgsl, mtlx or page; may be repeated; default: all",
+              "NAME"},
              {"--normals", &o->normals, "The companion whose heights get normals", "NAME"},
              {"--relief", &o->relief, "Of heights: texels from black to white, or from 0 to 1; default: 8", "TEXELS"},
              {"--out", &o->out, "The folder of the files", "DIR", required},
