@@ -57,6 +57,7 @@ enum class Purpose : std::uint32_t
     mri_mask = 71,
     dither_mask = 72,
     region_envelope = 73,
+    class_tile_filling = 90,
 };
 
 /// The 64-bit key of one independent stream.

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -41,6 +42,16 @@ inline PoissonTileSet random_chain_set(std::uint32_t colors, std::uint32_t point
     return set;
 }
 
+/// Corner tiles whose points have classes, so many of each in a tile.
+inline PoissonTileSet random_class_set(std::uint32_t colors, const std::vector<std::uint32_t>& class_points)
+{
+    const TileClasses classes = classes_of_radius(class_points, 0.4, 2);
+    PoissonTileSet set = random_tile_set(PoissonTileKind::corner, 2, colors, classes.all_points());
+    set_classes(set.parameters, classes);
+    set.class_squared_distances.resize(class_pair_count(classes.count()));
+    return set;
+}
+
 /// The set with an arbitrary order of the points of each tile.
 inline PoissonTileSet with_random_ranks(PoissonTileSet set)
 {
@@ -65,8 +76,12 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
     };
     const PoissonTileParameters& p = set.parameters;
     const bool has_chains = p.border == TileBorder::chain;
-    for (const std::uint32_t word : {has_chains || p.ranked ? 2u : 1u, 128u, static_cast<std::uint32_t>(p.kind),
-                                     static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles, p.points_per_tile, 0u})
+    const auto classes = static_cast<std::uint32_t>(p.classes.count());
+    for (const std::uint32_t word : {classes > 0              ? 3u
+                                     : has_chains || p.ranked ? 2u
+                                                              : 1u,
+                                     128u, static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension),
+                                     p.colors, p.tiles, p.points_per_tile, classes})
         put(word, 4);
     put(set.squared_min_distance, 8);
     put(std::bit_cast<std::uint64_t>(p.relative_radius), 8);
@@ -85,6 +100,11 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
     for (const std::uint16_t coordinate : set.points) put(coordinate, 2);
     for (const std::uint16_t length : set.chain_lengths) put(length, 2);
     for (const std::uint16_t rank : set.ranks) put(rank, 2);
+    for (const std::uint32_t points : p.classes.points) put(points, 4);
+    for (std::uint32_t high = 0; high < classes; ++high)
+        for (std::uint32_t low = 0; low <= high; ++low)
+            put(std::bit_cast<std::uint64_t>(p.classes.distances.at(low, high)), 8);
+    for (const std::uint64_t squared : set.class_squared_distances) put(squared, 8);
     return bytes;
 }
 

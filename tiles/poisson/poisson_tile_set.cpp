@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -56,6 +57,29 @@ void check_border(const PoissonTileParameters& p)
         throw refused("null_peaks", p.null_peaks, "must be false without joint iterations, which do it");
 }
 
+/// What tiles with classes do not have.
+void check_class_parameters(const PoissonTileParameters& p)
+{
+    if (p.kind != PoissonTileKind::corner || p.dimension != 2)
+        throw refused("class_points", fmt::format("{} classes", p.classes.count()), "corner tiles have classes");
+    if (p.border != TileBorder::strip)
+        throw refused("border", tile_borders[p.border], "must be \"strip\" for tiles with classes");
+    if (p.lloyd_iterations != 0) throw refused("lloyd_iterations", p.lloyd_iterations, "must be 0 with classes");
+    if (!p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with classes");
+    if (p.joint_iterations != 0) throw refused("joint_iterations", p.joint_iterations, "must be 0 with classes");
+    if (p.equal_moments != 0) throw refused("equal_moments", p.equal_moments, "must be 0 with classes");
+    check(p.classes, p.points_per_tile);
+    const double radius = relative_radius(p.classes.least_distance(), p.points_per_tile, p.dimension);
+    if (!(std::abs(p.relative_radius - radius) <= 1e-9))
+        throw refused("relative_radius", p.relative_radius, fmt::format("must be {}, that of the classes", radius));
+}
+
+/// The largest distance that points of a set keep, in tiles: regions are half as wide.
+double largest_distance(const PoissonTileParameters& p)
+{
+    return p.classes.is_empty() ? asked_min_distance(p) : p.classes.largest_distance();
+}
+
 void check_numbers(const PoissonTileParameters& p)
 {
     if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
@@ -75,6 +99,28 @@ void check_numbers(const PoissonTileParameters& p)
     if (p.filling == TileFilling::relaxation_dart_throwing && !(p.factor > 0 && p.factor < 1))
         throw refused("factor", p.factor, "must be a number between 0 and 1");
     check_border(p);
+    if (!p.classes.is_empty()) check_class_parameters(p);
+}
+
+/// Regions of neighbouring corners must not come closer than the largest distance.
+void check_room(const PoissonTileParameters& p)
+{
+    if (!p.classes.is_empty()) {
+        const double most = 2 * max_radius(p);
+        if (largest_distance(p) > most)
+            throw InputError(
+                fmt::format("points of classes that keep a distance of {:.4f} tiles: must be at most {:.4f}, "
+                            "or points near neighbouring corners of a tile meet; more points per tile or a "
+                            "smaller relative radius",
+                            largest_distance(p), std::floor(most * 10'000) / 10'000));
+        return;
+    }
+    const double limit = 2 * max_radius(p) / max_min_distance(p.points_per_tile, p.dimension);
+    if (p.relative_radius > limit)
+        throw refused("relative_radius", p.relative_radius,
+                      fmt::format("must be at most {:.3f} with {} points per tile, or disks around neighbouring "
+                                  "corners of a tile meet",
+                                  std::floor(limit * 1000) / 1000, p.points_per_tile));
 }
 
 }
@@ -96,6 +142,15 @@ void set_border(PoissonTileParameters& p, TileBorder border, std::optional<std::
     p.joint_iterations = joint_iterations.value_or(has_chains ? best_iterations : 0);
     p.null_peaks = null_peaks.value_or(p.joint_iterations > 0);
     p.equal_moments = equal_moments.value_or(0);
+}
+
+void set_classes(PoissonTileParameters& p, TileClasses classes)
+{
+    p.points_per_tile = classes.all_points();
+    p.relative_radius = relative_radius(classes.least_distance(), p.points_per_tile, p.dimension);
+    p.lloyd_iterations = 0;
+    p.repulsion = true;
+    p.classes = std::move(classes);
 }
 
 std::uint32_t exact_moment_order(const PoissonTileParameters& p)
@@ -128,13 +183,13 @@ double asked_min_distance(const PoissonTileParameters& parameters)
 
 std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters)
 {
-    const double distance = asked_min_distance(parameters) * tile_units;
-    return static_cast<std::uint64_t>(std::ceil(distance * distance));
+    const TileClasses& classes = parameters.classes;
+    return squared_units(classes.is_empty() ? asked_min_distance(parameters) : classes.least_distance());
 }
 
 TileRegions regions_of(const PoissonTileParameters& parameters)
 {
-    const auto width = static_cast<std::int32_t>(std::ceil(asked_min_distance(parameters) / 2 * tile_units));
+    const auto width = static_cast<std::int32_t>(std::ceil(largest_distance(parameters) / 2 * tile_units));
     return parameters.kind == PoissonTileKind::frame ? frame_regions(width)
                                                      : modified_regions(parameters.dimension, width);
 }
@@ -148,12 +203,24 @@ void check(const PoissonTileParameters& p)
     if (tiles * p.points_per_tile * static_cast<unsigned>(p.dimension) > max_coordinates)
         throw InputError(fmt::format("{} tiles of {} points: more than 4 GiB; fewer colours, tiles or points_per_tile",
                                      tiles, p.points_per_tile));
-    const double limit = 2 * max_radius(p) / max_min_distance(p.points_per_tile, p.dimension);
-    if (p.relative_radius > limit)
-        throw refused("relative_radius", p.relative_radius,
-                      fmt::format("must be at most {:.3f} with {} points per tile, or disks around neighbouring "
-                                  "corners of a tile meet",
-                                  std::floor(limit * 1000) / 1000, p.points_per_tile));
+    check_room(p);
+}
+
+PoissonTileSet class_subset(const PoissonTileSet& set, std::uint32_t of)
+{
+    const TileClasses& classes = set.parameters.classes;
+    PoissonTileSet subset{set.parameters, 0, {}};
+    PoissonTileParameters& p = subset.parameters;
+    p.points_per_tile = classes.points[of];
+    p.relative_radius = relative_radius(classes.distances.at(of, of), p.points_per_tile, p.dimension);
+    p.classes = {};
+    p.ranked = false;
+    const auto dimension = static_cast<std::size_t>(p.dimension);
+    for (std::uint32_t tile = 0; tile < p.tiles; ++tile) {
+        const auto own = set.tile(tile).subspan(classes.first_point(of) * dimension, p.points_per_tile * dimension);
+        subset.points.insert(subset.points.end(), own.begin(), own.end());
+    }
+    return subset;
 }
 
 void check_ranks(const PoissonTileSet& set)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/word_table.hpp"
+#include "tiles/poisson/classes/tile_classes.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <array>
@@ -82,6 +83,7 @@ struct PoissonTileParameters
     bool null_peaks = false;            ///< in these, the mean of all tiles is made even
     std::uint32_t equal_moments = 0;    ///< the order up to which all tiles have the same moments: docs/chain-tiles.md
     bool ranked = false;                ///< whether points have ranks, by which tilings get sparser
+    TileClasses classes = {};           ///< none: all points are alike; set by set_classes()
     std::uint64_t seed = 1;
 
     bool operator==(const PoissonTileParameters&) const = default;
@@ -96,6 +98,10 @@ void set_border(PoissonTileParameters& parameters, TileBorder border,
                 std::optional<std::uint32_t> joint_iterations = {}, std::optional<bool> null_peaks = {},
                 std::optional<std::uint32_t> equal_moments = {});
 
+/// Gives points classes, and sets what goes with them: N and rho are those of all points together, and points are
+/// pushed apart, not relaxed.
+void set_classes(PoissonTileParameters& parameters, TileClasses classes);
+
 /// The order up to which equal moments are equal in whole numbers; those of higher orders that are asked for are so but
 /// for rounding.
 std::uint32_t exact_moment_order(const PoissonTileParameters& parameters);
@@ -106,7 +112,7 @@ std::string kind_name(const PoissonTileParameters& parameters);
 /// The number of tiles of a kind with so many colours, C^4, C^12 or C^8. 0: more than 2^32 - 1.
 std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colors);
 
-/// The minimum distance that is asked for, 2 r, in units of the tile's side.
+/// The minimum distance that is asked for, 2 r, in units of the tile's side; with classes, the least of any two.
 double asked_min_distance(const PoissonTileParameters& parameters);
 
 /// The asked minimum distance in whole units (of 1 / 65,536 of a tile's side), squared, rounded up: distances that
@@ -157,6 +163,10 @@ struct PoissonTileSet
     /// that go up, each by the colours of their lower and their upper end, the upper one counting fast.
     std::vector<std::uint16_t> chain_lengths = {};
 
+    /// The same of each pair of classes, by class_pair(). Points of the first class come first in each tile, then those
+    /// of the second, and so on.
+    std::vector<std::uint64_t> class_squared_distances = {};
+
     /// The rank of each point in its tile, in the order of points: those of lower rank alone are spread evenly, too, in
     /// every tiling. Empty: the set is not ranked.
     std::vector<std::uint16_t> ranks = {};
@@ -181,6 +191,10 @@ struct PoissonTileSet
 
     bool operator==(const PoissonTileSet&) const = default;
 };
+
+/// The points of one class as a set of its own, whose points have no classes and no ranks. A tile may have fewer points
+/// than check() allows, and its regions are those of the whole set.
+PoissonTileSet class_subset(const PoissonTileSet& set, std::uint32_t of);
 
 /// Throws InputError, a sentence that starts with the tile, unless the ranks of each tile's points are 0 to N - 1, each
 /// once; or there are none, and the parameters say so.

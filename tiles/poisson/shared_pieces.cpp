@@ -71,7 +71,7 @@ UnitPosition SortedTile::position(std::uint64_t number)
     return {coordinate(2 * tile_bits), coordinate(tile_bits), coordinate(0)};
 }
 
-SharedPieces::SharedPieces(const PoissonTileSet& set) : set_(set), regions_(regions_of(set.parameters))
+SharedPieces::SharedPieces(const PoissonTileSet& set, const TileRegions& regions) : set_(set), regions_(regions)
 {
     find_parts();
     join_parts();

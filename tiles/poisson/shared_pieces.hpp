@@ -41,7 +41,10 @@ class SharedPieces
 public:
     /// The set must outlive this. Throws InputError, a sentence that starts with the tile, where tiles
     /// disagree on a variant, or a tile has two equal points. Runs on all threads.
-    explicit SharedPieces(const PoissonTileSet& set);
+    explicit SharedPieces(const PoissonTileSet& set) : SharedPieces(set, regions_of(set.parameters)) {}
+
+    /// The same with these regions: those of a set that this one is a part of.
+    SharedPieces(const PoissonTileSet& set, const TileRegions& regions);
 
     const TileRegions& regions() const { return regions_; }
 

@@ -21,6 +21,7 @@
 // all variants. Interiors, which may be any two, are the narrowest: their distance from the border, twice.
 #pragma once
 
+#include "tiles/poisson/classes/class_certificate.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_moments.hpp"
@@ -28,6 +29,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -54,6 +56,8 @@ struct TileCertificate
     std::uint64_t squared_closure_distance = 0;
     std::uint64_t squared_separation = 0;
     NearestPair nearest = {}; ///< the points that have the distance that occurs
+
+    std::vector<ClassPairProof> classes; ///< of each pair of classes, by class_pair()
 
     TileMoments moments; ///< that all tiles have, which prove how fast spectra fall off
 

@@ -23,7 +23,8 @@ inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTi
     const Overhang overhang = overhang_of(tiles);
     return {{static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles,
              p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang.below, overhang.above,
-             tiles.ranks.empty() ? nullptr : tiles.ranks.data()},
+             tiles.ranks.empty() ? nullptr : tiles.ranks.data(), static_cast<std::uint32_t>(p.classes.count()),
+             reinterpret_cast<const unsigned char*>(p.classes.points.data())}, // whose machines are little-endian
             tiling.seed,
             tiling.period};
 }

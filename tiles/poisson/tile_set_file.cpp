@@ -19,8 +19,8 @@ namespace poissonlab {
 namespace {
 
 constexpr std::string_view magic = "PTILES\r\n";
-/// Version 2 is written for what version 1 cannot say.
-constexpr std::uint32_t first_version = 1, last_version = 2;
+/// Each version is written for what those before it cannot say; the last one has classes.
+constexpr std::uint32_t first_version = 1, second_version = 2, last_version = 3;
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
 constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 116; ///< of either version
@@ -85,11 +85,19 @@ std::size_t rank_count(const PoissonTileParameters& p)
     return p.ranked ? std::size_t{p.tiles} * p.points_per_tile : 0;
 }
 
+/// The bytes that say what classes there are, at the end of the file.
+std::size_t class_bytes(const PoissonTileParameters& p)
+{
+    const std::size_t classes = p.classes.count();
+    return classes * sizeof(std::uint32_t) + class_pair_count(classes) * (sizeof(double) + sizeof(std::uint64_t));
+}
+
 std::uint32_t version_of(const PoissonTileParameters& p)
 {
+    if (!p.classes.is_empty()) return last_version;
     const bool is_of_version_1 =
         p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks && !p.ranked && p.equal_moments == 0;
-    return is_of_version_1 ? first_version : last_version;
+    return is_of_version_1 ? first_version : second_version;
 }
 
 /// A number that must be one of a few: 0 or 1.
@@ -110,7 +118,8 @@ void expect(HeaderReader& reader, const char* what, std::uint32_t expected)
 struct Header
 {
     std::uint32_t version = 0;
-    PoissonTileParameters parameters;
+    PoissonTileParameters parameters; ///< but for what classes there are
+    std::uint32_t classes = 0;
     std::uint64_t squared_min_distance = 0;
     Overhang overhang;
     std::uint64_t checksum = 0;
@@ -125,14 +134,19 @@ Header decode_fields(std::string_view bytes)
     header.version = reader.next<std::uint32_t>();
     if (header.version < first_version || header.version > last_version)
         throw InputError(
-            fmt::format("version of the format {}: must be {} or {}", header.version, first_version, last_version));
+            fmt::format("version of the format {}: must be {} to {}", header.version, first_version, last_version));
     expect(reader, "offset of the points", header_size);
     p.kind = choice<PoissonTileKind>(reader, "kind", 2);
     p.dimension = choice<int>(reader, "dimension", 3);
     p.colors = reader.next<std::uint32_t>();
     p.tiles = reader.next<std::uint32_t>();
     p.points_per_tile = reader.next<std::uint32_t>();
-    expect(reader, "reserved number at byte 36:", 0);
+    if (header.version == last_version) {
+        header.classes = choice<std::uint32_t>(reader, "classes", most_classes);
+        if (header.classes == 0) throw InputError("classes = 0: must be at least 1 in version 3");
+    } else {
+        expect(reader, "reserved number at byte 36:", 0);
+    }
     header.squared_min_distance = reader.next<std::uint64_t>();
     p.relative_radius = reader.next<double>();
     p.seed = reader.next<std::uint64_t>();
@@ -168,7 +182,9 @@ Header decode_header(std::string_view bytes)
     check_stored(header.parameters, header.squared_min_distance);
     const std::size_t numbers =
         coordinate_count(header.parameters) + chain_count(header.parameters) + rank_count(header.parameters);
-    header.file_size = header_size + numbers * sizeof(std::uint16_t);
+    PoissonTileParameters with_classes;
+    with_classes.classes.points.resize(header.classes);
+    header.file_size = header_size + numbers * sizeof(std::uint16_t) + class_bytes(with_classes);
     return header;
 }
 
@@ -189,6 +205,19 @@ std::vector<std::uint16_t> numbers_of(std::string_view bytes)
     return numbers;
 }
 
+/// Reads what classes there are, and checks it with everything else.
+void decode_classes(HeaderReader reader, const Header& header, PoissonTileSet& set)
+{
+    TileClasses& classes = set.parameters.classes;
+    for (std::uint32_t i = 0; i < header.classes; ++i) classes.points.push_back(reader.next<std::uint32_t>());
+    classes.distances = ClassDistances(header.classes);
+    for (std::size_t j = 0; j < header.classes; ++j)
+        for (std::size_t i = 0; i <= j; ++i) classes.distances.set(i, j, reader.next<double>());
+    for (std::size_t pair = 0; pair < class_pair_count(header.classes); ++pair)
+        set.class_squared_distances.push_back(reader.next<std::uint64_t>());
+    check_stored(set.parameters, set.squared_min_distance);
+}
+
 PoissonTileSet decode_binary(std::string_view bytes)
 {
     const Header header = decode_header(bytes);
@@ -206,6 +235,7 @@ PoissonTileSet decode_binary(std::string_view bytes)
     set.points = next(coordinate_count(set.parameters));
     set.chain_lengths = next(chain_count(set.parameters));
     set.ranks = next(rank_count(set.parameters));
+    if (header.classes > 0) decode_classes(HeaderReader(bytes), header, set);
     check_ranks(set);
     const Overhang overhang = overhang_of(set);
     if (overhang.below != header.overhang.below)
@@ -239,6 +269,15 @@ void check_start(const std::filesystem::path& path)
     const Header header = decode_header(start);
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (!error) check_size(header, size);
+}
+
+void encode_classes(HeaderWriter& writer, const PoissonTileSet& set)
+{
+    const TileClasses& classes = set.parameters.classes;
+    for (const std::uint32_t points : classes.points) writer << points;
+    for (std::size_t j = 0; j < classes.count(); ++j)
+        for (std::size_t i = 0; i <= j; ++i) writer << classes.distances.at(i, j);
+    for (const std::uint64_t squared : set.class_squared_distances) writer << squared;
 }
 
 }
@@ -275,22 +314,26 @@ std::string encode_tile_set(const PoissonTileSet& set)
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinate_count(p)));
     if (set.chain_lengths.size() != chain_count(p))
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chain_count(p)));
+    if (set.class_squared_distances.size() != class_pair_count(p.classes.count()))
+        throw InputError(fmt::format("{} distances of pairs of classes: must be {}", set.class_squared_distances.size(),
+                                     class_pair_count(p.classes.count())));
     check_ranks(set);
     const Overhang overhang = overhang_of(set);
     std::string bytes(magic);
     bytes.reserve(header_size + 2 * set.points.size());
     HeaderWriter writer(bytes);
     writer << version_of(p) << static_cast<std::uint32_t>(header_size) << static_cast<std::uint32_t>(p.kind)
-           << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile << std::uint32_t{0}
-           << set.squared_min_distance << p.relative_radius << p.seed << static_cast<std::uint32_t>(p.filling)
-           << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion)
-           << static_cast<std::uint32_t>(p.border) << p.joint_iterations << static_cast<std::uint32_t>(p.null_peaks)
-           << static_cast<std::uint32_t>(overhang.below) << static_cast<std::uint32_t>(overhang.above)
-           << static_cast<std::uint32_t>(p.ranked) << p.equal_moments;
+           << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile
+           << static_cast<std::uint32_t>(p.classes.count()) << set.squared_min_distance << p.relative_radius << p.seed
+           << static_cast<std::uint32_t>(p.filling) << p.attempts << p.factor << p.lloyd_iterations
+           << static_cast<std::uint32_t>(p.repulsion) << static_cast<std::uint32_t>(p.border) << p.joint_iterations
+           << static_cast<std::uint32_t>(p.null_peaks) << static_cast<std::uint32_t>(overhang.below)
+           << static_cast<std::uint32_t>(overhang.above) << static_cast<std::uint32_t>(p.ranked) << p.equal_moments;
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
     for (const std::uint16_t length : set.chain_lengths) writer << length;
     for (const std::uint16_t rank : set.ranks) writer << rank;
+    encode_classes(writer, set);
     std::string sum;
     HeaderWriter(sum) << checksum(bytes);
     bytes.replace(checksum_offset, sum.size(), sum);

@@ -17,7 +17,8 @@ using Json = nlohmann::json; // its search for a key is not linear, as that of t
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto format_name = "poissonlab tile set";
-constexpr int json_version = 3; ///< the first one knows neither borders nor joint iterations, the second no moments
+/// The first one knows neither borders nor joint iterations, the second no moments; the last one is for classes.
+constexpr int plain_version = 3, json_version = 4;
 
 constexpr std::array known_keys{"format",
                                 "version",
@@ -41,34 +42,43 @@ constexpr std::array known_keys{"format",
                                 "min_distance",
                                 "guaranteed_relative_radius",
                                 "chain_lengths",
+                                "class_points",
+                                "class_distances",
+                                "class_squared_distances",
                                 "tile_ranks",
                                 "tile_points"};
 
 OrderedJson parameters_to_json(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
-    return {{"format", format_name},
-            {"version", json_version},
-            {"kind", kind_name(p)},
-            {"dimension", p.dimension},
-            {"colors", p.colors},
-            {"tiles", p.tiles},
-            {"points_per_tile", p.points_per_tile},
-            {"relative_radius", p.relative_radius},
-            {"filling", tile_fillings[p.filling]},
-            {"attempts", p.attempts},
-            {"factor", p.factor},
-            {"lloyd_iterations", p.lloyd_iterations},
-            {"repulsion", p.repulsion},
-            {"border", tile_borders[p.border]},
-            {"joint_iterations", p.joint_iterations},
-            {"null_peaks", p.null_peaks},
-            {"equal_moments", p.equal_moments},
-            {"ranked", p.ranked},
-            {"seed", p.seed},
-            {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
-            {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)},
-            {"chain_lengths", set.chain_lengths}};
+    OrderedJson json{{"format", format_name},
+                     {"version", p.classes.is_empty() ? plain_version : json_version},
+                     {"kind", kind_name(p)},
+                     {"dimension", p.dimension},
+                     {"colors", p.colors},
+                     {"tiles", p.tiles},
+                     {"points_per_tile", p.points_per_tile},
+                     {"relative_radius", p.relative_radius},
+                     {"filling", tile_fillings[p.filling]},
+                     {"attempts", p.attempts},
+                     {"factor", p.factor},
+                     {"lloyd_iterations", p.lloyd_iterations},
+                     {"repulsion", p.repulsion},
+                     {"border", tile_borders[p.border]},
+                     {"joint_iterations", p.joint_iterations},
+                     {"null_peaks", p.null_peaks},
+                     {"equal_moments", p.equal_moments},
+                     {"ranked", p.ranked},
+                     {"seed", p.seed},
+                     {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
+                     {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)},
+                     {"chain_lengths", set.chain_lengths}};
+    if (p.classes.is_empty()) return json;
+    json["class_points"] = p.classes.points;
+    for (std::size_t j = 0; j < p.classes.count(); ++j)
+        for (std::size_t i = 0; i <= j; ++i) json["class_distances"].push_back(p.classes.distances.at(i, j));
+    json["class_squared_distances"] = set.class_squared_distances;
+    return json;
 }
 
 const Json& value_of(const Json& json, const char* key)
@@ -196,6 +206,27 @@ std::vector<std::uint16_t> ranks_from_json(const Json& json, const PoissonTilePa
     return ranks;
 }
 
+/// The classes of a set of a version that has them.
+void classes_from_json(const Json& json, PoissonTileSet& set)
+{
+    TileClasses& classes = set.parameters.classes;
+    const Json& points = value_of(json, "class_points");
+    if (!points.is_array() || points.empty() || points.size() > most_classes)
+        throw InputError(fmt::format("class_points: must be a list of 1 to {}", most_classes));
+    for (const Json& count : points) classes.points.push_back(integer<std::uint32_t>(count, "class_points"));
+    const std::size_t pairs = class_pair_count(classes.count());
+    const Json& distances = list_of(value_of(json, "class_distances"), pairs, "class_distances");
+    classes.distances = ClassDistances(classes.count());
+    for (std::size_t j = 0; j < classes.count(); ++j)
+        for (std::size_t i = 0; i <= j; ++i) {
+            const Json& distance = distances[class_pair(i, j)];
+            if (!distance.is_number()) refuse("class_distances", distance, "numbers");
+            classes.distances.set(i, j, distance.get<double>());
+        }
+    for (const Json& squared : list_of(value_of(json, "class_squared_distances"), pairs, "class_squared_distances"))
+        set.class_squared_distances.push_back(integer<std::uint64_t>(squared, "class_squared_distances"));
+}
+
 Json parsed(std::string_view text)
 {
     try {
@@ -245,6 +276,10 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     }
     PoissonTileSet set;
     set.parameters = parameters_from_json(json);
+    if (integer_at<int>(json, "version") == json_version)
+        classes_from_json(json, set);
+    else if (json.contains("class_points"))
+        throw InputError(fmt::format("class_points: is for version {}", json_version));
     check(set.parameters);
     set.squared_min_distance = squared_distance_at(json, "min_distance");
     const double radius = number_at(json, "guaranteed_relative_radius");

@@ -10,9 +10,9 @@
 // covers. Those are never more than what is left, so the law is that of darts that fall anywhere.
 #pragma once
 
+#include "base/geometry/class_distances.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
-#include "host/sampling/classes/class_distances.hpp"
 #include "host/sampling/device_method.hpp"
 
 #include <cstdint>
@@ -20,8 +20,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-inline constexpr std::size_t most_classes = 32;
 
 struct ClassDartRequest
 {

@@ -11,11 +11,18 @@
 
 namespace poissonlab {
 
+/// The relative radius of classes that is reached in a second.
+inline constexpr double usual_class_radius = 0.62;
+
 /// A tile set as it is asked for.
 struct AskedTileSet
 {
     PoissonTileFamily family;
     Parameters values;
+    std::vector<std::size_t> class_points; ///< of each class in a tile; empty: points have no classes
+    std::vector<double> class_distances =
+        {};                                ///< of each class, in tiles; empty: of the matrix, or of a relative radius
+    std::vector<double> class_matrix = {}; ///< of all pairs, row after row; empty: Wei's
 
     PoissonTileParameters parameters(std::uint64_t seed) const;
 };

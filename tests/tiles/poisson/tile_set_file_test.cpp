@@ -50,6 +50,15 @@ PoissonTileSet chain_set()
     return set;
 }
 
+PoissonTileSet class_set()
+{
+    PoissonTileParameters p = corner_parameters(2);
+    set_classes(p, classes_of_radius({4, 9, 20}, 0.5, 2));
+    PoissonTileSet set = random_points(p);
+    set.class_squared_distances = {1, 22, 333, 4444, 55'555, 0};
+    return set;
+}
+
 std::vector<PoissonTileSet> one_of_each_kind()
 {
     return {unusual_set(),
@@ -57,6 +66,8 @@ std::vector<PoissonTileSet> one_of_each_kind()
             random_points(template_parameters(5)),
             random_points(sphere_parameters(2)),
             chain_set(),
+            class_set(),
+            with_random_ranks(class_set()),
             with_random_ranks(chain_set()),
             with_random_ranks(random_points(sphere_parameters(2)))};
 }
@@ -143,7 +154,8 @@ TEST(TileSetFile, BytesAreAsDocumented)
 TEST(TileSetFile, EveryFieldIsChecked)
 {
     EXPECT_EQ(error_of(encode_tile_set(unusual_set())), "accepted");
-    EXPECT_EQ(error_after(8, 3u), "a.ptiles: version of the format 3: must be 1 or 2");
+    EXPECT_EQ(error_after(8, 4u), "a.ptiles: version of the format 4: must be 1 to 3");
+    EXPECT_EQ(error_after(8, 3u), "a.ptiles: classes = 0: must be at least 1 in version 3");
     EXPECT_EQ(error_after(12, 64u), "a.ptiles: offset of the points 64: must be 128");
     EXPECT_EQ(error_after(16, 3u), "a.ptiles: kind = 3: must be at most 2");
     EXPECT_THAT(error_after(16, 2u), HasSubstr("colors = 3: must be 1"));
@@ -183,6 +195,30 @@ TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
     EXPECT_EQ(error(112, 4u), "a.ptiles: equal_moments = 4: must be at most 3");
     EXPECT_EQ(error(116, 1u), "a.ptiles: reserved bytes 116 to 119: must be 0");
     EXPECT_THAT(error_of(bytes.substr(0, bytes.size() - 16)), HasSubstr("must be "));
+}
+
+TEST(TileSetFile, EveryFieldOfVersion3IsChecked)
+{
+    // 3 classes: 3 numbers of points, 6 distances that are asked for, 6 that are proven.
+    const std::string bytes = encode_tile_set(class_set());
+    const std::size_t points = bytes.size() - 3 * 4 - 6 * 8 - 6 * 8;
+    EXPECT_EQ(points, 128U + 16 * 33 * 2 * 2);
+    EXPECT_EQ(error_of(bytes), "accepted");
+    const auto error = [&](std::size_t offset, auto value) {
+        return error_of(resealed(changed(bytes, offset, value)));
+    };
+    EXPECT_EQ(error(8, 2u), "a.ptiles: reserved number at byte 36: 3: must be 0");
+    EXPECT_EQ(error(36, 33u), "a.ptiles: classes = 33: must be at most 32");
+    EXPECT_THAT(error(36, 2u), HasSubstr("must be 2296 for 16 tiles of 33 points"));
+    EXPECT_EQ(error(points, 5u), "a.ptiles: class_points = [5, 9, 20]: must be 1 or more each, 33 together");
+    EXPECT_EQ(error(points, 0u), "a.ptiles: class_points = [0, 9, 20]: must be 1 or more each, 33 together");
+    EXPECT_THAT(error(points + 12, 1.5), HasSubstr("class_distances = 1.5: must be numbers above 0 and at most 1"));
+    EXPECT_THAT(error(points + 12, 0.01), HasSubstr("relative_radius = "));
+    EXPECT_THAT(error(80, 1u), HasSubstr("lloyd_iterations = 1: must be 0 with classes"));
+    EXPECT_THAT(error(84, 0u), HasSubstr("repulsion = false: must be true for tiles with classes"));
+    PoissonTileSet fewer = class_set();
+    fewer.class_squared_distances.pop_back();
+    EXPECT_EQ(refusal_of([&] { encode_tile_set(fewer); }), "5 distances of pairs of classes: must be 6");
 }
 
 TEST(TileSetFile, RanksAreAnOrderOfEachTile)
@@ -325,7 +361,10 @@ TEST_F(TileSetJson, EveryValueIsChecked)
 {
     EXPECT_EQ(error_of(text_), "accepted");
     EXPECT_EQ(error_with("poissonlab tile set", "x"), "a.ptiles: format: must be \"poissonlab tile set\"");
-    EXPECT_EQ(error_with("\"version\": 3", "\"version\": 4"), "a.ptiles: version = 4: must be 1 to 3");
+    EXPECT_EQ(error_with("\"version\": 3", "\"version\": 5"), "a.ptiles: version = 5: must be 1 to 4");
+    EXPECT_EQ(error_with("\"version\": 3", "\"version\": 4"), "a.ptiles: class_points: is missing");
+    EXPECT_EQ(error_with("\"version\": 3", "\"version\": 3, \"class_points\": [4]"),
+              "a.ptiles: class_points: is for version 4");
     EXPECT_EQ(error_with("\"corner\"", "\"corn\""),
               "a.ptiles: kind = \"corn\": must be one of corner, edge, template, sphere");
     EXPECT_EQ(error_with("\"corner\"", "\"sphere\""), "a.ptiles: dimension = 2: must be 3");

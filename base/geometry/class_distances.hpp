@@ -10,6 +10,8 @@
 
 namespace poissonlab {
 
+inline constexpr std::size_t most_classes = 32;
+
 /// A symmetric matrix: how far points of class i are from those of class j at least, in unit lengths.
 class ClassDistances
 {

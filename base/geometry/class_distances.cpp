@@ -1,4 +1,4 @@
-#include "host/sampling/classes/class_distances.hpp"
+#include "base/geometry/class_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
