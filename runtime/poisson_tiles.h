@@ -21,6 +21,8 @@ typedef struct ptiles_set
     int32_t low, step;      /* the number u is the coordinate low + step * u, in units of 1/65536 */
     int32_t below, above;   /* units that points are below or above their tile's square at most, along any axis */
     const uint16_t* ranks;  /* of each point in its tile, in the order of points; 0: the set is not ranked */
+    uint32_t classes;       /* 0: points have none; else see ptiles_class */
+    const unsigned char* class_points; /* of each class in a tile, four bytes each */
 } ptiles_set;
 
 /* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0:
@@ -59,6 +61,19 @@ static inline uint32_t ptiles_tile_count(uint32_t kind, uint32_t dimension, uint
     return (uint32_t)count;
 }
 
+/* The class of a point, such as trees, bushes and stones, by its index in its tile, where points come class after class;
+ * 0 where they have none. */
+static inline uint32_t ptiles_class(const ptiles_set* set, uint32_t index)
+{
+    uint32_t c = 0;
+    for (; c + 1 < set->classes; ++c) {
+        const uint32_t points = ptiles_word(set->class_points + 4 * c);
+        if (index < points) break;
+        index -= points;
+    }
+    return c;
+}
+
 /* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be
  * used; otherwise what is wrong. Checks all numbers that are used here, not the checksum. */
 static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_t size)
@@ -70,19 +85,19 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     for (int i = 0; i < 8; ++i)
         if (bytes[i] != (unsigned char)magic[i]) return "not a tile set file";
     const uint32_t version = ptiles_word(bytes + 8);
-    if (version < 1 || version > 2 || ptiles_word(bytes + 12) != 128) return "an unknown version of the file format";
+    if (version < 1 || version > 3 || ptiles_word(bytes + 12) != 128) return "an unknown version of the file format";
     set->kind = ptiles_word(bytes + 16);
     set->dimension = ptiles_word(bytes + 20);
     set->colors = ptiles_word(bytes + 24);
     set->tiles = ptiles_word(bytes + 28);
     set->points_per_tile = ptiles_word(bytes + 32);
     set->points = (const uint16_t*)(const void*)(bytes + 128);
-    const uint32_t chains = version == 2 ? ptiles_word(bytes + 88) : 0; /* between tiles: no, or yes */
+    const uint32_t chains = version > 1 ? ptiles_word(bytes + 88) : 0; /* between tiles: no, or yes */
     set->low = chains ? -32768 : 0;
     set->step = chains ? 2 : 1;
-    set->below = version == 2 ? (int32_t)ptiles_word(bytes + 100) : 0;
-    set->above = version == 2 ? (int32_t)ptiles_word(bytes + 104) : 0;
-    const uint32_t ranked = version == 2 ? ptiles_word(bytes + 108) : 0; /* no, or yes */
+    set->below = version > 1 ? (int32_t)ptiles_word(bytes + 100) : 0;
+    set->above = version > 1 ? (int32_t)ptiles_word(bytes + 104) : 0;
+    const uint32_t ranked = version > 1 ? ptiles_word(bytes + 108) : 0; /* no, or yes */
     if (ranked > 1 || chains > 1 || set->below < 0 || set->below > 32768 || set->above < 0 || set->above > 32768)
         return "an unknown kind of borders or ranks";
     if (set->kind > 2 || (set->dimension != 2 && (set->dimension != 3 || set->kind != 0)))
@@ -95,7 +110,14 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     const uint64_t points = (uint64_t)set->tiles * set->points_per_tile;
     const uint64_t before_ranks = points * set->dimension + lengths; /* numbers */
     set->ranks = ranked ? set->points + before_ranks : 0;
-    if (size != 128 + 2 * (before_ranks + (ranked ? points : 0))) return "too short or too long for its points";
+    const uint64_t end = 128 + 2 * (before_ranks + (ranked ? points : 0)), c = version > 2 ? ptiles_word(bytes + 36) : 0;
+    /* Of each class the number of its points, then two distances of each pair of classes, which nothing here needs. */
+    if (c > 32 || size != end + 4 * c + 8 * c * (c + 1)) return "too short or too long for its points";
+    set->classes = (uint32_t)c;
+    set->class_points = c > 0 ? bytes + end : 0;
+    uint64_t of_classes = 0;
+    for (uint32_t i = 0; i < set->classes; ++i) of_classes += ptiles_word(set->class_points + 4 * i);
+    if (c > 0 && of_classes != set->points_per_tile) return "classes that have not all points of a tile";
     if (*(const unsigned char*)&one != 1) return "files are little-endian, this machine is not";
     if ((uintptr_t)file % 2 != 0) return "bytes must be at an even address";
     return 0;

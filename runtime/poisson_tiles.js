@@ -30,13 +30,13 @@ const PoissonTiles = (() => {
       check(size >= 128, "shorter than the header of a tile set file");
       check(magic.every((byte, i) => data.getUint8(i) === byte), "not a tile set file");
       const version = word(8);
-      check((version === 1 || version === 2) && word(12) === 128, "an unknown version of the file format");
+      check(version >= 1 && version <= 3 && word(12) === 128, "an unknown version of the file format");
       this.kind = word(16); // 0: by colours of corners, 1: by colours of edges, 2: template tiles
       this.dimension = word(20);
       this.colors = word(24);
       this.tiles = word(28);
       this.pointsPerTile = word(32);
-      const of2 = (at) => (version === 2 ? word(at) : 0);
+      const of2 = (at) => (version > 1 ? word(at) : 0);
       const chains = of2(88);
       const ranked = of2(108);
       // The number u is the coordinate low + step * u, in units of 1/65536.
@@ -54,7 +54,14 @@ const PoissonTiles = (() => {
             "numbers of colours, tiles and points that do not fit together");
       const points = this.tiles * this.pointsPerTile;
       const beforeRanks = points * this.dimension + (chains ? 2 * this.colors * this.colors : 0);
-      check(size === 128 + 2 * (beforeRanks + (ranked ? points : 0)), "too short or too long for its points");
+      const end = 128 + 2 * (beforeRanks + (ranked ? points : 0));
+      const classes = version > 2 ? word(36) : 0;
+      // Of each class the number of its points, then two distances of each pair of classes, which nothing here needs.
+      check(classes <= 32 && size === end + 4 * classes + 8 * classes * (classes + 1),
+            "too short or too long for its points");
+      this.classPoints = Array.from({ length: classes }, (_, i) => word(end + 4 * i)); // empty: points have no classes
+      check(classes === 0 || this.classPoints.reduce((sum, n) => sum + n) === this.pointsPerTile,
+            "classes that have not all points of a tile");
       const numbers = (first, count) => {
         const at = view.byteOffset + 128 + 2 * first;
         if (at % 2 === 0 && new Uint8Array(new Uint16Array([1]).buffer)[0] === 1)
@@ -68,6 +75,13 @@ const PoissonTiles = (() => {
     /** A number as a coordinate, in tiles from the tile's lowest corner. */
     coordinate(number) {
       return (this.low + this.step * number) / 65536;
+    }
+
+    /** The class of a point by its index in its tile, where points come class after class; 0 where they have none. */
+    classOf(index) {
+      let of = 0;
+      for (; of + 1 < this.classPoints.length && index >= this.classPoints[of]; ++of) index -= this.classPoints[of];
+      return of;
     }
 
     /** Points of a ranked tile with a rank below this have a level below the density. */

@@ -23,6 +23,7 @@ const std::vector<KernelFile>& kernel_files()
           {"RESTORED", {"0", "1"}},
           {"COLORS", {"3"}, true}}},
         {"class_darts.cl", {dimension}},
+        {"class_tiles.cl", {dimension}},
         {"dart_throwing.cl", {dimension, reach, large_disks, {"REGION", {"0", "1"}}}},
         {"darts_in_order.cl", {dimension, reach, large_disks}},
         {"darts_in_rounds.cl", {dimension, reach, large_disks}},

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/piece_balance.hpp"
 #include "host/tile_construction/piece_store.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
@@ -54,19 +55,9 @@ private:
         std::shared_ptr<const Source> source;
     };
 
-    double mean_in_part(std::uint8_t axes) const;
-
-    /// The sum of the squares of what the tiles around would have too many points.
-    double uneven(std::uint8_t axes, std::uint32_t variant, const PiecePoints& points) const;
-
-    /// The number of points that pieces of earlier stages lack in the tile at offset `tile`, as far as this piece is to
-    /// make up for them.
-    double carried(const std::vector<PlacedPiece>& neighbours, const std::array<int, 3>& tile) const;
-
     const PoissonTileParameters& parameters_;
     const TileRegions& regions_;
-    const PieceStore& pieces_;
-    bool is_last_;
+    PieceBalance balance_;
     std::uint64_t wanted_;
     std::uint64_t best_failure_ = 0;
     std::map<std::pair<std::uint8_t, std::uint32_t>, std::vector<Candidate>> candidates_; ///< by axes and variant

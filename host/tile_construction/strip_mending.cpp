@@ -137,7 +137,7 @@ StripMender::Tiles StripMender::fill_tiles(const Tiles& open, bool are_given, st
         PiecePoints& interior = pieces_.interiors[tile];
         problems.push_back(problem_around(pieces_around(p_, tile), interior, tile));
         if (!are_given) problems.back().given.clear();
-        if (moments) problems.back().moments = moments->left_in_units(own_border_points(pieces_, p_, tile));
+        if (moments) problems.back().moments = moments->left_in_units(own_border_points(pieces_.borders, p_, tile));
         targets.push_back(&interior);
     }
     Tiles failed;

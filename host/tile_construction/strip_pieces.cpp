@@ -21,12 +21,12 @@ bool is_in_tile(const TilePosition& position)
     return std::ranges::all_of(position, [](std::int32_t x) { return x >= 0 && x < tile_units; });
 }
 
-std::vector<UnitPosition> own_border_points(const StripPieces& pieces, const PoissonTileParameters& p,
+std::vector<UnitPosition> own_border_points(const PieceStore& borders, const PoissonTileParameters& p,
                                             std::uint32_t tile)
 {
     std::vector<UnitPosition> points;
     for (const PlacedPiece& piece : pieces_around(p, tile))
-        for (const TilePosition& point : pieces.borders.at(piece.axes, piece.variant))
+        for (const TilePosition& point : borders.at(piece.axes, piece.variant))
             if (const TilePosition position = placed_at(point, piece.base); is_in_tile(position))
                 points.push_back(position);
     return points;
@@ -45,7 +45,7 @@ PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameter
             set.points.push_back(static_cast<std::uint16_t>(point[k]));
     };
     for (std::uint32_t tile = 0; tile < p.tiles; ++tile) {
-        for (const UnitPosition& point : own_border_points(pieces, p, tile)) append(point);
+        for (const UnitPosition& point : own_border_points(pieces.borders, p, tile)) append(point);
         for (const TilePosition& point : pieces.interiors[tile]) append(point);
     }
     return set;

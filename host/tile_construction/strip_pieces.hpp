@@ -18,7 +18,7 @@ struct StripPieces
 PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameters& parameters);
 
 /// The points of the pieces around a tile that are in it.
-std::vector<UnitPosition> own_border_points(const StripPieces& pieces, const PoissonTileParameters& parameters,
+std::vector<UnitPosition> own_border_points(const PieceStore& borders, const PoissonTileParameters& parameters,
                                             std::uint32_t tile);
 
 /// A position relative to a tile, of a point that is given relative to its piece's base.

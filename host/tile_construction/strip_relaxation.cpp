@@ -123,7 +123,7 @@ private:
     bool make_exact(const MomentTargets& targets, std::uint32_t tile)
     {
         const unsigned inside = cell_number(all_axes(p_.dimension), 0, p_.dimension);
-        return targets.make_exact(pieces_.interiors[tile], own_border_points(pieces_, p_, tile)) &&
+        return targets.make_exact(pieces_.interiors[tile], own_border_points(pieces_.borders, p_, tile)) &&
                std::ranges::all_of(pieces_.interiors[tile], [&](const TilePosition& point) {
                    return is_in_tile(point) && cell_at(mender_.regions(), point) == inside;
                });

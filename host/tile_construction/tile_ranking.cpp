@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace poissonlab {
@@ -276,9 +277,49 @@ private:
 
 }
 
+namespace {
+
+/// The rank in its tile of each point by its rank in its class, class after class: by the part of its class that is
+/// there then.
+std::vector<std::uint16_t> ranks_of_classes(const TileClasses& classes)
+{
+    std::vector<std::uint32_t> points(classes.all_points());
+    std::iota(points.begin(), points.end(), 0U);
+    const auto part = [&](std::uint32_t point) {
+        const std::uint32_t own = classes.class_of(point);
+        return (point - classes.first_point(own) + 0.5) / classes.points[own];
+    };
+    std::ranges::stable_sort(points, {}, part);
+    std::vector<std::uint16_t> ranks(points.size());
+    for (std::size_t rank = 0; rank < points.size(); ++rank) ranks[points[rank]] = static_cast<std::uint16_t>(rank);
+    return ranks;
+}
+
+std::vector<std::uint16_t> rank_classes(const PoissonTileSet& set,
+                                        const std::function<void(std::size_t done, std::size_t total)>& progress)
+{
+    const TileClasses& classes = set.parameters.classes;
+    const std::uint32_t all = classes.all_points();
+    const std::vector<std::uint16_t> together = ranks_of_classes(classes);
+    std::vector<std::uint16_t> ranks(std::size_t{set.parameters.tiles} * all);
+    for (std::uint32_t own = 0; own < classes.count(); ++own) {
+        const std::uint32_t first = classes.first_point(own), count = classes.points[own];
+        const std::vector<std::uint16_t> in_class =
+            Ranking(class_subset(set, own)).run([&](std::size_t done, std::size_t) {
+                if (progress) progress(first + done, all);
+            });
+        for (std::size_t i = 0; i < in_class.size(); ++i)
+            ranks[i / count * all + first + i % count] = together[first + in_class[i]];
+    }
+    return ranks;
+}
+
+}
+
 std::vector<std::uint16_t> rank_points(const PoissonTileSet& set,
                                        const std::function<void(std::size_t done, std::size_t total)>& progress)
 {
+    if (!set.parameters.classes.is_empty()) return rank_classes(set, progress);
     return Ranking(set).run(progress);
 }
 

@@ -4,6 +4,7 @@
 #include "base/files/xxh64_bytes.hpp"
 #include "code_hashes.hpp"
 #include "host/tile_construction/chain_construction.hpp"
+#include "host/tile_construction/classes/class_construction.hpp"
 #include "host/tile_construction/tile_ranking.hpp"
 #include "host/tile_sampling/built_once.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
@@ -105,7 +106,12 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
                                         : reference::make_joint_engine(parameters.dimension);
     };
     ConstructedTileSet built;
-    if (parameters.border == TileBorder::chain) {
+    if (!parameters.classes.is_empty()) {
+        const ClassFillSettings settings = class_fill_settings(parameters);
+        const auto classes = engine == Engine::opencl ? make_class_tile_filler(settings, device())
+                                                      : reference::make_class_tile_filler(settings);
+        built = construct_class_tiles(parameters, *classes, options);
+    } else if (parameters.border == TileBorder::chain) {
         const auto tori = filler(chain_torus_settings(parameters));
         const auto interiors = filler(chain_interior_settings(parameters));
         const auto joint = joint_engine();
@@ -122,7 +128,11 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
         built.set.ranks = rank_points(built.set, [&](std::size_t done, std::size_t total) {
             if (options.progress) options.progress("ranks", done, total);
         });
-    built.set.squared_min_distance = certify(built.set).squared_min_distance;
+    const TileCertificate certificate = certify(built.set);
+    built.set.squared_min_distance = certificate.squared_min_distance;
+    for (std::size_t pair = 0; pair < certificate.classes.size(); ++pair)
+        built.set.class_squared_distances[pair] = certificate.classes[pair].squared_min_distance;
+    check_class_promises(parameters.classes, built.set.class_squared_distances, certificate.classes);
     if (built.set.squared_min_distance < asked_squared_distance(parameters))
         throw std::logic_error("a tile set was built whose tilings do not keep the minimum distance");
     return built;

@@ -80,6 +80,7 @@ public:
         parameters["points_per_tile"] = p.points_per_tile;
         parameters["relative_radius"] = p.relative_radius;
         parameters["ranked"] = p.ranked;
+        parameters["class_points"] = p.classes.points;
         return parameters;
     }
 
@@ -146,6 +147,7 @@ public:
             try {
                 const TileCertificate certificate = certify(set_);
                 check_promises(set_.parameters, set_.squared_min_distance, certificate);
+                check_class_promises(set_.parameters.classes, set_.class_squared_distances, certificate.classes);
                 return certificate;
             } catch (const InputError& error) {
                 throw error.moved_to({file_});
@@ -158,6 +160,14 @@ public:
         proven["largest_empty_radius"] = c.largest_empty_radius;
         proven["tiles"] = c.tiles;
         proven["points_per_tile"] = c.points_per_tile;
+        const std::size_t classes = set_.parameters.classes.count();
+        std::vector<double> distances;
+        for (std::size_t i = 0; i < classes; ++i)
+            for (std::size_t j = 0; j < classes; ++j)
+                distances.push_back(std::sqrt(static_cast<double>(c.classes[class_pair(i, j)].squared_min_distance)) /
+                                    tile_units);
+        const auto side = static_cast<py::ssize_t>(classes);
+        proven["class_distances"] = array_of(std::move(distances), {side, side});
         return proven;
     }
 

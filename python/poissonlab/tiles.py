@@ -44,6 +44,7 @@ class Certificate(NamedTuple):
     largest_empty_radius: float   #: no circle (ball) that is empty in any tiling has a larger radius, in tiles
     tiles: int
     points_per_tile: int
+    class_distances: numpy.ndarray  #: the same of each pair of classes, in tiles, shape (classes, classes)
 
 
 def checked_seed(seed):
@@ -74,6 +75,7 @@ class TileSet:
         self.points_per_tile = parameters["points_per_tile"]
         self.relative_radius = parameters["relative_radius"]  #: that was asked for when it was built
         self.ranked = parameters["ranked"]                    #: whether any density is spread evenly
+        self.class_points = parameters["class_points"]        #: of each class in a tile; empty: points have no classes
 
     def window(self, *window: float, seed: int = 1, density: Density = 1.0) -> numpy.ndarray:
         """The positions of all points in a window.
@@ -144,6 +146,16 @@ class TileSet:
         Returns NearestPoints; of one position, arrays of one item.
         """
         return NearestPoints(**self._set.nearest(numpy.atleast_2d(positions), checked_seed(seed)))
+
+    def class_of(self, index: numpy.typing.ArrayLike) -> numpy.ndarray:
+        """The classes of points by their numbers in their tiles: tiles.class_of(tiles.points(0, 0, 9, 9).index).
+
+        Sets built with class_points have them, such as trees, bushes and stones. Returns an array of uint32.
+        """
+        if not self.class_points:
+            raise InputError("class_of: the points of these tiles have no classes")
+        ends = numpy.cumsum(self.class_points)  # points come class after class
+        return numpy.searchsorted(ends, index, side="right").astype(numpy.uint32)
 
     def verify(self) -> Certificate:
         """Prove the minimum distance of every tiling. Returns a Certificate.

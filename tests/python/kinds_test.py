@@ -11,7 +11,7 @@ import numpy
 
 import poissonlab
 from poissonlab import _poissonlab, distribute, kinds
-from support import SOURCE, program
+from support import SOURCE, TILE_SET, program
 
 
 class Kinds(unittest.TestCase):
@@ -107,6 +107,22 @@ class EveryKind(unittest.TestCase):
 
 
 class OtherKinds(unittest.TestCase):
+    def test_tile_sets_with_classes_keep_what_is_proven_of_each_pair(self):
+        tiles = poissonlab.tiles.build("corner", colors=2, class_points=[5, 12], relative_radius=0.5,
+                                       engine="reference")
+        self.assertEqual(list(tiles.class_points), [5, 12])
+        points = tiles.points(0, 0, 8, 8)
+        classes = tiles.class_of(points.index)
+        self.assertEqual(numpy.bincount(classes).tolist(), [64 * 5, 64 * 12])
+        proven = tiles.verify().class_distances
+        offsets = points.position[:, None] - points.position
+        distances = numpy.sqrt((offsets**2).sum(axis=2)) + 9 * numpy.eye(len(points.position))
+        for i in range(2):
+            for j in range(2):
+                self.assertGreaterEqual(distances[classes == i][:, classes == j].min(), proven[i, j] * (1 - 1e-12))
+        with self.assertRaisesRegex(poissonlab.InputError, "have no classes"):
+            poissonlab.TileSet(TILE_SET).class_of([0])
+
     def test_tile_sets_are_built(self):
         tiles = poissonlab.tiles.build("corner", colors=2, points=16, relative_radius=0.6, engine="reference", rng=3)
         self.assertEqual((tiles.kind, tiles.colors, tiles.tiles, tiles.points_per_tile), ("corner", 2, 16, 16))

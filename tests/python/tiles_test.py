@@ -95,8 +95,10 @@ class TileSets(FolderTest):
         tiles = pl.TileSet(TILE_SET)
         said = json.loads(program("tiles", "verify", TILE_SET, "--json"))
         proven = tiles.verify()
+        self.assertEqual(proven.class_distances.size, 0)
         for name, value in proven._asdict().items():
-            self.assertEqual(value, said[name], name)
+            if name != "class_distances":
+                self.assertEqual(value, said[name], name)
         points = tiles.window(0, 0, 6, 6)
         offsets = points[:, None] - points
         distances = numpy.sqrt((offsets**2).sum(axis=2))[~numpy.eye(len(points), dtype=bool)]

@@ -45,7 +45,8 @@ void append_window(Numbers& numbers, const ptiles_tiling& tiling, std::mt19937& 
     append(numbers, {double{1} * tiling.seed, double{1} * tiling.period, 1, low[0], low[1], low[2], high[0], high[1],
                      high[2], density, static_cast<double>(points.size())});
     for (const ptiles_point& p : points)
-        append(numbers, {p.position[0], p.position[1], p.position[2], double{1} * p.index, double{1} * p.id, p.level});
+        append(numbers, {p.position[0], p.position[1], p.position[2], double{1} * p.index, double{1} * p.id, p.level,
+                         double{1} * ptiles_class(&tiling.set, p.index)});
 }
 
 void append_nearest(Numbers& numbers, const ptiles_tiling& tiling, std::mt19937& random, int count)

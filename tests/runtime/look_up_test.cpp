@@ -21,7 +21,7 @@ public:
     TileLookup(PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t tiles, std::uint32_t seed,
                std::int32_t period = 0)
         : tiling_{{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(dimension), colors, tiles, 0, nullptr,
-                   0, 1, 0, 0, nullptr},
+                   0, 1, 0, 0, nullptr, 0, nullptr},
                   seed,
                   period}
     {}
@@ -184,7 +184,7 @@ TEST(TileSetBytes, AreRefusedWhereTheyAreWrong)
     EXPECT_EQ(problem(good), "");
     EXPECT_EQ(problem(good.substr(0, 127)), "shorter than the header of a tile set file");
     EXPECT_EQ(problem(with(6, '\n')), "not a tile set file");
-    EXPECT_EQ(problem(with(8, 3)), "an unknown version of the file format");
+    EXPECT_EQ(problem(with(8, 4)), "an unknown version of the file format");
     EXPECT_EQ(problem(with(16, 3)), "an unknown kind of tiles");
     EXPECT_EQ(problem(with(20, 4)), "an unknown kind of tiles");
     for (const std::size_t number : {24u, 27u, 28u, 35u})

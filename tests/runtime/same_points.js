@@ -2,7 +2,7 @@
 //
 // Usage: node same_points.js RUNTIME_FILE TILE_SET EXPECTED
 // EXPECTED is numbers of 64 bits: cases, each of which begins with seed, period and what is asked:
-//   0, count, then i, j, k and the tile's number; 1, low, high (3 each), density, count, then x, y, z, index, id, level;
+//   0, count, then i, j, k and the tile's number; 1, low, high (3 each), density, count, then x, y, z, index, id, level, class;
 //   2, count, then a position (3), squared distance, place (3) and index.
 "use strict";
 
@@ -33,7 +33,7 @@ while (at < numbers.length) {
     const [low, high, [density, count]] = [take(3), take(3), take(2)];
     const points = tiling.pointsInWindow(low, high, density);
     if (points.length !== count) throw new Error(`${points.length} points, expected ${count}`);
-    for (const p of points) expectSame([...p.position, p.index, p.id, p.level], "point");
+    for (const p of points) expectSame([...p.position, p.index, p.id, p.level, set.classOf(p.index)], "point");
   }
   if (kind === 2)
     for (let [count] = take(1); count > 0; --count) {

@@ -20,6 +20,8 @@ inline std::vector<PoissonTileSet> tile_sets_of_every_kind()
             random_tile_set(PoissonTileKind::frame, 2, 1, 32, 1),
             random_chain_set(3, 20),
             random_chain_set(2, 5),
+            random_class_set(3, {3, 4, 9}),
+            with_random_ranks(random_class_set(2, {4, 1, 7})),
             with_random_ranks(random_chain_set(2, 7)),
             with_random_ranks(random_tile_set(PoissonTileKind::corner, 3, 2, 12)),
             with_random_ranks(random_tile_set(PoissonTileKind::frame, 2, 1, 9, 3))};

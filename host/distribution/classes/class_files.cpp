@@ -6,39 +6,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace poissonlab {
 namespace {
 
-/// Writes a header, and then what `text` says of each point, in pieces.
-void write_each(const std::filesystem::path& file, const std::string& header, std::size_t points,
-                const std::function<void(std::string& to, std::size_t point)>& append)
-{
-    constexpr std::size_t points_a_piece = 4096;
-    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
-        sink(header);
-        for (std::size_t begin = 0; begin < points; begin += points_a_piece) {
-            std::string piece;
-            for (std::size_t i = begin; i < std::min(points, begin + points_a_piece); ++i) append(piece, i);
-            sink(piece);
-        }
-    });
-}
+constexpr std::size_t points_a_piece = 4096;
 
 /// Coordinates, the class, and an end of line. 17 significant digits tell every double from its neighbours.
-void append_row(std::string& to, const ClassedPoints& points, std::size_t point, char between, bool has_plane_z)
+void append_row(std::string& to, std::span<const double> at, std::uint32_t of, char between, bool has_plane_z)
 {
-    for (const double c : points.points[point]) to += fmt::format("{:.17g}{}", c, between);
-    if (has_plane_z && points.points.dimension == 2) to += fmt::format("0{}", between);
-    to += fmt::format("{}\n", points.classes[point]);
+    for (const double c : at) to += fmt::format("{:.17g}{}", c, between);
+    if (has_plane_z && at.size() == 2) to += fmt::format("0{}", between);
+    to += fmt::format("{}\n", of);
 }
 
-void append_record(std::string& to, const ClassedPoints& points, std::size_t point)
+void append_record(std::string& to, std::span<const double> at, std::uint32_t of)
 {
-    const auto at = points.points[point];
     to.append(reinterpret_cast<const char*>(at.data()), at.size_bytes());
-    to.append(reinterpret_cast<const char*>(&points.classes[point]), sizeof(std::uint32_t));
+    to.append(reinterpret_cast<const char*>(&of), sizeof of);
+}
+
+void append_point(std::string& to, const std::string& format, std::span<const double> at, std::uint32_t of)
+{
+    if (format == ".csv") return append_row(to, at, of, ',', false);
+    if (format == ".ply") return append_row(to, at, of, ' ', true);
+    append_record(to, at, of);
+}
+
+std::string header_of(const std::string& format, int dimension, std::size_t points, const std::string& comment)
+{
+    const bool is_solid = dimension == 3;
+    if (format == ".csv") return is_solid ? "x,y,z,class\n" : "x,y,class\n";
+    if (format == ".ply")
+        return fmt::format("ply\nformat ascii 1.0\n{}element vertex {}\nproperty double x\nproperty double "
+                           "y\nproperty double z\nproperty uint class\nend_header\n",
+                           comment.empty() ? "" : fmt::format("comment {}\n", comment), points);
+    const std::string_view order = npy_byte_order();
+    const std::string z = is_solid ? fmt::format("('z', '{}f8'), ", order) : "";
+    return npy_header_of(fmt::format("[('x', '{0}f8'), ('y', '{0}f8'), {1}('class', '{0}u4')]", order, z),
+                         fmt::format("({},)", points));
 }
 
 }
@@ -49,29 +55,33 @@ const std::vector<std::string>& class_file_ends()
     return ends;
 }
 
+void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
+                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source)
+{
+    const std::string format = file.extension().string();
+    const auto axes = static_cast<std::size_t>(dimension);
+    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
+        sink(header_of(format, dimension, points, comment));
+        source([&](std::span<const double> coordinates, std::span<const std::uint32_t> classes) {
+            std::string piece;
+            for (std::size_t i = 0; i < classes.size(); ++i)
+                append_point(piece, format, coordinates.subspan(i * axes, axes), classes[i]);
+            sink(piece);
+        });
+    });
+}
+
 void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment)
 {
     const std::size_t count = points.classes.size();
-    const bool is_solid = points.points.dimension == 3;
-    const auto rows = [&](char between, bool has_plane_z) {
-        return [&points, between, has_plane_z](std::string& to, std::size_t i) {
-            append_row(to, points, i, between, has_plane_z);
-        };
-    };
-    if (file.extension() == ".csv")
-        return write_each(file, is_solid ? "x,y,z,class\n" : "x,y,class\n", count, rows(',', false));
-    if (file.extension() == ".ply")
-        return write_each(file,
-                          fmt::format("ply\nformat ascii 1.0\n{}element vertex {}\nproperty double x\nproperty double "
-                                      "y\nproperty double z\nproperty uint class\nend_header\n",
-                                      comment.empty() ? "" : fmt::format("comment {}\n", comment), count),
-                          count, rows(' ', true));
-    const std::string_view order = npy_byte_order();
-    const std::string z = is_solid ? fmt::format("('z', '{}f8'), ", order) : "";
-    write_each(file,
-               npy_header_of(fmt::format("[('x', '{0}f8'), ('y', '{0}f8'), {1}('class', '{0}u4')]", order, z),
-                             fmt::format("({},)", count)),
-               count, [&](std::string& to, std::size_t i) { append_record(to, points, i); });
+    const auto axes = static_cast<std::size_t>(points.points.dimension);
+    write_class_pieces(file, points.points.dimension, count, comment, [&](const ClassedPointSink& sink) {
+        for (std::size_t begin = 0; begin < count; begin += points_a_piece) {
+            const std::size_t some = std::min(points_a_piece, count - begin);
+            sink(std::span(points.points.coordinates).subspan(begin * axes, some * axes),
+                 std::span(points.classes).subspan(begin, some));
+        }
+    });
 }
 
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points)

@@ -3,7 +3,11 @@
 
 #include "host/sampling/classes/class_darts.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +20,14 @@ const std::vector<std::string>& class_file_ends();
 /// Writes points in one of these formats, whole or not at all. Numbers read back are the same doubles. Throws
 /// StorageError.
 void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment);
+
+/// Takes some points, coordinate after coordinate, and the class of each.
+using ClassedPointSink =
+    std::function<void(std::span<const double> coordinates, std::span<const std::uint32_t> classes)>;
+
+/// The same of so many points that `source` hands on in pieces.
+void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
+                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source);
 
 /// The classes alone, as a NumPy array of uint32.
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points);

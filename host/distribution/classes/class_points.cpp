@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/classes/class_tiling.hpp"
 #include "host/distribution/classes/least_between.hpp"
 #include "host/sampling/classes/class_cells.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -84,6 +85,7 @@ ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t
 
 ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
+    if (!settings.tiles.empty()) return tiled_classes(settings, seed, place);
     ClassSet set{class_dart_request(settings, seed), {}};
     if (place.engine == Engine::reference) {
         set.points = reference::throw_class_darts(set.request);

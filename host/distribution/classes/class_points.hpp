@@ -22,7 +22,8 @@ struct ClassSet
     ClassedPoints points;
 };
 
-/// Throws the darts. Throws InputError where a class is full before it has the points that are asked for.
+/// Throws the darts, or takes the points of a tiling. Throws InputError where a class is full before it has the points
+/// that are asked for, and what tiled_classes() throws.
 ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place);
 
 /// The least distance that was found for each pair of classes; infinite where there is none.

@@ -43,15 +43,27 @@ std::string listed(const std::vector<Instance>& instances, Text text)
     return all;
 }
 
+bool have_classes(const std::vector<Instance>& instances)
+{
+    return !instances.empty() && instances.front().of_class.has_value();
+}
+
+/// The class after a separator; nothing where there is none.
+std::string class_text(const Instance& instance, char separator)
+{
+    return instance.of_class ? fmt::format("{}{}", separator, *instance.of_class) : "";
+}
+
 }
 
 std::string instances_csv(const std::vector<Instance>& instances)
 {
-    std::string text = "x,y,z,model,turn,scale,tilt,tilt_direction,tile_x,tile_y,tile_z,index\n";
+    std::string text = "x,y,z,model,turn,scale,tilt,tilt_direction,tile_x,tile_y,tile_z,index";
+    text += have_classes(instances) ? ",class\n" : "\n";
     for (const Instance& i : instances)
-        text +=
-            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", i.position[0], i.position[1], i.position[2], i.model,
-                        i.turn, i.scale, i.tilt, i.tilt_direction, i.tile[0], i.tile[1], i.tile[2], i.index);
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}{}\n", i.position[0], i.position[1], i.position[2],
+                            i.model, i.turn, i.scale, i.tilt, i.tilt_direction, i.tile[0], i.tile[1], i.tile[2],
+                            i.index, class_text(i, ','));
     return text;
 }
 
@@ -61,11 +73,12 @@ std::string instances_ply(const std::vector<Instance>& instances)
     for (const char* name : {"x", "y", "z", "turn", "scale", "tilt", "tilt_direction"})
         text += fmt::format("property double {}\n", name);
     for (const char* name : {"tile_x", "tile_y", "tile_z"}) text += fmt::format("property int {}\n", name);
-    text += "property uint index\nproperty uint model\nend_header\n";
+    text += "property uint index\nproperty uint model\n";
+    text += have_classes(instances) ? "property uint class\nend_header\n" : "end_header\n";
     for (const Instance& i : instances)
-        text +=
-            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}\n", i.position[0], i.position[1], i.position[2], i.turn,
-                        i.scale, i.tilt, i.tilt_direction, i.tile[0], i.tile[1], i.tile[2], i.index, i.model);
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}{}\n", i.position[0], i.position[1], i.position[2],
+                            i.turn, i.scale, i.tilt, i.tilt_direction, i.tile[0], i.tile[1], i.tile[2], i.index,
+                            i.model, class_text(i, ' '));
     return text;
 }
 

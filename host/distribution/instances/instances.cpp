@@ -86,6 +86,22 @@ InstanceBox instance_box(const ObjectTileSet& tiles, const InstanceSettings& set
         {std::min(left + width, reach) * unit + 0.5, std::min(bottom + height, reach) * unit + 0.5, half * unit + 0.5}};
 }
 
+void set_classes(std::vector<Instance>& instances, const TileClasses& classes, const InstanceSettings& settings)
+{
+    const auto count = static_cast<std::uint32_t>(classes.count());
+    if (count == 0) return;
+    if (settings.models < count)
+        throw InputError(fmt::format("models = {}: must be at least {}, one for each class of the tiles' points",
+                                     settings.models, count));
+    for (Instance& instance : instances) {
+        const std::uint32_t own = classes.class_of(instance.index);
+        const std::uint32_t models = (settings.models - own + count - 1) / count;
+        const std::uint64_t bits = pobjects_bits(instance.id, contract::instances::PURPOSE_MODEL);
+        instance.of_class = own;
+        instance.model = own + count * static_cast<std::uint32_t>(bits * models >> 32);
+    }
+}
+
 std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
                                    const InstanceSettings& settings, const DistributionPlace& place)
 {
@@ -99,6 +115,7 @@ std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTili
         check_fits("placing instances", InstancePlacer::memory(tiles), device.info());
         instances = InstancePlacer(device, tiles).place(tiling, settings);
     }
+    set_classes(instances, tiles.tiles().parameters.classes, settings);
     if (terrain)
         for (Instance& instance : instances)
             instance.position[2] = terrain->at(instance.position[0], instance.position[1]);

@@ -26,8 +26,9 @@ struct Instance
     double tilt = 0;           ///< from z, radians
     double tilt_direction = 0; ///< about z, radians
     std::array<std::int32_t, 3> tile{};
-    std::uint32_t index = 0; ///< in the tile; with it, what tells instances apart
-    std::uint32_t id = 0;    ///< random bits, of which some 65,000 instances share some
+    std::uint32_t index = 0;                 ///< in the tile; with it, what tells instances apart
+    std::uint32_t id = 0;                    ///< random bits, of which some 65,000 instances share some
+    std::optional<std::uint32_t> of_class{}; ///< of its point, where the tiles have classes
 
     bool operator==(const Instance&) const = default;
 };
@@ -89,6 +90,10 @@ namespace reference {
 std::vector<Instance> place_instances(const ObjectTileSet& tiles, const PoissonTiling& tiling,
                                       const InstanceSettings& settings);
 }
+
+/// Tells instances the classes of their points, if these have any. Each class has models of its own: the number of a
+/// model modulo the number of classes is the class. Throws InputError for fewer models than classes.
+void set_classes(std::vector<Instance>& instances, const TileClasses& classes, const InstanceSettings& settings);
 
 /// The instances with a position in the window, x and y from its lowest corner on, and in the ring where the scene has
 /// one, on the terrain; by rows of tiles. Throws InputError for windows so thin that the tiles around them have far

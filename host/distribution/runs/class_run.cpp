@@ -8,6 +8,7 @@
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/keys/class_keys.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -19,77 +20,34 @@
 namespace poissonlab {
 namespace {
 
-/// The numbers of a list, whose lists count as their numbers, or of a single number; nothing where there is another
-/// value.
-std::optional<std::vector<double>> numbers_in(const ConfigNode& node)
+/// Returns whether points are those of a tiling, to which the other keys do not apply.
+bool has_tiles(const Keys& keys)
 {
-    if (const auto* whole = node.get_if<std::int64_t>()) return std::vector{static_cast<double>(*whole)};
-    if (const auto* real = node.get_if<double>()) return std::vector{*real};
-    const auto* items = node.get_if<ConfigList>();
-    if (!items) return {};
-    std::vector<double> all;
-    for (const ConfigNode& item : *items) {
-        const auto some = numbers_in(item);
-        if (!some) return {};
-        all.insert(all.end(), some->begin(), some->end());
-    }
-    return all;
-}
-
-/// Numbers of classes from `low` to `high`, as many as classes at most.
-Keys::Said class_list(Keys& keys, const std::string& key, std::vector<double>& values, Interval range,
-                      const std::string& each, std::string help)
-{
-    const std::string allowed = fmt::format("{} of each class, at most {} of them", each, most_classes);
-    return keys
-        .value(key, allowed, std::move(help),
-               [&](const ConfigNode& node) {
-                   values = numbers_in(node).value_or(std::vector<double>{});
-                   const auto is_allowed = [&](double v) { return v >= range.low && v <= range.high; };
-                   if (values.empty() || values.size() > most_classes || !std::ranges::all_of(values, is_allowed))
-                       throw keys.invalid(key, "must be " + allowed);
-               })
-        .at_most(most_classes);
-}
-
-void matrix_key(Keys& keys, ClassSettings& s)
-{
-    const std::string allowed = "rows of numbers from 1e-06 to 1, as many as classes, the same as columns";
-    keys.value("matrix", allowed, "the least distance of points of each pair of classes",
-               [&](const ConfigNode& node) {
-                   s.matrix = numbers_in(node).value_or(std::vector<double>{});
-                   const std::size_t n = s.classes();
-                   bool is_allowed = !s.matrix.empty() && n * n == s.matrix.size() && n <= most_classes;
-                   for (std::size_t i = 0; is_allowed && i < n * n; ++i)
-                       is_allowed =
-                           s.matrix[i] >= 1e-6 && s.matrix[i] <= 1 && s.matrix[i] == s.matrix[i % n * n + i / n];
-                   if (!is_allowed) throw keys.invalid("matrix", "must be " + allowed);
-               })
-        .at_most(most_classes * most_classes)
-        .excludes("distances")
-        .otherwise("that of Wei 2010, from distances");
+    const bool has_tiles = keys.is_given("tiles");
+    if (!has_tiles && keys.is_given("torus")) throw keys.invalid("torus", "goes with " + keys.name_of("tiles"));
+    for (const char* key : {"points", "distances", "matrix", "relative_radius", "dimension"})
+        if (has_tiles && keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
+    return has_tiles;
 }
 
 void class_keys(Keys& keys, ClassSettings& s)
 {
-    std::vector<double> points;
-    class_list(keys, "points", points, {1, static_cast<double>(max_points)}, "a whole number from 1",
-               "how many points there are")
+    class_counts(keys, "points", s.points, max_points, "how many points there are")
         .otherwise("as many as there is room for");
-    for (const double count : points) {
-        if (count != std::floor(count)) throw keys.invalid("points", "must be whole numbers");
-        s.points.push_back(static_cast<std::size_t>(count));
-    }
     class_list(keys, "distances", s.distances, {1e-6, 1}, "a number from 1e-06 to 1",
                "the least distance of points of the same class")
         .unit("sides of the torus")
         .otherwise("those of relative_radius");
-    matrix_key(keys, s);
+    class_matrix(keys, "matrix", s.matrix, {1e-6, 1})
+        .excludes("distances")
+        .otherwise("that of Wei 2010, from distances");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");
     keys.integer("dimension", s.dimension, 2, 3, "of the torus: a square or a cube");
-    if (!keys.is_read()) return;
+    keys.tiles(s.tiles).otherwise("darts are thrown");
+    keys.integer("torus", s.torus, 1, 4096, "with tiles: so many along each axis, whose opposite edges fit");
+    if (!keys.is_read() || has_tiles(keys)) return;
     if (keys.is_given("relative_radius") && !s.matrix.empty())
         throw keys.invalid("relative_radius", "does not go with " + keys.name_of("matrix"));
     if (s.points.empty() && s.distances.empty() && s.matrix.empty())
@@ -109,8 +67,19 @@ void class_keys(Keys& keys, ClassSettings& s)
 
 std::string class_label(const ClassSettings& s)
 {
+    if (!s.tiles.empty())
+        return fmt::format("classes of {0}, {1} x {1} tiles", name_of_input(s.tiles.string()), s.torus);
     return s.points.empty() ? fmt::format("{} classes, saturated", s.classes())
                             : fmt::format("{} classes, {} points", s.classes(), fmt::join(s.points, ", "));
+}
+
+std::vector<std::string> facts_of(const ClassSettings& s)
+{
+    if (!s.tiles.empty())
+        return {fmt::format("a torus of {0} x {0} tiles of {1}", s.torus, name_of_input(s.tiles.string())),
+                "distances of pairs proven for every tiling"};
+    return {s.points.empty() ? "saturated: no further point of any class fits" : "as many of each class as asked for",
+            s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
 }
 
 DistributionResult make_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
@@ -118,10 +87,9 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
 {
     const ClassSet set = throw_classes(settings, seed, place);
     DistributionResult result;
-    result.facts = {fmt::format("{} classes", settings.classes()), fmt::format("{} points", set.points.points.size()),
-                    settings.points.empty() ? "saturated: no further point of any class fits"
-                                            : "as many of each class as asked for",
-                    settings.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
+    result.facts = {fmt::format("{} classes", set.request.distances.classes()),
+                    fmt::format("{} points", set.points.points.size())};
+    for (const std::string& fact : facts_of(settings)) result.facts.push_back(fact);
     files.add_marks("points.json", class_picture(set.points, set.request.distances),
                     settings.dimension == 2 ? "The points, a colour for each class."
                                             : "The points of the lowest tenth, a colour for each class.",

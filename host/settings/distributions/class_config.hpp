@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace poissonlab {
@@ -14,6 +16,8 @@ struct ClassSettings
     std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
     double relative_radius = 0.62;   ///< of each class, where there are no distances
     int dimension = 2;
+    std::filesystem::path tiles; ///< a tile set whose points have classes, instead of all of these; empty: darts
+    std::uint32_t torus = 12;    ///< tiles along each axis
 
     std::size_t classes() const;
 };
