@@ -22,12 +22,14 @@ constexpr auto distribute_classes_notes =
 distance of the density that both, and all classes of larger distances, have together. Each point is of the class that is
 least filled: darts of it are thrown until one fits. --points ends there; else the set ends when no further point of any
 class fits, which is proven. Distances are those of --distances, in sides of the torus, or of --relative-radius for so
-many points, or of all pairs: --matrix, row after row.
+many points, or of all pairs: --matrix, row after row. With --tiles the points are those of a torus of tiles whose points
+have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .svg and .png (disks in colours). --spectra FILE.csv has the
 radially averaged power of each class and of all, and cross power of pairs.
   poissonlab distribute classes --points 100 400 1600 --out forest.csv --out forest.png
   poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
+  poissonlab distribute classes --tiles forest.ptiles --torus 12 --out forest.png --spectra forest.csv
   poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --out two.npy --spectra two.csv)help";
 
 struct ClassOptions : KindOptions
@@ -54,9 +56,9 @@ void throw_class_points(const ClassOptions& o)
         OutputFiles{{".csv"}, false, {o.spectra}}.check(o.command());
     }
     const ClassSet set = throw_classes(settings, o.seed(), o.place());
-    const std::string what = fmt::format("{} points of {} classes: {}", set.points.points.size(), settings.classes(),
-                                         fmt::join(set.points.counts(), ", "));
-    o.say_note(settings.points.empty() ? what + "; no further one fits" : what);
+    const std::string what = fmt::format("{} points of {} classes: {}", set.points.points.size(),
+                                         set.points.is_full.size(), fmt::join(set.points.counts(), ", "));
+    o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
     const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
     for (const std::string& out : o.outs.names) write_class_output(out, set, comment);
     if (!o.spectra.empty()) write_whole_file(o.spectra, spectra_csv(set.points, class_spectra(set.points)));

@@ -22,6 +22,8 @@ above fills at scale 1.
 SCENE is forest or sunflowers, in the plane, with --terrain on a height picture over --terrain-area (slopes stretch
 distances, heights between pixels are linear), or asteroids: the points of a tiling of space between two cylinders,
 --ring.
+Of tiles whose points have classes (tiles build --class-points) each class has models of its own: the number of a model
+modulo the number of classes is the class, which .csv and .ply have as well. With as many models, each class is one.
 --out, as often as you like: .csv, .ply (vertices with properties), .usda (a point instancer with stand-ins for your
 models), .png (a shaded view from above, --pixels wide).
   poissonlab distribute instances forest --window 0 0 1 1 --out forest.csv --out forest.png

@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "base/points/hdf5_points.hpp"
 #include "base/regions/region_text.hpp"
+#include "host/distribution/classes/class_files.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
@@ -81,6 +82,14 @@ void check_particles(const TilesPointsOptions& options, const TileBlock& block, 
                         printable(options.out.string())));
 }
 
+/// Files of points with classes have formats of their own.
+void check_class_target(const std::filesystem::path& out)
+{
+    if (std::ranges::find(class_file_ends(), out.extension().string()) == class_file_ends().end())
+        throw InputError(fmt::format("tiles points: --out {}: the points of these tiles have classes: must end in {}",
+                                     printable(out.string()), fmt::join(class_file_ends(), ", ")));
+}
+
 /// The comment of the file.
 std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region)
 {
@@ -103,6 +112,7 @@ TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(opt
     if (places != 1) throw InputError("tiles points: needs one of --window, --torus and --region");
     check_point_target("tiles points", options.out);
     tiles_ = read_tile_set(options.file);
+    if (has_classes()) check_class_target(options.out);
     head.dimension = tiles_.parameters.dimension;
     region_ = checked_region(options, head.dimension);
     if (region_)

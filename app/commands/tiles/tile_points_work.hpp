@@ -41,6 +41,8 @@ public:
 
     const TiledRegion* region() const { return tiled_.get(); } ///< nullptr: there is none
 
+    bool has_classes() const { return !tiles_.parameters.classes.is_empty(); }
+
     /// That of points in the region, in its units.
     double min_distance() const;
 

@@ -30,6 +30,8 @@ place, in parts of its largest value.
 With --region, the points in a polygon with holes (see distribute darts), in its own units. Tiles are as wide as makes
 their proven minimum distance --min-distance, or leaves --points of them. Tile (0, 0) begins at 0, 0 of the region's
 coordinates: regions beside each other, of one seed and distance, fit together.
+Of tiles whose points have classes (tiles build --class-points) each point's class is written as well, as distribute
+classes does: .csv (columns x, y, class), .ply (vertices with a class) or .npy (records x, y, class).
   poissonlab tiles points corner.ptiles --region park.geojson --planar --min-distance 4 --out trees.csv
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
   poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5
@@ -57,7 +59,8 @@ void write_tile_points(const TilesPointsOptions& options)
     if (!crew->leads()) say_nothing_when_interrupted();
     std::optional<TilePointsWork> work;
     if (!crew->together([&] { work.emplace(options); })) return;
-    const std::uint64_t count = write_window(options.out, work->head, *work->points, *crew);
+    const std::uint64_t count = work->has_classes() ? write_class_window(options.out, work->head, *work->points, *crew)
+                                                    : write_window(options.out, work->head, *work->points, *crew);
     if (!crew->leads()) return;
     if (options.points > 0 && count != options.points && !options.work.is_quiet())
         fmt::print(stderr, "poissonlab: note: {} points: no width of tiles has exactly {}\n", count, options.points);

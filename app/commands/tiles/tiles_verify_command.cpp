@@ -5,6 +5,7 @@
 #include "app/commands/command.hpp"
 #include "app/commands/tiles/prefix_quality.hpp"
 #include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -25,7 +26,8 @@ damaged, tiles do not fit together, or it promises more than is proven.
 Moments: sums over the points of a tile of their coordinates, of squares and products (order 2), of cubes (order 3).
 Where all tiles have the same up to order m, spectra of tilings fall off as frequency^(2 m + 2): see docs/chain-tiles.md.
 Density: points in the regions over those of as many points spread evenly. Ranked sets: the power at low frequencies
-that parts of their points have, over what parts by chance would have; 0.5 and less is good.)";
+that parts of their points have, over what parts by chance would have; 0.5 and less is good.
+Sets whose points have classes: the distance of each pair of classes is proven as well, and where it occurs.)";
 
 struct TilesVerifyOptions
 {
@@ -42,7 +44,8 @@ struct Verification
     PoissonTileParameters parameters;
     std::uint64_t stored_squared_distance = 0;
     TileCertificate certificate;
-    std::vector<PrefixQuality> prefixes; ///< of ranked sets
+    std::vector<PrefixQuality> prefixes;                 ///< of ranked sets
+    std::vector<std::uint64_t> stored_class_distances{}; ///< squared, of each pair of classes
 };
 
 Verification verify(const std::filesystem::path& file)
@@ -50,8 +53,12 @@ Verification verify(const std::filesystem::path& file)
     const PoissonTileSet set = read_tile_set(file);
     try {
         const TileCertificate certificate = certify(set);
-        return {file.string(), set.parameters, set.squared_min_distance, certificate,
-                set.parameters.ranked ? prefix_qualities(set) : std::vector<PrefixQuality>{}};
+        return {file.string(),
+                set.parameters,
+                set.squared_min_distance,
+                certificate,
+                set.parameters.ranked ? prefix_qualities(set) : std::vector<PrefixQuality>{},
+                set.class_squared_distances};
     } catch (const InputError& error) {
         throw error.moved_to({file.string()});
     }
@@ -95,6 +102,56 @@ std::string described_residual(const MomentOrder& moments, std::uint32_t order)
                        moments.largest_difference, order, moments.power, 2 * order);
 }
 
+std::string place_of(const UnitPosition& at) { return fmt::format("({}, {})", at[0], at[1]); }
+
+void print_classes(const Verification& v)
+{
+    const TileClasses& classes = v.parameters.classes;
+    fmt::print("\n{:<22}{:>10}{:>10}{:>10}  {}\n", "classes", "asked", "proven", "stored", "where it occurs");
+    for (std::size_t j = 0; j < classes.count(); ++j)
+        for (std::size_t i = 0; i <= j; ++i) {
+            const ClassPairProof& proof = v.certificate.classes[class_pair(i, j)];
+            const bool occurs = proof.squared_min_distance == proof.squared_closure_distance;
+            const std::string where = occurs ? fmt::format("tile {}: {} and {}", proof.tile, place_of(proof.points[0]),
+                                                           place_of(proof.points[1]))
+                                             : "a bound";
+            fmt::print("{:<22}{:>10.6f}{:>10.6f}{:>10.6f}  {}\n", fmt::format("{}, {}", i, j),
+                       classes.distances.at(i, j), distance_of(proof.squared_min_distance),
+                       distance_of(v.stored_class_distances[class_pair(i, j)]), where);
+        }
+    for (std::size_t i = 0; i < classes.count(); ++i)
+        fmt::print("{:<22}{} points a tile, relative radius {:.6f}\n", fmt::format("class {}", i), classes.points[i],
+                   relative_radius(distance_of(v.certificate.classes[class_pair(i, i)].squared_min_distance),
+                                   classes.points[i], v.parameters.dimension));
+}
+
+Json class_json(const Verification& v)
+{
+    const TileClasses& classes = v.parameters.classes;
+    Json json{{"points", classes.points}};
+    for (std::size_t i = 0; i < classes.count(); ++i) {
+        Json asked = Json::array(), proven = Json::array(), places = Json::array();
+        for (std::size_t j = 0; j < classes.count(); ++j) {
+            const ClassPairProof& proof = v.certificate.classes[class_pair(i, j)];
+            const bool occurs = proof.squared_min_distance == proof.squared_closure_distance;
+            asked.push_back(classes.distances.at(i, j));
+            proven.push_back(distance_of(proof.squared_min_distance));
+            const auto place = [](const UnitPosition& at) { return Json{at[0], at[1]}; };
+            const std::size_t own = i <= j ? 0 : 1;
+            places.push_back(occurs ? Json{{"tile", proof.tile},
+                                           {"points", {place(proof.points[own]), place(proof.points[1 - own])}}}
+                                    : Json(nullptr));
+        }
+        json["asked_distances"].push_back(asked);
+        json["min_distances"].push_back(proven);
+        json["nearest"].push_back(places);
+        json["relative_radii"].push_back(
+            relative_radius(distance_of(v.certificate.classes[class_pair(i, i)].squared_min_distance),
+                            classes.points[i], v.parameters.dimension));
+    }
+    return json;
+}
+
 void print_summary(const Verification& v)
 {
     const PoissonTileParameters& p = v.parameters;
@@ -127,6 +184,7 @@ void print_summary(const Verification& v)
         fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{:>10}\n", region_name(i, p), r.min, r.mean, r.max,
                    has_chains ? "" : fmt::format("{:.4f}", r.density));
     }
+    if (!p.classes.is_empty()) print_classes(v);
 }
 
 void print_json(const Verification& v)
@@ -171,6 +229,7 @@ void print_json(const Verification& v)
                                  {"relative_radius", prefix.relative_radius},
                                  {"low_frequency_power", prefix.power},
                                  {"random_low_frequency_power", prefix.random_power}});
+    if (!p.classes.is_empty()) json["classes"] = class_json(v);
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -183,6 +242,8 @@ void verify_tiles(const TilesVerifyOptions& options)
         print_summary(verification);
     try {
         check_promises(verification.parameters, verification.stored_squared_distance, verification.certificate);
+        check_class_promises(verification.parameters.classes, verification.stored_class_distances,
+                             verification.certificate.classes);
     } catch (const InputError& error) {
         throw error.moved_to({verification.file});
     }

@@ -1,6 +1,7 @@
 #include "app/commands/tiles/window_file.hpp"
 
 #include "app/commands/placed_pieces.hpp"
+#include "host/distribution/classes/class_files.hpp"
 
 #include <fmt/format.h>
 
@@ -62,6 +63,25 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
             for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {
                 points.make(piece, coordinates);
                 sink(coordinates);
+            }
+        });
+    });
+    return all;
+}
+
+std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, WindowPoints& points,
+                                 Crew& crew)
+{
+    std::uint64_t all = 0;
+    crew.together([&] {
+        if (!crew.leads()) return;
+        all = points.count_all();
+        write_class_pieces(path, head.dimension, all, head.comment, [&](const ClassedPointSink& sink) {
+            std::vector<double> coordinates;
+            std::vector<std::uint32_t> classes;
+            for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {
+                points.make(piece, coordinates, &classes);
+                sink(coordinates, classes);
             }
         });
     });

@@ -14,4 +14,8 @@ namespace poissonlab {
 /// that leads.
 std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew);
 
+/// The same of points that have classes, in one of the formats of class files, by the process that leads.
+std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, WindowPoints& points,
+                                 Crew& crew);
+
 }

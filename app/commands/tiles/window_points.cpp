@@ -84,7 +84,11 @@ WindowPoints::WindowPoints(UnitStream units, const PoissonTileSet& tiles, const 
       has_overhang_(tiles.parameters.border == TileBorder::chain), block_(searched_block(window, tiles.parameters)),
       tiles_per_piece_(std::max<std::uint64_t>(1, points_per_piece / tiles.parameters.points_per_tile)),
       pieces_(pieces_of(block_.tiles(), tiles_per_piece_)), units_(std::move(units))
-{}
+{
+    const TileClasses& classes = tiles.parameters.classes;
+    for (std::uint32_t of = 0; of < classes.count(); ++of)
+        tile_classes_.insert(tile_classes_.end(), classes.points[of], of);
+}
 
 std::uint64_t WindowPoints::least_points() const
 {
@@ -110,23 +114,33 @@ std::uint64_t WindowPoints::count(std::uint32_t piece)
     return counted_.size() / dimension_;
 }
 
-void WindowPoints::make(std::uint32_t piece, std::vector<double>& coordinates)
+void WindowPoints::make(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes)
 {
     const PoissonTiling tiling{window_.seed, static_cast<std::int32_t>(window_.period)};
     const std::uint64_t first = piece * tiles_per_piece_, end = std::min(first + tiles_per_piece_, block_.tiles());
     PointLevels levels(tiles_, tiling, block_, first);
     coordinates.clear();
     coordinates.reserve((end - first) * values_per_tile());
+    if (classes) classes->clear();
     units_(tiling, block_, first, end, [&](std::span<const std::uint32_t> units) {
         stop_if_interrupted();
-        if (has_known_counts()) return append(units, coordinates);
+        const auto add_class = [&](std::size_t point) {
+            if (classes) classes->push_back(tile_classes_[point % tile_classes_.size()]);
+        };
+        if (has_known_counts()) {
+            append(units, coordinates);
+            for (std::size_t i = 0; i < units.size() / dimension_; ++i) add_class(i);
+            return;
+        }
         std::span<const double> level;
         if (!density_.is_full()) level = levels.next(units.size() / values_per_tile());
         for (std::size_t i = 0; i < units.size() / dimension_; ++i) {
             const std::size_t before = coordinates.size();
-            if (append_if_inside(units.subspan(i * dimension_, dimension_), coordinates) && !level.empty() &&
-                !density_.keeps(std::span(coordinates).subspan(before), level[i]))
+            if (!append_if_inside(units.subspan(i * dimension_, dimension_), coordinates)) continue;
+            if (!level.empty() && !density_.keeps(std::span(coordinates).subspan(before), level[i]))
                 coordinates.resize(before);
+            else
+                add_class(i);
         }
     });
 }

@@ -59,8 +59,8 @@ public:
     /// The number of a piece's points, which are made where it is not known.
     std::uint64_t count(std::uint32_t piece);
 
-    /// Makes the points of a piece, instead of what is in `coordinates`.
-    void make(std::uint32_t piece, std::vector<double>& coordinates);
+    /// Makes the points of a piece, instead of what is in `coordinates`; and, where it is asked for, the class of each.
+    void make(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes = nullptr);
 
 private:
     std::size_t values_per_tile() const { return tiles_.parameters.points_per_tile * dimension_; }
@@ -76,6 +76,7 @@ private:
     std::uint64_t tiles_per_piece_;
     std::uint32_t pieces_;
     UnitStream units_;
+    std::vector<std::uint32_t> tile_classes_; ///< of a tile's points; empty: they have none
     std::vector<double> counted_;
 };
 
