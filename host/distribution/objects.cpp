@@ -1,7 +1,7 @@
 #include "host/distribution/objects.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <cmath>
 

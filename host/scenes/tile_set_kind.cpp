@@ -32,7 +32,7 @@ DistributionResult make_tile_set_file(const AskedTileSet& set, std::uint64_t see
     };
     if (place.engine == Engine::opencl)
         check_fits(fmt::format("filling a tile of {} points", parameters.points_per_tile),
-                   construction_memory(parameters, place.device().info()), place.device().info());
+                   build_memory(parameters, place.device().info()), place.device().info());
     const ConstructedTileSet built = build_tile_set(parameters, place.engine, place.device, options);
     write_tile_set(files.add("tiles.ptiles"), built.set);
     DistributionResult result;

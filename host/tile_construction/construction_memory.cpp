@@ -3,7 +3,6 @@
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/chain_choice.hpp"
 #include "host/tile_construction/chain_construction.hpp"
-#include "host/tile_construction/classes/class_construction.hpp"
 #include "host/tile_construction/joint/joint_tiling.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
@@ -89,7 +88,6 @@ DeviceMemory chain_memory(const PoissonTileParameters& p, const DeviceInfo& devi
 
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)
 {
-    if (!parameters.classes.is_empty()) return class_construction_memory(parameters);
     if (parameters.border == TileBorder::chain) return chain_memory(parameters, device);
     const TileRegions regions = regions_of(parameters);
     std::vector<FillShape> shapes{interior_shape(parameters, regions)};

@@ -9,8 +9,8 @@
 #include "host/tile_sampling/built_once.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/counts/shared_points.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/region_counts.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
@@ -136,6 +136,12 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
     if (built.set.squared_min_distance < asked_squared_distance(parameters))
         throw std::logic_error("a tile set was built whose tilings do not keep the minimum distance");
     return built;
+}
+
+DeviceMemory build_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)
+{
+    return parameters.classes.is_empty() ? construction_memory(parameters, device)
+                                         : class_construction_memory(parameters);
 }
 
 std::filesystem::path tile_cache_folder()

@@ -17,6 +17,9 @@ namespace poissonlab {
 ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
                                   const ConstructionOptions& options = {});
 
+/// The memory that this takes on such a device, nearly.
+DeviceMemory build_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
+
 /// The folder of built tile sets: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else ~/.cache/poissonlab; empty
 /// if the environment has none of these.
 std::filesystem::path tile_cache_folder();

@@ -1,7 +1,7 @@
 // poissonlab tiles: what it says of tile sets that are sound, and of those that are not.
 #include "tests/support/program.hpp"
 #include "tests/tiles/poisson/made_up_tile_sets.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>

@@ -5,7 +5,7 @@
 #include "base/files/xxh64_bytes.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 #include "tests/fuzz/mended_mutation.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 #include "tiles/poisson/tile_set_json.hpp"

@@ -12,7 +12,7 @@ namespace {
 
 PoissonTileSet set_with_classes() { return random_class_set(2, {4, 9, 20}); }
 
-/// What the header says of a file.
+/// Returns what the header says of a file.
 std::string problem_of(const std::string& bytes)
 {
     ptiles_set set{};

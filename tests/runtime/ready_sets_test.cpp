@@ -1,6 +1,6 @@
 // The tile sets that ship: what their names, their table and their files promise is proven.
 #include "tests/support/places.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>

@@ -57,7 +57,7 @@ void check_border(const PoissonTileParameters& p)
         throw refused("null_peaks", p.null_peaks, "must be false without joint iterations, which do it");
 }
 
-/// What tiles with classes do not have.
+/// Refuses what tiles with classes do not have.
 void check_class_parameters(const PoissonTileParameters& p)
 {
     if (p.kind != PoissonTileKind::corner || p.dimension != 2)
@@ -179,6 +179,12 @@ std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colo
 double asked_min_distance(const PoissonTileParameters& parameters)
 {
     return min_distance_for(parameters.relative_radius, parameters.points_per_tile, parameters.dimension);
+}
+
+std::uint64_t squared_units(double distance)
+{
+    const double units = distance * tile_units;
+    return static_cast<std::uint64_t>(std::ceil(units * units));
 }
 
 std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters)

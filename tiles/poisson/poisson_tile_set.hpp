@@ -115,6 +115,9 @@ std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colo
 /// The minimum distance that is asked for, 2 r, in units of the tile's side; with classes, the least of any two.
 double asked_min_distance(const PoissonTileParameters& parameters);
 
+/// A distance in tiles as whole squared units, rounded up: distances that are as large suffice.
+std::uint64_t squared_units(double distance);
+
 /// The asked minimum distance in whole units (of 1 / 65,536 of a tile's side), squared, rounded up: distances that
 /// are as large suffice.
 std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters);

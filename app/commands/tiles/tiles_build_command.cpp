@@ -49,7 +49,7 @@ ConstructedTileSet built_tiles(const TilesBuildOptions& o, const PoissonTilePara
     const DistributionPlace place = o.place();
     if (place.engine == Engine::opencl)
         check_fits(fmt::format("filling a tile of {} points", parameters.points_per_tile),
-                   construction_memory(parameters, place.device().info()), place.device().info());
+                   build_memory(parameters, place.device().info()), place.device().info());
     ConstructionOptions construction;
     construction.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
         place.on_step(fmt::format("{}: {} of {}", stage, done, total));

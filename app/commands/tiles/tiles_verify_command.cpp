@@ -6,7 +6,7 @@
 #include "app/commands/tiles/prefix_quality.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>

@@ -23,7 +23,7 @@ PoissonTileSet set_with_classes(const ClassSettings& settings)
     return set;
 }
 
-/// Those that the set asks for, in sides of the torus.
+/// Returns the distances that the set asks for, in sides of the torus.
 ClassDistances distances_on_torus(const TileClasses& classes, std::uint32_t torus)
 {
     ClassDistances distances(classes.count());

@@ -50,7 +50,7 @@ void name_foreign_keys(Keys& keys, const std::vector<ParameterSpec>& own)
         }
 }
 
-/// What the keys of classes ask for.
+/// Returns the classes that the keys ask for.
 TileClasses asked_classes(const AskedTileSet& set)
 {
     const std::vector<std::uint32_t> points(set.class_points.begin(), set.class_points.end());
@@ -68,7 +68,7 @@ TileClasses asked_classes(const AskedTileSet& set)
 
 bool have_classes(const PoissonTileFamily& family) { return family == PoissonTileFamily{PoissonTileKind::corner, 2}; }
 
-/// What does not go together.
+/// Throws InputError for keys that do not go together.
 void check_class_keys(const Keys& keys, const AskedTileSet& set)
 {
     const bool has_distances = !set.class_distances.empty() || !set.class_matrix.empty();

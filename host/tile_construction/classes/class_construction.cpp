@@ -140,7 +140,7 @@ private:
         return stage;
     }
 
-    /// Nothing where there are too many points of a class around the interior.
+    /// Returns nothing where there are too many points of a class around the interior.
     std::optional<ClassFillProblem> interior_problem(std::uint32_t tile) const
     {
         ClassFillProblem problem{.held = placed(pieces_around(p_, tile)), .active = {}, .stream = tile};

@@ -2,7 +2,7 @@
 #include "host/distribution/masks/dither_mask.hpp"
 
 #include "host/distribution/masks/void_and_cluster.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <gtest/gtest.h>
 

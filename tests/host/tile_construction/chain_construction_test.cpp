@@ -10,7 +10,7 @@
 #include "tests/tiles/poisson/made_up_tilings.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 #include "tiles/poisson/chain_pieces.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
 #include <gmock/gmock.h>

@@ -4,7 +4,7 @@
 
 #include "tests/support/errors.hpp"
 #include "tests/support/small_tile_sets.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <gmock/gmock.h>
 
@@ -46,7 +46,7 @@ unsigned tile_between(unsigned ne, unsigned se, unsigned sw, unsigned nw) { retu
 /// of their 16 corners; a tile has two colours of corners.
 std::uint64_t least_in_all_surroundings(const PoissonTileSet& set, std::uint32_t one, std::uint32_t other)
 {
-    // Of each tile as the middle one, and each tile as its neighbour at an offset, once.
+    // Each pair of tiles is looked at once for each offset, however many surroundings have it.
     const TileClasses& classes = set.parameters.classes;
     const auto least_of = [&](unsigned middle, unsigned tile, int x, int y) {
         std::uint64_t least = UINT64_MAX;
@@ -220,9 +220,10 @@ TEST(ClassTiles, SayWhichDistancesHaveNoRoom)
     const PoissonTileParameters p = class_parameters(1, {4, 12}, 0.53);
     const auto room = refusal_of([&] { check(class_parameters(2, {2, 20}, 0.62)); });
     EXPECT_THAT(room, HasSubstr("points of classes that keep a distance of 0.4711 tiles: must be at most 0.2928"));
-    PoissonTileParameters dense = class_parameters(1, {9, 40}, 0.8);
+    const PoissonTileParameters dense = class_parameters(1, {12, 12}, 0.9);
     const auto filler = make_class_tile_filler(class_fill_settings(dense), Device::open({}));
-    EXPECT_THAT(refusal_of([&] { construct_class_tiles(dense, *filler); }), HasSubstr("of the distances after"));
+    EXPECT_THAT(refusal_of([&] { construct_class_tiles(dense, *filler); }),
+                HasSubstr("tiles with 12, 12 points of classes: one of the corners (number 0)"));
     EXPECT_EQ(refusal_of([&] { check(p); }), "accepted");
 }
 

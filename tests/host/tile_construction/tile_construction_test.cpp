@@ -7,7 +7,7 @@
 #include "tests/support/errors.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/tiles/poisson/made_up_tilings.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <gmock/gmock.h>
 

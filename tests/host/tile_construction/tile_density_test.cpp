@@ -2,7 +2,7 @@
 #include "host/tile_construction/tile_construction.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/statistics.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Closures of tiles against the tilings that they are cut out of.
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include "tests/tiles/poisson/made_up_tile_sets.hpp"
 #include "tests/tiles/poisson/made_up_tilings.hpp"

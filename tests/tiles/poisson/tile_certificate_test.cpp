@@ -1,5 +1,5 @@
 // The proof against what tilings really hold: brute force over neighbourhoods, and CGAL on whole tilings.
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/largest_empty_ball.hpp"

@@ -8,7 +8,7 @@
 #include "tests/support/random_tile_set.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tiles/poisson/made_up_tile_sets.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

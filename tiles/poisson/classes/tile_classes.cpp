@@ -2,13 +2,11 @@
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "tiles/poisson/tile_regions.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -50,12 +48,6 @@ TileClasses classes_of_radius(std::vector<std::uint32_t> points, double relative
     std::vector<double> distances;
     for (const std::uint32_t count : points) distances.push_back(min_distance_for(relative_radius, count, dimension));
     return {std::move(points), wei_distances(distances, dimension)};
-}
-
-std::uint64_t squared_units(double distance)
-{
-    const double units = distance * tile_units;
-    return static_cast<std::uint64_t>(std::ceil(units * units));
 }
 
 void check(const TileClasses& classes, std::uint32_t points_per_tile)

@@ -47,9 +47,6 @@ constexpr std::size_t class_pair(std::size_t i, std::size_t j)
 
 constexpr std::size_t class_pair_count(std::size_t classes) { return classes * (classes + 1) / 2; }
 
-/// A distance in tiles as whole squared units, rounded up: distances that are as large suffice.
-std::uint64_t squared_units(double distance);
-
 /// Throws InputError with the key as it is called in configs, and no place: numbers out of range, or points that are
 /// not as many as a tile has.
 void check(const TileClasses& classes, std::uint32_t points_per_tile);

@@ -1,4 +1,4 @@
-#include "tiles/poisson/empty_ball_bound.hpp"
+#include "tiles/poisson/proof/empty_ball_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

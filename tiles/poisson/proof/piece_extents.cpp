@@ -1,4 +1,4 @@
-#include "tiles/poisson/piece_extents.hpp"
+#include "tiles/poisson/proof/piece_extents.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

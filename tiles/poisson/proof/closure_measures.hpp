@@ -1,7 +1,7 @@
 // Measures in the closures of all tiles of a set: the points of a tile with all shared pieces around it.
 #pragma once
 
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <cstdint>
 #include <functional>

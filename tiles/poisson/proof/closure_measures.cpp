@@ -1,6 +1,6 @@
-#include "tiles/poisson/closure_measures.hpp"
+#include "tiles/poisson/proof/closure_measures.hpp"
 
-#include "tiles/poisson/empty_ball_bound.hpp"
+#include "tiles/poisson/proof/empty_ball_bound.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

@@ -6,7 +6,7 @@
 // tolerance. Each square is given the points that can be nearest to some place in it, which soon are few.
 #pragma once
 
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <span>
 #include <vector>

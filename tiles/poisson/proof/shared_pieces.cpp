@@ -1,7 +1,7 @@
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/closure_measures.hpp"
+#include "tiles/poisson/proof/closure_measures.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 // the second part of the proof in tile_certificate.hpp.
 #pragma once
 
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <cstdint>
 #include <vector>

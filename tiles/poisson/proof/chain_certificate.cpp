@@ -1,9 +1,9 @@
-#include "tiles/poisson/chain_certificate.hpp"
+#include "tiles/poisson/proof/chain_certificate.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 #include "tiles/poisson/chain_pieces.hpp"
-#include "tiles/poisson/closure_measures.hpp"
+#include "tiles/poisson/proof/closure_measures.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 
 namespace poissonlab {
 
-/// Of two classes, which may be the same.
+/// The proof for two classes, which may be the same.
 struct ClassPairProof
 {
     /// No two points of the classes are nearer in any tiling; squared, in squared units: the smaller of the other two.

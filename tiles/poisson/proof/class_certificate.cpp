@@ -1,8 +1,8 @@
-#include "tiles/poisson/classes/class_certificate.hpp"
+#include "tiles/poisson/proof/class_certificate.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/piece_extents.hpp"
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/piece_extents.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

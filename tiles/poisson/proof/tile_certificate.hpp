@@ -21,8 +21,8 @@
 // all variants. Interiors, which may be any two, are the narrowest: their distance from the border, twice.
 #pragma once
 
-#include "tiles/poisson/classes/class_certificate.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
+#include "tiles/poisson/proof/class_certificate.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_moments.hpp"
 

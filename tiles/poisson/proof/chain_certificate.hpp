@@ -5,7 +5,7 @@
 // and that chains keep to their cones and near their edges, so that those without a common tile stay apart.
 #pragma once
 
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 namespace poissonlab {
 

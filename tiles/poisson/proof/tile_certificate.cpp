@@ -1,10 +1,10 @@
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/chain_certificate.hpp"
-#include "tiles/poisson/closure_measures.hpp"
-#include "tiles/poisson/piece_extents.hpp"
-#include "tiles/poisson/shared_pieces.hpp"
+#include "tiles/poisson/proof/chain_certificate.hpp"
+#include "tiles/poisson/proof/closure_measures.hpp"
+#include "tiles/poisson/proof/piece_extents.hpp"
+#include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
