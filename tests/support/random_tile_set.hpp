@@ -45,7 +45,7 @@ inline PoissonTileSet random_chain_set(std::uint32_t colors, std::uint32_t point
 /// Corner tiles whose points have classes, so many of each in a tile.
 inline PoissonTileSet random_class_set(std::uint32_t colors, const std::vector<std::uint32_t>& class_points)
 {
-    const TileClasses classes = classes_of_radius(class_points, 0.4, 2);
+    const TileClasses classes = classes_of_radius(class_points, 0.2, 2);
     PoissonTileSet set = random_tile_set(PoissonTileKind::corner, 2, colors, classes.all_points());
     set_classes(set.parameters, classes);
     set.class_squared_distances.resize(class_pair_count(classes.count()));

@@ -223,7 +223,7 @@ TEST(ClassTiles, SayWhichDistancesHaveNoRoom)
     const PoissonTileParameters dense = class_parameters(1, {12, 12}, 0.9);
     const auto filler = make_class_tile_filler(class_fill_settings(dense), Device::open({}));
     EXPECT_THAT(refusal_of([&] { construct_class_tiles(dense, *filler); }),
-                HasSubstr("tiles with 12, 12 points of classes: one of the corners (number 0)"));
+                HasSubstr("tiles with 12, 12 points of classes: one of the edges (number 0)"));
     EXPECT_EQ(refusal_of([&] { check(p); }), "accepted");
 }
 
