@@ -56,7 +56,7 @@ Keys::Said class_counts(Keys& keys, const std::string& key, std::vector<std::siz
 {
     std::vector<double> numbers;
     const Keys::Said said =
-        class_list(keys, key, numbers, {1, static_cast<double>(most)}, "a whole number", std::move(help));
+        class_list(keys, key, numbers, {1, static_cast<double>(most)}, "a whole number from 1", std::move(help));
     for (const double number : numbers) {
         if (number != std::floor(number)) throw keys.invalid(key, "must be whole numbers");
         counts.push_back(static_cast<std::size_t>(number));
