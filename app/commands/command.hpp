@@ -120,6 +120,7 @@ Command points_dart_throwing_command();
 Command distribute_warp_command();
 Command distribute_rank_command();
 Command distribute_classes_command();
+Command distribute_surface_command();
 Command distribute_darts_command();
 Command distribute_points_command();
 Command distribute_dither_mask_command();

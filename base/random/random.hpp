@@ -58,6 +58,9 @@ enum class Purpose : std::uint32_t
     dither_mask = 72,
     region_envelope = 73,
     class_tile_filling = 90,
+    surface_darts = 100,
+    surface_candidates = 101,
+    surface_coverage = 102,
 };
 
 /// The 64-bit key of one independent stream.

@@ -48,6 +48,8 @@ const std::vector<KernelFile>& kernel_files()
         {"self_similar.cl", {}},
         {"texture_map.cl",
          {{"LOOKUP", {"0", "1", "2", "3"}}, {"CHANNELS", {"1", "3"}}, {"WANG", {"0", "1"}}, {"COLORS", {"3"}, true}}},
+        {"surface_darts.cl", {}},
+        {"surface_elimination.cl", {}},
         {"tile_darts.cl", {dimension}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},

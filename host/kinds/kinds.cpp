@@ -16,6 +16,7 @@ std::vector<Kind> listed_kinds()
                                  dart_kind,
                                  region_point_kind,
                                  class_kind,
+                                 surface_point_kind,
                                  sampling_mask_kind,
                                  dither_mask_kind,
                                  cell_kind,

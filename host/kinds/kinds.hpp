@@ -28,6 +28,7 @@ Kind rank_kind();
 Kind dart_kind();
 Kind region_point_kind();
 Kind class_kind();
+Kind surface_point_kind();
 Kind sampling_mask_kind();
 Kind dither_mask_kind();
 Kind cell_kind();

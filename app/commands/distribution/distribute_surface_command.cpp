@@ -1,0 +1,63 @@
+// poissonlab distribute surface: points on the triangles of a mesh.
+#include "app/commands/kind_options.hpp"
+#include "base/images/png_file.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
+#include "host/distribution/surfaces/surface_set.hpp"
+#include "host/distribution/surfaces/surface_view.hpp"
+#include "host/kinds/kinds.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto distribute_surface_notes =
+    R"help(MESH is a file of polygons: .obj, .ply, .off or .stl. Points lie on its triangles, and distances are straight through
+space, in units of the mesh. Points whose normals are more than --normal-angle apart do not see each other: the two
+sides of a thin sheet are each even by themselves, and points of different sides may be near.
+  --min-distance D                       darts until no further one fits: all of the surface is nearer than D to a point
+  --points N --min-distance D            darts until there are N, or --relative-radius instead of --min-distance
+  --points N                             darts at a distance that shrinks until N fit
+  --points N --method elimination        N of five times as many random points; each beginning of the file is even, too
+Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
+--out, as often as you like: .ply (binary, with normals nx, ny, nz), .png (views from the front and from behind, --pixels
+wide; z is up), and point files such as .npy, .csv and text.
+  poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
+  poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json)help";
+
+void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, int pixels,
+                          const std::string& comment)
+{
+    const FixedSurface& surface = set.mesh->surface;
+    if (file.extension() != ".png") return write_surface_points(file, surface, set.points, comment);
+    const PngPixels view = surface_view(surface, set.points, shown_distance(set), pixels);
+    write_png(file, {view.width, view.height, 1}, [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+}
+
+void place_on_surface(const KindOptions& o)
+{
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<MeshPointSettings>();
+    o.outs.check(o.command());
+    for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
+    const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
+    std::string what = fmt::format("{} points, {}", set.points.size(), surface_fact(set, settings));
+    if (set.min_distance > 0) what += fmt::format("; at least {:.17g} apart", set.min_distance);
+    o.say_note(what);
+    for (const std::string& out : o.outs.names)
+        write_surface_output(out, set, o.pixels > 0 ? static_cast<int>(o.pixels) : default_view_pixels,
+                             fmt::format("poissonlab distribute surface --seed {}: {}", o.seed(), what));
+    if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
+}
+
+}
+
+Command distribute_surface_command()
+{
+    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "surface"), OutputFiles{{".png"}, true},
+                                                 "mesh");
+    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, 16384, std::to_string(default_view_pixels))},
+                        distribute_surface_notes, place_on_surface);
+}
+
+}

@@ -1,0 +1,98 @@
+// kind = "surface": points on the triangles of a mesh, by dart throwing or by sample elimination.
+//
+// Cline et al., Dart throwing on surfaces, EGSR 2009; Yuksel, Sample elimination for generating Poisson disk sample
+// sets, Computer Graphics Forum 34(2), 2015.
+#include "base/errors/errors.hpp"
+#include "base/images/png_file.hpp"
+#include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
+#include "host/distribution/surfaces/surface_set.hpp"
+#include "host/distribution/surfaces/surface_view.hpp"
+#include "host/kinds/kinds.hpp"
+#include "host/settings/sampler_table.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+void check_surface_keys(Keys& keys, MeshPointSettings& s)
+{
+    if (s.method == SurfaceMethod::elimination && !s.points)
+        throw keys.problem(fmt::format("elimination needs {}", keys.name_of("points")));
+    if (!s.points && !s.min_distance)
+        throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
+    if (s.relative_radius && !s.points)
+        throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    const bool shrinks = s.method == SurfaceMethod::darts && s.points && !s.min_distance && !s.relative_radius;
+    if (keys.is_given("factor") && !shrinks)
+        throw keys.invalid("factor", fmt::format("goes with {} alone, by darts", keys.name_of("points")));
+    if (s.method == SurfaceMethod::elimination)
+        for (const char* key : {"min_distance", "relative_radius"})
+            if (keys.is_given(key))
+                throw keys.invalid(key, fmt::format("elimination takes {} alone", keys.name_of("points")));
+    if (s.method == SurfaceMethod::elimination && *s.points * s.candidates > static_cast<std::size_t>(max_points))
+        throw keys.invalid("points", fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
+    keys.check("mesh", [&] { s.read = surface_mesh(s); });
+    keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
+}
+
+void surface_keys(Keys& keys, MeshPointSettings& s)
+{
+    keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off or .stl", "a mesh").required();
+    keys.word("method", s.method, surface_methods, "how points are made");
+    keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
+    keys.number("min_distance", s.min_distance, {1e-100, 1e100},
+                "the least distance of two points, straight through space")
+        .unit("units of the mesh")
+        .otherwise("one that shrinks until the points fit");
+    keys.number("relative_radius", s.relative_radius, {0.001, 1},
+                "of so many points: their distance over that of the densest packing of as many in a plane of the "
+                "surface's area")
+        .excludes("min_distance")
+        .otherwise("none");
+    keys.number("normal_angle", s.normal_angle, {1, 180},
+                "the largest angle between normals of points that see each other; 180: all do")
+        .unit("degrees");
+    keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
+    keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
+        .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
+    if (keys.is_read()) check_surface_keys(keys, s);
+}
+
+std::string surface_label(const MeshPointSettings& s)
+{
+    return fmt::format("Points on {}, {}", name_of_input(s.mesh.string()), surface_methods[s.method]);
+}
+
+DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                DistributionFiles& files)
+{
+    const SurfaceSet set = make_surface_set(settings, seed, place);
+    const FixedSurface& surface = set.mesh->surface;
+    DistributionResult result;
+    result.facts = {fmt::format("{} points", set.points.size()), surface_fact(set, settings),
+                    fmt::format("{} triangles", surface.triangles.size())};
+    for (const std::string& note : set.mesh->notes()) result.facts.push_back(note);
+    const PngPixels view = surface_view(surface, set.points, shown_distance(set));
+    write_png(files.add("points.png"), {view.width, view.height, 1},
+              [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+    result.pictures.push_back({"points.png", "The points on their surface, from the front above and from behind above."});
+    write_surface_points(files.add("points.ply"), surface, set.points, "");
+    write_points(files.add("points.npy"), set.places());
+    write_points(files.add("normals.npy"), normals_of(surface, set.points));
+    for (const char* name : {"points.ply", "points.npy", "normals.npy"}) result.files.emplace_back(name);
+    result.numbers = surface_numbers(set, seed);
+    return result;
+}
+
+}
+
+Kind surface_point_kind()
+{
+    return make_kind<MeshPointSettings>({"distribution", "surface", "distribute surface", "Points on a surface",
+                                       "Make points on the triangles of a mesh, even by distances through space"},
+                                      surface_keys, surface_label, make_surface);
+}
+
+}

@@ -1,0 +1,48 @@
+// Points on a surface by cells of space, and the nearest ones of each: what sets are measured by.
+//
+// Cells are sorted here, where dart throwing hashes them, so that a mistake of one is seen by the other.
+#pragma once
+
+#include "host/sampling/surfaces/fixed_surface.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+class SurfaceNeighbours
+{
+public:
+    /// Cells have sides of `reach` units of the grid. The arguments must outlive it.
+    SurfaceNeighbours(const FixedSurface& surface, const std::vector<SurfacePoint>& points, std::uint64_t reach);
+
+    /// The least squared distance from point `own` to another one whose normal is near enough, in squares of units.
+    /// UINT64_MAX where there is none.
+    std::uint64_t squared_nearest(std::size_t own, std::int32_t least_cosine) const;
+
+    /// Is a point nearer to a place of a triangle than the root of `squared`, which is no more than the reach?
+    bool is_near(const SurfacePoint& place, std::uint64_t squared, std::int32_t least_cosine) const;
+
+private:
+    template <typename Visit>
+    void for_each_around(const MeshPlace& place, const Visit& visit) const;
+    std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) const;
+
+    const FixedSurface& surface_;
+    const std::vector<SurfacePoint>& points_;
+    std::int64_t reach_;
+    std::vector<std::uint64_t> keys_;  ///< of cells, ascending: of each point
+    std::vector<std::uint32_t> order_; ///< numbers of points
+};
+
+/// In the mesh's units. There are two points or more; infinite where normals are too far apart for any two.
+struct SurfaceDistances
+{
+    double least = 0; ///< of points that see each other
+    double least_of_any = 0;
+    double mean_nearest = 0; ///< of points that see another one
+};
+SurfaceDistances surface_distances(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
+                                   std::int32_t least_cosine);
+
+}

@@ -1,0 +1,225 @@
+#include "host/distribution/surfaces/surface_set.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/torus.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/sampling/surfaces/surface_elimination.hpp"
+#include "host/settings/sampler_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace poissonlab {
+namespace {
+
+/// Distances that shrink begin so many times larger than that at which darts saturate with as many points.
+constexpr double first_part = 1.3;
+
+/// Places at which it is looked whether a set leaves them uncovered.
+constexpr std::uint64_t looked_at = 1 << 16;
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many)
+{
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+double diagonal_of(const FixedSurface& surface) { return surface.size * std::numbers::sqrt3; }
+
+/// The distance of the densest packing of N points in a plane of that area.
+double packed_distance(double area, std::size_t points)
+{
+    return std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points));
+}
+
+/// Throws InputError where darts came to their end before there were enough.
+void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
+{
+    if (!settings.points || darts.points.size() >= *settings.points) return;
+    const double share = std::sqrt(static_cast<double>(darts.points.size()) / static_cast<double>(*settings.points));
+    throw InputError(fmt::format(
+        "the surface is saturated with {} of {} points: no further one fits; {} can be reached", darts.points.size(),
+        *settings.points,
+        settings.min_distance ? fmt::format("a minimum distance of about {:.4g}", 0.99 * share * *settings.min_distance)
+                              : fmt::format("a relative radius of about {:.3f}",
+                                            0.99 * share * settings.relative_radius.value_or(0))));
+}
+
+SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
+{
+    const auto tell = [&](std::size_t points) {
+        if (place.on_step) place.on_step(fmt::format("{} points", points));
+    };
+    const auto most = static_cast<std::size_t>(max_points);
+    if (place.engine == Engine::reference)
+        return throw_surface_darts(request, *reference::surface_dart_engine(request), most, tell);
+    Device& device = place.device();
+    const std::size_t expected =
+        request.points > 0 ? request.points
+                           : static_cast<std::size_t>(saturated_count(request.surface->area, request.min_distance));
+    check_fits("dart throwing", surface_dart_memory(*request.surface, expected), device.info());
+    return throw_surface_darts(request, *surface_dart_engine(request, device), most, tell);
+}
+
+SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
+                    const DistributionPlace& place)
+{
+    const bool shrinks = settings.points && !settings.min_distance && !settings.relative_radius;
+    const SurfaceDartRequest request{.surface = {mesh, &mesh->surface},
+                                     .min_distance = surface_distance(settings, *mesh),
+                                     .angle = settings.normal_angle,
+                                     .points = settings.points.value_or(0),
+                                     .shrinking = shrinks ? settings.factor : 1,
+                                     .stream = stream_key(seed, Purpose::surface_darts, 0)};
+    SurfaceDarts darts = thrown_on(request, place);
+    check_count(darts, settings);
+    return {std::move(mesh),    std::move(darts.points), darts.min_distance, settings.normal_angle,
+            darts.is_saturated, darts.small_area,        darts.darts};
+}
+
+SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
+                          const DistributionPlace& place)
+{
+    const std::shared_ptr<const FixedSurface> surface{mesh, &mesh->surface};
+    const std::size_t count = *settings.points * settings.candidates;
+    std::optional<SurfaceElimination> kernels;
+    if (place.engine == Engine::opencl) {
+        Device& device = place.device();
+        check_fits("sample elimination", SurfaceElimination::memory(*surface, count), device.info());
+        kernels.emplace(device, surface);
+    }
+    const auto order = [&](const std::vector<SurfacePoint>& points, const SurfaceReach& reach, std::size_t removed) {
+        if (place.on_step) place.on_step(fmt::format("{} of {} points go", removed, points.size()));
+        return kernels ? kernels->removal_order(points, reach, removed)
+                       : reference::surface_removal_order(*surface, points, reach, removed);
+    };
+    const auto candidates =
+        surface_candidates(*surface, count, stream_key(seed, Purpose::surface_candidates, 0));
+    auto points = eliminate_on_surface(*surface, candidates, *settings.points, settings.normal_angle, order);
+    return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
+}
+
+/// The part of the surface that is not nearer than a distance to any point, from uniform places.
+DistributionNumber uncovered_part(const SurfaceSet& set, double distance, std::uint64_t seed)
+{
+    const FixedSurface& surface = set.mesh->surface;
+    const double units = surface.units_of(distance);
+    const SurfaceNeighbours near(surface, set.points, static_cast<std::uint64_t>(units) + 1);
+    const std::vector<SurfacePiece> pieces = whole_pieces(surface);
+    const SurfacePieceChoice choice = surface_piece_choice(surface, pieces);
+    const StreamKey stream = stream_key(seed, Purpose::surface_coverage, 0);
+    std::uint64_t uncovered = 0;
+    for (std::uint64_t i = 0; i < looked_at; ++i)
+        uncovered += !near.is_near(reference::surface_dart(surface, pieces, choice, stream, i),
+                                   squared_threshold(units * 0x1p-32), least_cosine(set.angle));
+    const double part = static_cast<double>(uncovered) / looked_at;
+    return {"uncovered", "Uncovered part", part,
+            fmt::format("of the surface: no point is nearer than the {} distance; from {} places",
+                        set.min_distance > 0 ? "minimum" : "least", looked_at),
+            std::sqrt(std::max(part, 1.0 / looked_at) * (1 - part) / looked_at)};
+}
+
+}
+
+std::vector<std::string> SurfaceMesh::notes() const
+{
+    std::vector<std::string> notes;
+    if (mesh.divided > 0)
+        notes.push_back(counted(mesh.divided, "face", "faces") + " of more than three corners became triangles");
+    if (const std::size_t dropped = surface.flat + mesh.dropped; dropped > 0)
+        notes.push_back(counted(dropped, "face", "faces") + " without an area were left out");
+    if (open_edges > 0)
+        notes.push_back("the surface is open: " + counted(open_edges, "edge has a face", "edges have faces") +
+                        " on one side only, and beyond it no points keep others away");
+    return notes;
+}
+
+std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings)
+{
+    if (settings.read) return settings.read;
+    SurfaceMesh read{read_triangle_mesh(settings.mesh), {}, 0};
+    try {
+        read.surface = fixed_surface(read.mesh);
+    } catch (const InputError& error) {
+        throw error.moved_to({settings.mesh.string()});
+    }
+    read.open_edges = poissonlab::open_edges(read.mesh);
+    return std::make_shared<const SurfaceMesh>(std::move(read));
+}
+
+double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& mesh)
+{
+    const FixedSurface& surface = mesh.surface;
+    const double least = least_part_of_size * surface.size, most = diagonal_of(surface);
+    double distance = settings.min_distance.value_or(0);
+    if (distance > most)
+        throw InputError(fmt::format("{:.6g} is more than the mesh is wide, {:.6g} from corner to corner of the box "
+                                     "around it: there is room for one point",
+                                     distance, most));
+    if (!settings.min_distance)
+        distance = settings.relative_radius
+                       ? *settings.relative_radius * packed_distance(surface.area, *settings.points)
+                       : first_part * std::sqrt(saturated_count(surface.area, 1) / static_cast<double>(*settings.points));
+    if (distance < least)
+        throw InputError(fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}",
+                                     distance, least));
+    if (const double count = saturated_count(surface.area, distance); !settings.points && count > max_points)
+        throw InputError(fmt::format("these are some {:.3g} points; at most {}", count, max_points));
+    return std::min(distance, most);
+}
+
+SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+{
+    return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
+                                                   : eliminated_set(settings, surface_mesh(settings), seed, place);
+}
+
+std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& settings)
+{
+    if (settings.method == SurfaceMethod::elimination) return "sample elimination";
+    if (set.is_saturated && !settings.points) return "saturated: no further point fits";
+    return settings.min_distance || settings.relative_radius ? "stopped at that number"
+                                                             : "the distance shrank until so many fitted";
+}
+
+double shown_distance(const SurfaceSet& set)
+{
+    return set.min_distance > 0 ? set.min_distance
+                                : std::sqrt(set.mesh->surface.area / static_cast<double>(set.points.size()));
+}
+
+std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed)
+{
+    const FixedSurface& surface = set.mesh->surface;
+    std::vector<DistributionNumber> numbers;
+    numbers.push_back({"points", "Points", static_cast<double>(set.points.size()), "on the surface"});
+    numbers.push_back({"area", "Area", surface.area, "of the surface, in squares of its units"});
+    if (set.min_distance > 0)
+        numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
+                           "that points are sure to keep, straight through space, in units of the mesh"});
+    if (set.points.size() < 2) return numbers;
+    const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle));
+    if (!std::isfinite(found.least)) return numbers;
+    numbers.push_back({"least_distance", "Least distance", found.least,
+                       set.angle < 180 ? "of two points whose normals are near enough, in units of the mesh"
+                                       : "of two points, in units of the mesh"});
+    if (set.angle < 180)
+        numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
+                           "also of points that do not see each other, such as those on two sides of a sheet"});
+    numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});
+    numbers.push_back({"relative_radius", "Relative radius",
+                       found.least / packed_distance(surface.area, set.points.size()),
+                       "least distance over that of the densest packing of as many points in a plane of the same area"});
+    if (set.is_saturated)
+        numbers.push_back({"uncovered", "Uncovered part", set.small_area / surface.area,
+                           "of the surface, at most: proven, piece by piece"});
+    else
+        numbers.push_back(uncovered_part(set, set.min_distance > 0 ? set.min_distance : found.least, seed));
+    return numbers;
+}
+
+}

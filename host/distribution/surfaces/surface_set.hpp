@@ -1,0 +1,62 @@
+// Points on the surface of a mesh: what settings ask for, and what is measured.
+//
+// Relative radii are those of the plane: a distance over sqrt(2 A / (sqrt(3) N)), that of the densest packing of N
+// points in a plane area A. Curved surfaces can have a little more, as distances are straight through space.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "host/kinds/distribution_place.hpp"
+#include "host/sampling/surfaces/surface_darts.hpp"
+#include "host/settings/distributions/surface_config.hpp"
+#include "results/pictures/distribution_result.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A mesh, and the same in whole numbers.
+struct SurfaceMesh
+{
+    TriangleMesh mesh;
+    FixedSurface surface;
+    std::size_t open_edges = 0;
+
+    /// What a person should know of it: faces that were dropped or divided, open boundaries. A line each.
+    std::vector<std::string> notes() const;
+};
+
+/// Reads the mesh, unless the settings have it. Throws InputError.
+std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings);
+
+struct SurfaceSet
+{
+    std::shared_ptr<const SurfaceMesh> mesh;
+    std::vector<SurfacePoint> points; ///< in the order in which they came, or of elimination
+    double min_distance = 0;          ///< that they are sure to keep; 0: nothing is said
+    double angle = 180;
+    bool is_saturated = false;
+    double small_area = 0; ///< see SurfaceDarts
+    std::uint64_t darts = 0;
+
+    PointSet places() const { return points_of(mesh->surface, points); }
+};
+
+/// The distance that settings ask for, or that darts begin with where it shrinks. Throws InputError where the surface
+/// has no room, or places too few digits, for it.
+double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& mesh);
+
+/// Makes the points. Throws InputError where there is no room for as many, or no memory.
+SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+
+/// How the set was made, in a few words.
+std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& settings);
+
+/// The distance that dots of a picture are drawn by.
+double shown_distance(const SurfaceSet& set);
+
+/// Numbers of the set. `seed` is that of places at which it is looked whether points are near.
+std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed);
+
+}

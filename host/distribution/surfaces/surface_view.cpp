@@ -1,0 +1,168 @@
+// Triangles fill a buffer of depths, row by row; dots are drawn where they are in front. Pixels are means of 2 x 2.
+#include "host/distribution/surfaces/surface_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// Samples of a pixel along each axis.
+constexpr int view_samples = 2;
+
+/// The part of a view that the surface may fill.
+constexpr double filled_part = 0.94;
+
+using ViewVector = std::array<double, 3>;
+
+double product(const ViewVector& a, const ViewVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// A direction to look along: to the right, up, and towards the viewer.
+struct Camera
+{
+    ViewVector right, up, back;
+};
+
+/// Turned about z, and then seen from above by an angle.
+Camera camera_at(double turn, double height)
+{
+    const double c = std::cos(turn), s = std::sin(turn), ch = std::cos(height), sh = std::sin(height);
+    return {{c, s, 0}, {s * sh, -c * sh, ch}, {s * ch, -c * ch, sh}};
+}
+
+/// One view as samples, rows from the top.
+class SurfaceCanvas
+{
+public:
+    SurfaceCanvas(const FixedSurface& surface, const Camera& camera, int side)
+        : surface_(surface), camera_(camera), side_(side), depth_(samples(), -INFINITY), grey_(samples(), 255.0F)
+    {
+        ViewVector low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+        for (const SurfaceTriangle& t : surface.triangles)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const ViewVector p = turned(place(t, i));
+                for (std::size_t k = 0; k < 3; ++k) {
+                    low[k] = std::min(low[k], p[k]);
+                    high[k] = std::max(high[k], p[k]);
+                }
+            }
+        scale_ = filled_part * side / std::max({high[0] - low[0], high[1] - low[1], 1.0});
+        middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0};
+    }
+
+    void draw_triangles()
+    {
+        for (const SurfaceTriangle& t : surface_.triangles) {
+            const double light = std::abs(product(camera_.back, normal_of(t)));
+            fill({on_canvas(place(t, 0)), on_canvas(place(t, 1)), on_canvas(place(t, 2))},
+                 static_cast<float>(170 + 70 * light));
+        }
+    }
+
+    /// Dots of a radius in samples.
+    void draw_dots(const std::vector<SurfacePoint>& points, double radius)
+    {
+        for (const SurfacePoint& point : points) draw_dot(point, radius);
+    }
+
+    double scale() const { return scale_; }
+    float grey(int column, int row) const { return grey_[at(column, row)]; }
+
+private:
+    std::size_t samples() const { return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_); }
+    std::size_t at(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
+    }
+
+    static ViewVector place(const SurfaceTriangle& t, std::size_t corner)
+    {
+        return {double(t.corners[3 * corner]), double(t.corners[3 * corner + 1]), double(t.corners[3 * corner + 2])};
+    }
+
+    ViewVector turned(const ViewVector& p) const
+    {
+        return {product(camera_.right, p), product(camera_.up, p), product(camera_.back, p)};
+    }
+
+    /// Columns, rows from the top, and depths, all in samples.
+    ViewVector on_canvas(const ViewVector& p) const
+    {
+        const ViewVector t = turned(p);
+        return {side_ / 2.0 + scale_ * (t[0] - middle_[0]), side_ / 2.0 - scale_ * (t[1] - middle_[1]), scale_ * t[2]};
+    }
+
+    void fill(const std::array<ViewVector, 3>& c, float grey)
+    {
+        const double twice_area =
+            (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
+        if (twice_area == 0) return;
+        const auto [x_low, x_high] = std::minmax({c[0][0], c[1][0], c[2][0]});
+        const auto [y_low, y_high] = std::minmax({c[0][1], c[1][1], c[2][1]});
+        for (int row = std::max(0, int(y_low)); row <= std::min(side_ - 1, int(y_high)); ++row)
+            for (int column = std::max(0, int(x_low)); column <= std::min(side_ - 1, int(x_high)); ++column) {
+                const double x = column + 0.5, y = row + 0.5;
+                const double a = ((c[1][0] - x) * (c[2][1] - y) - (c[2][0] - x) * (c[1][1] - y)) / twice_area;
+                const double b = ((c[2][0] - x) * (c[0][1] - y) - (c[0][0] - x) * (c[2][1] - y)) / twice_area;
+                if (a < 0 || b < 0 || a + b > 1) continue;
+                const double depth = a * c[0][2] + b * c[1][2] + (1 - a - b) * c[2][2];
+                if (depth <= depth_[at(column, row)]) continue;
+                depth_[at(column, row)] = static_cast<float>(depth);
+                grey_[at(column, row)] = grey;
+            }
+    }
+
+    void draw_dot(const SurfacePoint& point, double radius)
+    {
+        const ViewVector c = on_canvas({double(point.place[0]), double(point.place[1]), double(point.place[2])});
+        for (int row = std::max(0, int(c[1] - radius)); row <= std::min(side_ - 1, int(c[1] + radius)); ++row)
+            for (int column = std::max(0, int(c[0] - radius)); column <= std::min(side_ - 1, int(c[0] + radius)); ++column) {
+                const double dx = column + 0.5 - c[0], dy = row + 0.5 - c[1];
+                // Slopes within a dot are hidden by no more than its width.
+                if (dx * dx + dy * dy <= radius * radius && c[2] + 2 * radius + 1 >= depth_[at(column, row)])
+                    grey_[at(column, row)] = 0;
+            }
+    }
+
+    const FixedSurface& surface_;
+    Camera camera_;
+    int side_;
+    double scale_ = 1;
+    ViewVector middle_{};
+    std::vector<float> depth_, grey_;
+};
+
+SurfaceCanvas drawn(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
+                    const Camera& camera, int side)
+{
+    SurfaceCanvas canvas(surface, camera, side);
+    canvas.draw_triangles();
+    const double radius = distance / surface.unit * canvas.scale() / 6;
+    canvas.draw_dots(points, std::clamp(radius, 0.8, side / 60.0));
+    return canvas;
+}
+
+}
+
+PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance, int pixels)
+{
+    const int side = std::max(1, pixels / 2);
+    PngPixels view{2 * side, side, 1, {}};
+    view.values.resize(view.at(0, side, 0));
+    const Camera cameras[2] = {camera_at(-0.5, 0.5), camera_at(2.64, 0.5)};
+    for (int number = 0; number < 2; ++number) {
+        const SurfaceCanvas canvas = drawn(surface, points, distance, cameras[number], side * view_samples);
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column) {
+                float sum = 0;
+                for (int i = 0; i < view_samples * view_samples; ++i)
+                    sum += canvas.grey(view_samples * column + i % view_samples, view_samples * row + i / view_samples);
+                view.values[view.at(number * side + column, row, 0)] =
+                    static_cast<std::uint8_t>(std::lround(sum / (view_samples * view_samples)));
+            }
+    }
+    return view;
+}
+
+}

@@ -1,0 +1,96 @@
+// Dart throwing on surfaces: to a number of points, until no further one fits, or with a distance that shrinks until so
+// many fit.
+//
+// Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009, for the pieces that darts fall on; see
+// host/sampling/surfaces/surface_pieces.hpp. Two points are in conflict where they are nearer than the minimum distance,
+// straight through space, unless the normals of their triangles are farther apart than an angle: the two sides of a thin
+// sheet do not see each other.
+//
+// Darts come in batches, whose size follows from what was accepted so far. Where few of a batch are accepted, pieces are
+// refined: those that one disk covers are dropped. A set is saturated when no piece is left. All of the surface is then
+// nearer to a point than the minimum distance, but for pieces that are within LIMIT units (some 2^-26 of the surface's
+// size), whose centre is covered; their area is said, and is 0 but by rare chance.
+#pragma once
+
+#include "base/random/random.hpp"
+#include "host/sampling/device_method.hpp"
+#include "host/sampling/surfaces/surface_pieces.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace poissonlab {
+
+struct SurfaceDartRequest
+{
+    std::shared_ptr<const FixedSurface> surface;
+    double min_distance = 0; ///< in the mesh's units: the first one, where it shrinks
+    double angle = 180;      ///< degrees between normals of points that see each other
+    std::size_t points = 0;  ///< 0: to saturation
+    double shrinking = 1;    ///< what the distance is multiplied by when no further point fits; 1: it stays
+    StreamKey stream{};
+};
+
+struct SurfaceDarts
+{
+    std::vector<SurfacePoint> points; ///< in the order in which they were accepted
+    double min_distance = 0;          ///< that they keep: the last one, where it shrinks
+    bool is_saturated = false;        ///< no further point fits
+    double small_area = 0;            ///< of pieces within the limit that are not proven to be covered
+    std::uint64_t darts = 0;          ///< that were thrown
+};
+
+/// Distances below this part of the surface's size are refused: places have too few digits for them.
+inline constexpr double least_part_of_size = 1e-5;
+
+/// What the surface's grid makes of a distance.
+contract::surface::SurfaceRule surface_rule(const FixedSurface& surface, double min_distance, double angle);
+
+/// What an engine does with darts and pieces; both engines do the same.
+class SurfaceDartEngine
+{
+public:
+    virtual ~SurfaceDartEngine() = default;
+
+    /// Begins anew with these points, which keep another distance now, and room for `capacity`.
+    virtual void restart(const contract::surface::SurfaceRule& rule, const std::vector<SurfacePoint>& points,
+                         std::size_t capacity) = 0;
+    virtual void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) = 0;
+
+    /// Darts number first, first + 1, ..., of which at most `most` are accepted. Returns these, in order; they are among
+    /// the points now.
+    virtual std::vector<SurfacePoint> throw_darts(std::uint64_t first, std::uint32_t darts, std::size_t most) = 0;
+
+    /// The state of each piece that was set.
+    virtual std::vector<std::uint32_t> cover() = 0;
+};
+
+/// Throws the darts with an engine. `on_points` is told how many there are. Throws InputError where there are more than
+/// `most` points.
+SurfaceDarts throw_surface_darts(const SurfaceDartRequest& request, SurfaceDartEngine& engine, std::size_t most,
+                                 const std::function<void(std::size_t points)>& on_points = {});
+
+namespace reference {
+/// Plain and sequential: what the kernels must reproduce.
+std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request);
+
+/// The dart of a number.
+SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
+                          const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number);
+}
+
+/// The same by kernels/surface_darts.cl: the same bytes as the reference on every device. `work_group_size` 0: the
+/// default.
+std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request, const Device& device,
+                                                       std::size_t work_group_size = 0);
+
+/// The memory that so many points take of a device, nearly: chance decides how many pieces there are.
+DeviceMemory surface_dart_memory(const FixedSurface& surface, std::size_t points);
+
+/// How many points a saturated set of this distance has, nearly, by the density of plane ones.
+double saturated_count(double area, double min_distance);
+
+}
