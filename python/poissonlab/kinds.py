@@ -21,6 +21,7 @@ class Made:
     points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
     region's own; None where there are none.
     classes: of points with classes: the class of each, uint32; else None.
+    normals: of points on surfaces: the normal of each one's triangle, (N, 3); else None.
     mask: of masks: an array of shape (rows, columns); else None.
     tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south; else None.
     files: the paths of all files, which are there as long as this object is; save() keeps them.
@@ -37,7 +38,8 @@ class Made:
         self.files = [folder / name for name in made["files"]]
         tiles = folder / "tiles.txt"
         self.tiles = numpy.loadtxt(tiles, dtype=numpy.int64, ndmin=2) if tiles.exists() else None
-        self.points, self.classes, self.mask = (self._array(name) for name in ("points", "classes", "mask"))
+        self.points, self.classes, self.normals, self.mask = (
+            self._array(name) for name in ("points", "classes", "normals", "mask"))
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
 
     def _array(self, name):

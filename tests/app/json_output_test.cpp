@@ -56,6 +56,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
          {"--region 'rectangle 0 0 3 2' --method lloyd --iterations 2 --points 9 --quiet --out a.txt", "area", "6"}},
         {"points dart-throwing", {"--points 20 --relative-radius 0.6 --quiet --out p.npy", "points", "20"}},
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
+        {"distribute surface", {"square.off --points 5 --quiet --engine reference --out a.ply", "area", "1"}},
         {"distribute mri-mask", {"--shape 32 32 --acceleration 4 --out a.npy", "samples", "256"}},
         {"distribute dither-mask", {"--size 16 --colors 1 --tile-pixels 4 --out a.png", "least_distance_4"}},
         {"distribute stipple", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
@@ -93,6 +94,7 @@ TEST(JsonOutput, IsOneObjectOfEachCommandThatHasIt)
     for (int i = 0; i < 32 * 32; ++i) picture += std::to_string(i * 7 % 256) + "\n";
     folder.write("grey.pgm", picture);
     folder.write("cells.toml", "[[corner]]\ncolor = \"#000000\"\n[[corner]]\ncolor = \"#ffffff\"\n[rule]\n");
+    folder.write("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     for (const auto& [command, sample] : json_cases()) {
         missing.erase(command);
         const Outcome outcome =

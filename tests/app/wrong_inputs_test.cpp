@@ -112,6 +112,12 @@ protected:
         folder_.write("points.txt", "0.1 0.1\n0.6 0.1\n0.1 0.6\n0.6 0.6\n");
         folder_.write("three.txt", "0.1 0.1\n0.6 0.1\n0.1 0.6\n");
         folder_.write("square.geojson", R"({"type": "Polygon", "coordinates": [[[0,0],[9,0],[9,9],[0,9],[0,0]]]})");
+        folder_.write("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+        folder_.write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+        folder_.write("empty.obj", "");
+        folder_.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n");
+        folder_.write("infinite.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1e999 1 0\n3 0 1 2\n");
+        folder_.write("far.off", "OFF\n3 1 0\n1e12 0 0\n1000000000001 0 0\n1e12 1e-5 0\n3 0 1 2\n");
         std::filesystem::create_directory(folder_.path() / "folder");
         std::filesystem::current_path(folder_.path());
         said_of("tiles build corner --colors 2 --points 4 --relative-radius 0.4 --lloyd 1 --engine reference --quiet "

@@ -14,6 +14,8 @@
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 #include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/sectors/sector_darts.h"
+#include "kernels/common/surfaces/surface.h"
+#include "kernels/common/surfaces/surface_elimination.h"
 #include "kernels/common/tile_sampling/averaged_tiles.h"
 #include "kernels/common/tile_sampling/recursive_tiles.h"
 #include "kernels/common/tiles/self_similar.h"
@@ -63,6 +65,26 @@ TEST(Contract, OfClassDarts)
     const std::size_t cells[] = {LAYOUT_OF(ClassCells, unused)};
     EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "unused")),
                 ElementsAreArray(cells));
+}
+
+TEST(Contract, OfSurfaces)
+{
+    using namespace contract::surface;
+    const std::string file = "kernels/common/surfaces/surface.h";
+    const std::size_t triangle[] = {LAYOUT_OF(Triangle, normal)};
+    EXPECT_THAT(on_device(file, layout_of("Triangle", "normal")), ElementsAreArray(triangle));
+    const std::size_t piece[] = {LAYOUT_OF(Piece, shares)};
+    EXPECT_THAT(on_device(file, layout_of("Piece", "shares")), ElementsAreArray(piece));
+    const std::size_t point[] = {LAYOUT_OF(SurfacePoint, next)};
+    EXPECT_THAT(on_device(file, layout_of("SurfacePoint", "next")), ElementsAreArray(point));
+    const std::size_t rule[] = {LAYOUT_OF(SurfaceRule, bucket_mask)};
+    EXPECT_THAT(on_device(file, layout_of("SurfaceRule", "bucket_mask")), ElementsAreArray(rule));
+    const std::size_t batch[] = {LAYOUT_OF(SurfaceBatch, bucket_mask)};
+    EXPECT_THAT(on_device(file, layout_of("SurfaceBatch", "bucket_mask")), ElementsAreArray(batch));
+    using contract::surface_elimination::Elimination;
+    const std::size_t elimination[] = {LAYOUT_OF(Elimination, points)};
+    EXPECT_THAT(on_device("kernels/common/surfaces/surface_elimination.h", layout_of("Elimination", "points")),
+                ElementsAreArray(elimination));
 }
 
 TEST(Contract, OfDartThrowing)

@@ -37,7 +37,7 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "mri_mask", "dither_mask", "cells"})
+                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "cells"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 
@@ -49,6 +49,17 @@ class Kinds(unittest.TestCase):
         self.assertEqual((mask.shape, mask.dtype, mask.sum()), ((32, 24), numpy.uint8, 192))
         ranks = distribute.dither_mask(size=32, by="void-and-cluster").mask
         self.assertEqual(sorted(ranks.ravel()), list(range(1024)))
+
+    def test_points_lie_on_meshes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = pathlib.Path(folder) / "square.off"
+            mesh.write_text("OFF\n4 1 0\n0 0 5\n2 0 5\n2 2 5\n0 2 5\n4 0 1 2 3\n")
+            made = distribute.surface(mesh=str(mesh), min_distance=0.2, engine="reference")
+        self.assertTrue((made.points[:, 2] == 5).all())
+        numpy.testing.assert_array_equal(made.normals, numpy.tile([0, 0, 1], (len(made.points), 1)))
+        gaps = numpy.linalg.norm(made.points[:, None] - made.points[None], axis=2)
+        self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 0.2)
+        self.assertEqual(made.numbers["uncovered"], 0)
 
     def test_darts_fall_into_regions_in_their_own_units(self):
         made = distribute.darts(region="rectangle 500 -20 540 10", min_distance=2, engine="reference")

@@ -30,7 +30,7 @@ void write_surface_output(const std::filesystem::path& file, const SurfaceSet& s
 {
     const FixedSurface& surface = set.mesh->surface;
     if (file.extension() != ".png") return write_surface_points(file, surface, set.points, comment);
-    const PngPixels view = surface_view(surface, set.points, shown_distance(set), pixels);
+    const PngPixels view = surface_view(surface, set.points, dots_of(set), pixels);
     write_png(file, {view.width, view.height, 1}, [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
 }
 

@@ -74,7 +74,7 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     result.facts = {fmt::format("{} points", set.points.size()), surface_fact(set, settings),
                     fmt::format("{} triangles", surface.triangles.size())};
     for (const std::string& note : set.mesh->notes()) result.facts.push_back(note);
-    const PngPixels view = surface_view(surface, set.points, shown_distance(set));
+    const PngPixels view = surface_view(surface, set.points, dots_of(set));
     write_png(files.add("points.png"), {view.width, view.height, 1},
               [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
     result.pictures.push_back({"points.png", "The points on their surface, from the front above and from behind above."});

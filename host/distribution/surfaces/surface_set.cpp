@@ -18,7 +18,7 @@ namespace poissonlab {
 namespace {
 
 /// Distances that shrink begin so many times larger than that at which darts saturate with as many points.
-constexpr double first_part = 1.3;
+constexpr double first_part = 1.02;
 
 /// Places at which it is looked whether a set leaves them uncovered.
 constexpr std::uint64_t looked_at = 1 << 16;
@@ -186,10 +186,10 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
                                                              : "the distance shrank until so many fitted";
 }
 
-double shown_distance(const SurfaceSet& set)
+SurfaceDots dots_of(const SurfaceSet& set)
 {
-    return set.min_distance > 0 ? set.min_distance
-                                : std::sqrt(set.mesh->surface.area / static_cast<double>(set.points.size()));
+    const double spacing = std::sqrt(set.mesh->surface.area / static_cast<double>(set.points.size()));
+    return {set.min_distance > 0 ? set.min_distance : spacing, set.mesh->open_edges == 0};
 }
 
 std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
 #include "host/settings/distributions/surface_config.hpp"
@@ -53,8 +54,8 @@ SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t see
 /// How the set was made, in a few words.
 std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& settings);
 
-/// The distance that dots of a picture are drawn by.
-double shown_distance(const SurfaceSet& set);
+/// How pictures show its points.
+SurfaceDots dots_of(const SurfaceSet& set);
 
 /// Numbers of the set. `seed` is that of places at which it is looked whether points are near.
 std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -60,10 +60,12 @@ public:
         }
     }
 
-    /// Dots of a radius in samples.
-    void draw_dots(const std::vector<SurfacePoint>& points, double radius)
+    /// Dots of a radius in samples. Those of closed surfaces are on the outside only.
+    void draw_dots(const std::vector<SurfacePoint>& points, double radius, bool is_closed)
     {
-        for (const SurfacePoint& point : points) draw_dot(point, radius);
+        for (const SurfacePoint& point : points)
+            if (!is_closed || product(camera_.back, normal_of(surface_.triangles[point.triangle])) > 0)
+                draw_dot(point, radius);
     }
 
     double scale() const { return scale_; }
@@ -113,14 +115,22 @@ private:
             }
     }
 
+    /// A disk in the plane of the point's triangle.
     void draw_dot(const SurfacePoint& point, double radius)
     {
+        const ViewVector normal = turned(normal_of(surface_.triangles[point.triangle]));
+        const double facing = std::max(0.05, std::abs(normal[2])), sign = normal[2] < 0 ? -1 : 1;
         const ViewVector c = on_canvas({double(point.place[0]), double(point.place[1]), double(point.place[2])});
-        for (int row = std::max(0, int(c[1] - radius)); row <= std::min(side_ - 1, int(c[1] + radius)); ++row)
-            for (int column = std::max(0, int(c[0] - radius)); column <= std::min(side_ - 1, int(c[0] + radius)); ++column) {
-                const double dx = column + 0.5 - c[0], dy = row + 0.5 - c[1];
-                // Slopes within a dot are hidden by no more than its width.
-                if (dx * dx + dy * dy <= radius * radius && c[2] + 2 * radius + 1 >= depth_[at(column, row)])
+        const auto ends = [&](double middle) {
+            return std::pair{std::max(0, int(middle - radius)), std::min(side_ - 1, int(middle + radius))};
+        };
+        for (int row = ends(c[1]).first; row <= ends(c[1]).second; ++row)
+            for (int column = ends(c[0]).first; column <= ends(c[0]).second; ++column) {
+                const double right = column + 0.5 - c[0], up = c[1] - row - 0.5;
+                const double back = -sign * (normal[0] * right + normal[1] * up) / facing;
+                // A pixel's depth is that of its middle, and neighbouring triangles have other slopes.
+                if (right * right + up * up + back * back <= radius * radius &&
+                    c[2] + back + radius / 4 + 1 / facing >= depth_[at(column, row)])
                     grey_[at(column, row)] = 0;
             }
     }
@@ -133,26 +143,27 @@ private:
     std::vector<float> depth_, grey_;
 };
 
-SurfaceCanvas drawn(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
+SurfaceCanvas drawn(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                     const Camera& camera, int side)
 {
     SurfaceCanvas canvas(surface, camera, side);
     canvas.draw_triangles();
-    const double radius = distance / surface.unit * canvas.scale() / 6;
-    canvas.draw_dots(points, std::clamp(radius, 0.8, side / 60.0));
+    const double radius = dots.distance / surface.unit * canvas.scale() / 6;
+    canvas.draw_dots(points, std::clamp(radius, 0.8, side / 60.0), dots.is_closed);
     return canvas;
 }
 
 }
 
-PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance, int pixels)
+PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
+                       int pixels)
 {
     const int side = std::max(1, pixels / 2);
     PngPixels view{2 * side, side, 1, {}};
     view.values.resize(view.at(0, side, 0));
     const Camera cameras[2] = {camera_at(-0.5, 0.5), camera_at(2.64, 0.5)};
     for (int number = 0; number < 2; ++number) {
-        const SurfaceCanvas canvas = drawn(surface, points, distance, cameras[number], side * view_samples);
+        const SurfaceCanvas canvas = drawn(surface, points, dots, cameras[number], side * view_samples);
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column) {
                 float sum = 0;

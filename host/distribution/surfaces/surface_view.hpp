@@ -11,9 +11,16 @@ namespace poissonlab {
 /// Views are drawn so wide by default, two of them beside each other.
 inline constexpr int default_view_pixels = 2048;
 
-/// Both views, `pixels` wide together: triangles in the light from the viewer, points as dots of a third of their
-/// distance, where the surface does not hide them. z points upwards. `distance` is in the mesh's units.
-PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
+/// How points are drawn.
+struct SurfaceDots
+{
+    double distance = 0;    ///< in the mesh's units: dots are a third of it wide
+    bool is_closed = false; ///< the surface has no open edges, and points on triangles that face away are hidden
+};
+
+/// Both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface does not
+/// hide them. z points upwards.
+PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                        int pixels = default_view_pixels);
 
 }

@@ -32,7 +32,7 @@ struct MeshPointSettings
     std::optional<double> min_distance;
     std::optional<double> relative_radius;
     double normal_angle = 120;
-    double factor = 0.98;
+    double factor = 0.99;
     std::uint32_t candidates = 5;
     std::shared_ptr<const SurfaceMesh> read{}; ///< the mesh, where it was read already
 };

@@ -1,0 +1,216 @@
+// Points on surfaces: what settings mean, what is measured, files that others read, and plane surfaces beside regions.
+#include "host/distribution/surfaces/surface_set.hpp"
+
+#include "base/files/whole_file.hpp"
+#include "host/distribution/region_darts.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
+#include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <CGAL/IO/read_ply_points.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+const DistributionPlace on_reference{.engine = Engine::reference, .device = {}};
+
+std::shared_ptr<const SurfaceMesh> mesh_of(const TriangleMesh& mesh)
+{
+    return std::make_shared<const SurfaceMesh>(SurfaceMesh{mesh, fixed_surface(mesh), open_edges(mesh)});
+}
+
+MeshPointSettings settings_on(const TriangleMesh& mesh)
+{
+    MeshPointSettings settings;
+    settings.read = mesh_of(mesh);
+    return settings;
+}
+
+double number_in(const SurfaceSet& set, const std::string& key)
+{
+    for (const DistributionNumber& number : surface_numbers(set, 1))
+        if (number.key == key) return number.value;
+    return NAN;
+}
+
+TEST(SurfaceSets, HaveSoManyPointsAtADistanceThatShrinks)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(16));
+    settings.points = 300;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    EXPECT_EQ(set.points.size(), 300U);
+    EXPECT_GE(number_in(set, "least_distance"), set.min_distance * (1 - 1e-15));
+    // Saturated sets have 0.777; the last distance is a hundredth below what fits.
+    EXPECT_GT(number_in(set, "relative_radius"), 0.74);
+    EXPECT_LT(number_in(set, "uncovered"), 0.02);
+}
+
+TEST(SurfaceSets, StopAtANumber)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(16));
+    settings.points = 300;
+    settings.relative_radius = 0.6;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    EXPECT_EQ(set.points.size(), 300U);
+    EXPECT_GE(number_in(set, "relative_radius"), 0.6 * (1 - 1e-15));
+    EXPECT_GT(number_in(set, "uncovered"), 0.02);
+    settings.relative_radius = 0.9;
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 1, on_reference); }),
+                testing::MatchesRegex("the surface is saturated with 2[0-9]+ of 300 points: no further one fits; a "
+                                      "relative radius of about 0\\.7[0-9]+ can be reached"));
+}
+
+TEST(SurfaceSets, SayHowSidesOfASheetAre)
+{
+    MeshPointSettings settings = settings_on(sheet_mesh(0.001));
+    settings.min_distance = 0.08;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    EXPECT_GE(number_in(set, "least_distance"), 0.08 * (1 - 1e-15));
+    EXPECT_LT(number_in(set, "least_of_any"), 0.08);
+    EXPECT_EQ(number_in(set, "uncovered"), 0);
+    settings.normal_angle = 180;
+    EXPECT_TRUE(std::isnan(number_in(make_surface_set(settings, 1, on_reference), "least_of_any")));
+}
+
+TEST(SurfaceSets, RefuseDistancesWithoutRoom)
+{
+    const MeshPointSettings settings = settings_on(square_mesh());
+    const auto refusal = [&](double min_distance) {
+        MeshPointSettings asked = settings;
+        asked.min_distance = min_distance;
+        return message_of([&] { surface_distance(asked, *asked.read); });
+    };
+    EXPECT_THAT(refusal(2), testing::HasSubstr("there is room for one point"));
+    EXPECT_THAT(refusal(1e-6), testing::HasSubstr("at least 1e-05"));
+    EXPECT_THAT(refusal(2e-5), testing::HasSubstr("these are some 1.74e+09 points; at most 134217728"));
+}
+
+TEST(SurfaceNeighbourhoods, AreThoseOfAllPairs)
+{
+    MeshPointSettings settings = settings_on(sheet_mesh(0.05));
+    settings.points = 150;
+    settings.relative_radius = 0.3;
+    const SurfaceSet set = make_surface_set(settings, 2, on_reference);
+    const PointSet places = set.places();
+    double any = INFINITY, seen = INFINITY, sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double nearest = INFINITY;
+        for (std::size_t j = 0; j < places.size(); ++j) {
+            if (i == j) continue;
+            const double d = std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1],
+                                        places[i][2] - places[j][2]);
+            any = std::min(any, d);
+            if (places[i][2] == places[j][2]) nearest = std::min(nearest, d); // on the same side
+        }
+        seen = std::min(seen, nearest);
+        sum += nearest;
+    }
+    const SurfaceDistances found = surface_distances(set.mesh->surface, set.points, least_cosine(set.angle));
+    EXPECT_NEAR(found.least, seen, 1e-15);
+    EXPECT_NEAR(found.least_of_any, any, 1e-15);
+    EXPECT_NEAR(found.mean_nearest, sum / 150, 1e-14);
+}
+
+/// Numbers of saturated sets, and mean distances of nearest points, are those of darts in a square of the plane.
+TEST(PlaneSurfaces, HaveTheStatisticsOfRegions)
+{
+    constexpr int sets = 12;
+    std::array<double, 2> counts{}, squares{}, nearest{}, nearest_squares{};
+    for (std::uint64_t seed = 0; seed < sets; ++seed) {
+        MeshPointSettings on_mesh = settings_on(square_mesh(2));
+        on_mesh.min_distance = 0.05;
+        DartSettings in_region;
+        in_region.region = "rectangle 0 0 1 1";
+        in_region.min_distance = 0.05;
+        const SurfaceSet a = make_surface_set(on_mesh, seed, on_reference);
+        const RegionDarts b = throw_region_darts(in_region, seed, on_reference);
+        const double count[2] = {double(a.points.size()), double(b.points.size())};
+        const double mean[2] = {surface_distances(a.mesh->surface, a.points, least_cosine(180)).mean_nearest,
+                                nearest_distances(b.points).mean};
+        for (std::size_t i = 0; i < 2; ++i) {
+            counts[i] += count[i] / sets;
+            squares[i] += count[i] * count[i] / sets;
+            nearest[i] += mean[i] / sets;
+            nearest_squares[i] += mean[i] * mean[i] / sets;
+        }
+    }
+    const auto error = [](const auto& sums, const auto& of_squares) {
+        double squared = 0;
+        for (std::size_t i = 0; i < 2; ++i) squared += (of_squares[i] - sums[i] * sums[i]) / (sets - 1);
+        return std::sqrt(squared);
+    };
+    EXPECT_LT(error(counts, squares), 4);
+    EXPECT_NEAR(counts[0], counts[1], 4 * error(counts, squares));
+    EXPECT_LT(error(nearest, nearest_squares), 3e-4);
+    EXPECT_NEAR(nearest[0], nearest[1], 4 * error(nearest, nearest_squares));
+}
+
+TEST(SurfaceFiles, AreReadByCgal)
+{
+    using Kernel = CGAL::Simple_cartesian<double>;
+    MeshPointSettings settings = settings_on(sphere_mesh(8));
+    settings.points = 50;
+    settings.relative_radius = 0.5;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "points.ply";
+    write_surface_points(file, set.mesh->surface, set.points, "words");
+    EXPECT_THAT(read_whole_file(file), testing::StartsWith("ply\nformat binary_little_endian 1.0\ncomment words\n"));
+    using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+    std::vector<Oriented> read;
+    ASSERT_TRUE(CGAL::IO::read_PLY(file.string(), std::back_inserter(read),
+                                   CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                                       .normal_map(CGAL::Second_of_pair_property_map<Oriented>())));
+    const PointSet places = set.places();
+    ASSERT_EQ(read.size(), 50U);
+    for (std::size_t i = 0; i < 50; ++i) {
+        const auto& [point, normal] = read[i];
+        EXPECT_EQ((std::array{point.x(), point.y(), point.z()}), (std::array{places[i][0], places[i][1], places[i][2]}));
+        EXPECT_NEAR(normal.squared_length(), 1, 1e-6);
+        // Normals of a sphere point away from its middle, but for the slopes of flat triangles.
+        EXPECT_GT(normal * (point - CGAL::ORIGIN), 0.9);
+    }
+}
+
+TEST(SurfaceViews, ShowDotsOnTheNearSide)
+{
+    const SurfaceMesh mesh{sphere_mesh(8), fixed_surface(sphere_mesh(8)), 0};
+    const auto dark = [&](const MeshPoint& at) {
+        // The point whose place is nearest to a direction: the triangle is that of the nearest middle.
+        SurfacePoint point{};
+        double best = -1;
+        for (std::uint32_t t = 0; t < mesh.surface.triangles.size(); ++t) {
+            const MeshPoint n = normal_of(mesh.surface.triangles[t]);
+            const double along = n[0] * at[0] + n[1] * at[1] + n[2] * at[2];
+            if (along <= best) continue;
+            best = along;
+            const auto place = place_on(mesh.surface.triangles[t], 715'827'882, 715'827'882);
+            point = {.place = {int(place[0]), int(place[1]), int(place[2])}, .triangle = t, .shares = {}, .next = 0, .unused = 0};
+        }
+        const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 200);
+        std::array<int, 2> counts{};
+        for (int row = 0; row < 100; ++row)
+            for (int column = 0; column < 200; ++column) counts[column / 100] += view.values[view.at(column, row, 0)] < 60;
+        return counts;
+    };
+    // The first view is from -y above, the second one from +y above.
+    EXPECT_GT(dark({-0.4, -0.8, 0.4})[0], 10);
+    EXPECT_EQ(dark({-0.4, -0.8, 0.4})[1], 0);
+    EXPECT_GT(dark({0.4, 0.8, 0.4})[1], 10);
+    EXPECT_EQ(dark({0.4, 0.8, 0.4})[0], 0);
+    EXPECT_GT(dark({0, 0, 1})[0], 10);
+    EXPECT_GT(dark({0, 0, 1})[1], 10);
+}
+
+}
+}
