@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace poissonlab {
@@ -28,6 +27,15 @@ struct PolygonSoup
 [[noreturn]] void fail_in_mesh(const std::filesystem::path& file, const std::string& problem)
 {
     throw InputError::at({file.string()}, problem);
+}
+
+void check_indices(const std::filesystem::path& file, const PolygonSoup& soup)
+{
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+        for (const std::size_t corner : soup.polygons[f])
+            if (corner >= soup.points.size())
+                fail_in_mesh(file, fmt::format("face {} has a vertex that is not there: there are {} vertices", f + 1,
+                                               soup.points.size()));
 }
 
 PolygonSoup read_soup(const std::filesystem::path& file)
@@ -51,19 +59,12 @@ PolygonSoup read_soup(const std::filesystem::path& file)
     } catch (const std::exception&) { // of memory, where counts in the file lie, among others
         is_read = false;
     }
-    if (!is_read && soup.polygons.empty()) fail_in_mesh(file, "cannot be read as a mesh: it is damaged, or has no faces");
+    check_indices(file, soup);
+    if (!is_read && soup.polygons.empty())
+        fail_in_mesh(file, "cannot be read as a mesh: it is damaged, or has no faces");
     if (!is_read) fail_in_mesh(file, fmt::format("is damaged after {} faces", soup.polygons.size()));
     if (soup.polygons.empty()) fail_in_mesh(file, "has no faces");
     return soup;
-}
-
-void check_indices(const std::filesystem::path& file, const PolygonSoup& soup)
-{
-    for (std::size_t f = 0; f < soup.polygons.size(); ++f)
-        for (const std::size_t corner : soup.polygons[f])
-            if (corner >= soup.points.size())
-                fail_in_mesh(file, fmt::format("face {} has a vertex that is not there: there are {} vertices", f + 1,
-                                               soup.points.size()));
 }
 
 /// The corners of a polygon without those that repeat the one before.
@@ -91,7 +92,6 @@ void add_polygon(TriangleMesh& mesh, const std::vector<std::uint32_t>& corners)
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file)
 {
     const PolygonSoup soup = read_soup(file);
-    check_indices(file, soup);
     if (soup.points.size() > UINT32_MAX / 4 || soup.polygons.size() > UINT32_MAX / 4)
         fail_in_mesh(file, fmt::format("has more than {} vertices or faces", UINT32_MAX / 4));
     TriangleMesh mesh;
@@ -100,35 +100,11 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file)
         mesh.vertices.push_back({p.x(), p.y(), p.z()});
         for (const double c : mesh.vertices.back())
             if (!std::isfinite(c))
-                fail_in_mesh(file, fmt::format("vertex {} has a coordinate that is no finite number",
-                                               mesh.vertices.size()));
+                fail_in_mesh(file,
+                             fmt::format("vertex {} has a coordinate that is no finite number", mesh.vertices.size()));
     }
     for (const auto& polygon : soup.polygons) add_polygon(mesh, corners_of(polygon));
     return mesh;
-}
-
-std::size_t open_edges(const TriangleMesh& mesh)
-{
-    std::map<MeshPoint, std::uint32_t> first_at;
-    std::vector<std::uint32_t> names;
-    names.reserve(mesh.vertices.size());
-    for (const MeshPoint& place : mesh.vertices)
-        names.push_back(first_at.try_emplace(place, static_cast<std::uint32_t>(names.size())).first->second);
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const MeshTriangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(names[t[k]], names[t[(k + 1) % 3]]);
-            if (low != high) edges.push_back({low, high});
-        }
-    std::ranges::sort(edges);
-    std::size_t open = 0;
-    for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
-        next = i + 1;
-        while (next < edges.size() && edges[next] == edges[i]) ++next;
-        open += next - i == 1;
-    }
-    return open;
 }
 
 }

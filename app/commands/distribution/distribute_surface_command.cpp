@@ -54,8 +54,8 @@ void place_on_surface(const KindOptions& o)
 
 Command distribute_surface_command()
 {
-    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "surface"), OutputFiles{{".png"}, true},
-                                                 "mesh");
+    const auto o =
+        std::make_shared<KindOptions>(*find_kind("distribution", "surface"), OutputFiles{{".png"}, true}, "mesh");
     return kind_command(o, {o->outs.option(), pixels_option(o->pixels, 16384, std::to_string(default_view_pixels))},
                         distribute_surface_notes, place_on_surface);
 }

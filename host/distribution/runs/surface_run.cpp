@@ -22,8 +22,7 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
         throw keys.problem(fmt::format("elimination needs {}", keys.name_of("points")));
     if (!s.points && !s.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
-    if (s.relative_radius && !s.points)
-        throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    if (s.relative_radius && !s.points) throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
     const bool shrinks = s.method == SurfaceMethod::darts && s.points && !s.min_distance && !s.relative_radius;
     if (keys.is_given("factor") && !shrinks)
         throw keys.invalid("factor", fmt::format("goes with {} alone, by darts", keys.name_of("points")));
@@ -32,7 +31,8 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
             if (keys.is_given(key))
                 throw keys.invalid(key, fmt::format("elimination takes {} alone", keys.name_of("points")));
     if (s.method == SurfaceMethod::elimination && *s.points * s.candidates > static_cast<std::size_t>(max_points))
-        throw keys.invalid("points", fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
+        throw keys.invalid("points",
+                           fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
 }
@@ -77,7 +77,8 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     const PngPixels view = surface_view(surface, set.points, dots_of(set));
     write_png(files.add("points.png"), {view.width, view.height, 1},
               [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
-    result.pictures.push_back({"points.png", "The points on their surface, from the front above and from behind above."});
+    result.pictures.push_back(
+        {"points.png", "The points on their surface, from the front above and from behind above."});
     write_surface_points(files.add("points.ply"), surface, set.points, "");
     write_points(files.add("points.npy"), set.places());
     write_points(files.add("normals.npy"), normals_of(surface, set.points));
@@ -91,8 +92,8 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
 Kind surface_point_kind()
 {
     return make_kind<MeshPointSettings>({"distribution", "surface", "distribute surface", "Points on a surface",
-                                       "Make points on the triangles of a mesh, even by distances through space"},
-                                      surface_keys, surface_label, make_surface);
+                                         "Make points on the triangles of a mesh, even by distances through space"},
+                                        surface_keys, surface_label, make_surface);
 }
 
 }

@@ -47,7 +47,8 @@ SurfaceNeighbours::SurfaceNeighbours(const FixedSurface& surface, const std::vec
         keys.push_back(key_of(p.place[0] / reach_, p.place[1] / reach_, p.place[2] / reach_));
     order_.resize(points.size());
     std::iota(order_.begin(), order_.end(), 0u);
-    std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
+    std::ranges::sort(order_,
+                      [&](std::uint32_t a, std::uint32_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
     for (const std::uint32_t i : order_) keys_.push_back(keys[i]);
 }
 
@@ -77,8 +78,7 @@ std::uint64_t SurfaceNeighbours::squared_nearest(std::size_t own, std::int32_t l
     const SurfaceTriangle& triangle = surface_.triangles[point.triangle];
     std::uint64_t least = no_distance;
     const auto look_at = [&](std::size_t other) {
-        if (other == own ||
-            cosine_between(triangle, surface_.triangles[points_[other].triangle]) < least_cosine)
+        if (other == own || cosine_between(triangle, surface_.triangles[points_[other].triangle]) < least_cosine)
             return;
         least = std::min(least, squared_distance(place_of(point), place_of(points_[other])));
     };
@@ -94,9 +94,8 @@ bool SurfaceNeighbours::is_near(const SurfacePoint& place, std::uint64_t squared
     const SurfaceTriangle& triangle = surface_.triangles[place.triangle];
     bool is_found = false;
     for_each_around(place_of(place), [&](std::size_t i) {
-        is_found = is_found ||
-                   (squared_distance(place_of(place), place_of(points_[i])) < squared &&
-                    cosine_between(triangle, surface_.triangles[points_[i].triangle]) >= least_cosine);
+        is_found = is_found || (squared_distance(place_of(place), place_of(points_[i])) < squared &&
+                                cosine_between(triangle, surface_.triangles[points_[i].triangle]) >= least_cosine);
     });
     return is_found;
 }

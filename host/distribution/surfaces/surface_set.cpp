@@ -44,9 +44,9 @@ void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
     throw InputError(fmt::format(
         "the surface is saturated with {} of {} points: no further one fits; {} can be reached", darts.points.size(),
         *settings.points,
-        settings.min_distance ? fmt::format("a minimum distance of about {:.4g}", 0.99 * share * *settings.min_distance)
-                              : fmt::format("a relative radius of about {:.3f}",
-                                            0.99 * share * settings.relative_radius.value_or(0))));
+        settings.min_distance
+            ? fmt::format("a minimum distance of about {:.4g}", 0.99 * share * *settings.min_distance)
+            : fmt::format("a relative radius of about {:.3f}", 0.99 * share * settings.relative_radius.value_or(0))));
 }
 
 SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
@@ -81,8 +81,8 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
             darts.is_saturated, darts.small_area,        darts.darts};
 }
 
-SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
-                          const DistributionPlace& place)
+SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh,
+                          std::uint64_t seed, const DistributionPlace& place)
 {
     const std::shared_ptr<const FixedSurface> surface{mesh, &mesh->surface};
     const std::size_t count = *settings.points * settings.candidates;
@@ -97,8 +97,7 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
         return kernels ? kernels->removal_order(points, reach, removed)
                        : reference::surface_removal_order(*surface, points, reach, removed);
     };
-    const auto candidates =
-        surface_candidates(*surface, count, stream_key(seed, Purpose::surface_candidates, 0));
+    const auto candidates = surface_candidates(*surface, count, stream_key(seed, Purpose::surface_candidates, 0));
     auto points = eliminate_on_surface(*surface, candidates, *settings.points, settings.normal_angle, order);
     return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
 }
@@ -132,8 +131,8 @@ std::vector<std::string> SurfaceMesh::notes() const
         notes.push_back(counted(mesh.divided, "face", "faces") + " of more than three corners became triangles");
     if (const std::size_t dropped = surface.flat + mesh.dropped; dropped > 0)
         notes.push_back(counted(dropped, "face", "faces") + " without an area were left out");
-    if (open_edges > 0)
-        notes.push_back("the surface is open: " + counted(open_edges, "edge has a face", "edges have faces") +
+    if (surface.open_edges > 0)
+        notes.push_back("the surface is open: " + counted(surface.open_edges, "edge has a face", "edges have faces") +
                         " on one side only, and beyond it no points keep others away");
     return notes;
 }
@@ -141,13 +140,12 @@ std::vector<std::string> SurfaceMesh::notes() const
 std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings)
 {
     if (settings.read) return settings.read;
-    SurfaceMesh read{read_triangle_mesh(settings.mesh), {}, 0};
+    SurfaceMesh read{read_triangle_mesh(settings.mesh), {}};
     try {
         read.surface = fixed_surface(read.mesh);
     } catch (const InputError& error) {
         throw error.moved_to({settings.mesh.string()});
     }
-    read.open_edges = poissonlab::open_edges(read.mesh);
     return std::make_shared<const SurfaceMesh>(std::move(read));
 }
 
@@ -161,12 +159,13 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
                                      "around it: there is room for one point",
                                      distance, most));
     if (!settings.min_distance)
-        distance = settings.relative_radius
-                       ? *settings.relative_radius * packed_distance(surface.area, *settings.points)
-                       : first_part * std::sqrt(saturated_count(surface.area, 1) / static_cast<double>(*settings.points));
+        distance =
+            settings.relative_radius
+                ? *settings.relative_radius * packed_distance(surface.area, *settings.points)
+                : first_part * std::sqrt(saturated_count(surface.area, 1) / static_cast<double>(*settings.points));
     if (distance < least)
-        throw InputError(fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}",
-                                     distance, least));
+        throw InputError(
+            fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}", distance, least));
     if (const double count = saturated_count(surface.area, distance); !settings.points && count > max_points)
         throw InputError(fmt::format("these are some {:.3g} points; at most {}", count, max_points));
     return std::min(distance, most);
@@ -189,7 +188,7 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
 SurfaceDots dots_of(const SurfaceSet& set)
 {
     const double spacing = std::sqrt(set.mesh->surface.area / static_cast<double>(set.points.size()));
-    return {set.min_distance > 0 ? set.min_distance : spacing, set.mesh->open_edges == 0};
+    return {set.min_distance > 0 ? set.min_distance : spacing, set.mesh->surface.open_edges == 0};
 }
 
 std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed)
@@ -201,6 +200,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     if (set.min_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
                            "that points are sure to keep, straight through space, in units of the mesh"});
+    numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.points.size() < 2) return numbers;
     const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle));
     if (!std::isfinite(found.least)) return numbers;
@@ -211,9 +211,9 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
                            "also of points that do not see each other, such as those on two sides of a sheet"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});
-    numbers.push_back({"relative_radius", "Relative radius",
-                       found.least / packed_distance(surface.area, set.points.size()),
-                       "least distance over that of the densest packing of as many points in a plane of the same area"});
+    numbers.push_back(
+        {"relative_radius", "Relative radius", found.least / packed_distance(surface.area, set.points.size()),
+         "least distance over that of the densest packing of as many points in a plane of the same area"});
     if (set.is_saturated)
         numbers.push_back({"uncovered", "Uncovered part", set.small_area / surface.area,
                            "of the surface, at most: proven, piece by piece"});

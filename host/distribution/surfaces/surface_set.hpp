@@ -22,7 +22,6 @@ struct SurfaceMesh
 {
     TriangleMesh mesh;
     FixedSurface surface;
-    std::size_t open_edges = 0;
 
     /// What a person should know of it: faces that were dropped or divided, open boundaries. A line each.
     std::vector<std::string> notes() const;

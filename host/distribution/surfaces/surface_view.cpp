@@ -97,8 +97,7 @@ private:
 
     void fill(const std::array<ViewVector, 3>& c, float grey)
     {
-        const double twice_area =
-            (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
+        const double twice_area = (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
         if (twice_area == 0) return;
         const auto [x_low, x_high] = std::minmax({c[0][0], c[1][0], c[2][0]});
         const auto [y_low, y_high] = std::minmax({c[0][1], c[1][1], c[2][1]});

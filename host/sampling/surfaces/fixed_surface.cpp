@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace poissonlab {
@@ -43,19 +44,48 @@ std::array<double, 3> product_of_edges(const SurfaceTriangle& t)
     std::array<double, 3> product{};
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        product[static_cast<std::size_t>(k)] =
-            static_cast<double>(edge(1, i) * edge(2, j) - edge(1, j) * edge(2, i));
+        product[static_cast<std::size_t>(k)] = static_cast<double>(edge(1, i) * edge(2, j) - edge(1, j) * edge(2, i));
     }
     return product;
+}
+
+std::array<std::int32_t, 3> rounded_place(const FixedSurface& surface, const MeshPoint& place)
+{
+    std::array<std::int32_t, 3> rounded{};
+    for (std::size_t k = 0; k < 3; ++k)
+        rounded[k] = static_cast<std::int32_t>(std::floor((place[k] - surface.origin[k]) / surface.unit + 0.5));
+    return rounded;
+}
+
+std::size_t count_open_edges(const TriangleMesh& mesh, const FixedSurface& surface)
+{
+    std::map<std::array<std::int32_t, 3>, std::uint32_t> first_at;
+    std::vector<std::uint32_t> names(mesh.vertices.size());
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (const MeshTriangle& t : mesh.triangles) {
+        for (const std::uint32_t corner : t)
+            names[corner] = first_at.try_emplace(rounded_place(surface, mesh.vertices[corner]), corner).first->second;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(names[t[k]], names[t[(k + 1) % 3]]);
+            if (low != high) edges.push_back({low, high});
+        }
+    }
+    std::ranges::sort(edges);
+    std::size_t open = 0;
+    for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+        next = i + 1;
+        while (next < edges.size() && edges[next] == edges[i]) ++next;
+        if (next - i == 1) ++open;
+    }
+    return open;
 }
 
 void add_triangle(FixedSurface& surface, const TriangleMesh& mesh, std::uint32_t face)
 {
     SurfaceTriangle t{};
     for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            t.corners[3 * i + k] = static_cast<std::int32_t>(
-                std::floor((mesh.vertices[mesh.triangles[face][i]][k] - surface.origin[k]) / surface.unit + 0.5));
+        std::ranges::copy(rounded_place(surface, mesh.vertices[mesh.triangles[face][i]]), t.corners + 3 * i);
     const auto [x, y, z] = product_of_edges(t);
     const double length = std::sqrt(x * x + y * y + z * z);
     if (length == 0) {
@@ -85,7 +115,8 @@ FixedSurface fixed_surface(const TriangleMesh& mesh)
         farthest = std::max({farthest, std::abs(box.low[k]), std::abs(box.high[k])});
     }
     if (!(surface.size >= least_size && surface.size <= most_size))
-        throw InputError(fmt::format("the mesh is {} wide: must be from {} to {}", surface.size, least_size, most_size));
+        throw InputError(
+            fmt::format("the mesh is {} wide: must be from {} to {}", surface.size, least_size, most_size));
     // The surface fits with a unit to spare at either end.
     int exponent = 0;
     std::frexp(surface.size * (1 + 0x1p-20), &exponent);
@@ -97,6 +128,7 @@ FixedSurface fixed_surface(const TriangleMesh& mesh)
     for (std::size_t k = 0; k < 3; ++k) surface.origin[k] = std::floor(box.low[k] / surface.unit) * surface.unit;
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) add_triangle(surface, mesh, face);
     if (surface.triangles.empty()) throw InputError("the mesh has no area: its corners lie on lines");
+    surface.open_edges = count_open_edges(mesh, surface);
     return surface;
 }
 
@@ -106,7 +138,8 @@ MeshPlace place_on(const SurfaceTriangle& triangle, std::uint32_t share_1, std::
     MeshPlace place;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int64_t origin = triangle.corners[k];
-        const std::int64_t sum = (triangle.corners[3 + k] - origin) * share_1 + (triangle.corners[6 + k] - origin) * share_2;
+        const std::int64_t sum =
+            (triangle.corners[3 + k] - origin) * share_1 + (triangle.corners[6 + k] - origin) * share_2;
         place[k] = origin + ((sum + (std::int64_t{1} << (BARYCENTRIC_BITS - 1))) >> BARYCENTRIC_BITS);
     }
     return place;

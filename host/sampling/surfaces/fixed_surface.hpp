@@ -1,7 +1,7 @@
-// A surface in whole numbers: its corners lie on a grid of 2^-30 of its size or finer than twice that.
+// A surface in whole numbers: its corners lie on a grid whose unit is between 2^-30 and 2^-29 of its size.
 //
-// Distances are then exact, and kernels and their twins come to the same points. Units are powers of two, and the grid's
-// origin is a multiple of one, so that places are written as doubles without rounding.
+// Distances are then exact, and kernels and their twins come to the same points. Units are powers of two, and the
+// grid's origin is a multiple of one, so that places are written as doubles without rounding.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -29,6 +29,7 @@ struct FixedSurface
     double area = 0;                  ///< of all
     double size = 0;                  ///< the longest side of the box around the mesh
     std::size_t flat = 0;             ///< triangles without an area, which were left out
+    std::size_t open_edges = 0;       ///< with a triangle on one side only; corners at one place count as one
 
     double units_of(double length) const { return length / unit; }
 };

@@ -174,8 +174,7 @@ DeviceMemory surface_dart_memory(const FixedSurface& surface, std::size_t points
 {
     SurfaceDartBuffers buffers;
     const std::size_t pieces = surface.triangles.size() + pieces_a_point * points;
-    DeviceMemory memory = memory_of(buffers_of_points(buffers, points)) +
-                          memory_of(buffers_of_darts(buffers, points)) +
+    DeviceMemory memory = memory_of(buffers_of_points(buffers, points)) + memory_of(buffers_of_darts(buffers, points)) +
                           memory_of(buffers_of_pieces(buffers, pieces, pieces));
     return memory.add(surface.triangles.size() * sizeof(SurfaceTriangle));
 }

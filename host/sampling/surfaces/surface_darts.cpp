@@ -49,8 +49,8 @@ private:
     std::size_t expected_points() const
     {
         if (request_.points > 0) return request_.points;
-        return static_cast<std::size_t>(
-                   1.2 * saturated_count(request_.surface->area, result_.min_distance)) + least_surface_batch;
+        return static_cast<std::size_t>(1.2 * saturated_count(request_.surface->area, result_.min_distance)) +
+               least_surface_batch;
     }
 
     void restart(std::size_t capacity)
@@ -73,8 +73,8 @@ private:
     void fill()
     {
         while (!pieces_.empty() && !is_full()) {
-            const std::size_t darts =
-                std::clamp(std::max(result_.points.size() / 2, pieces_.size() / 4), least_surface_batch, most_surface_batch);
+            const std::size_t darts = std::clamp(std::max(result_.points.size() / 2, pieces_.size() / 4),
+                                                 least_surface_batch, most_surface_batch);
             if (throw_batch(darts) * worthwhile_darts >= darts) continue;
             RefinedPieces left = refined(*request_.surface, pieces_, engine_.cover());
             result_.small_area += left.small_area;

@@ -2,14 +2,14 @@
 // many fit.
 //
 // Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009, for the pieces that darts fall on; see
-// host/sampling/surfaces/surface_pieces.hpp. Two points are in conflict where they are nearer than the minimum distance,
-// straight through space, unless the normals of their triangles are farther apart than an angle: the two sides of a thin
-// sheet do not see each other.
+// host/sampling/surfaces/surface_pieces.hpp. Two points are in conflict where they are nearer than the minimum
+// distance, straight through space, unless the normals of their triangles are farther apart than an angle: the two
+// sides of a thin sheet do not see each other.
 //
-// Darts come in batches, whose size follows from what was accepted so far. Where few of a batch are accepted, pieces are
-// refined: those that one disk covers are dropped. A set is saturated when no piece is left. All of the surface is then
-// nearer to a point than the minimum distance, but for pieces that are within LIMIT units (some 2^-26 of the surface's
-// size), whose centre is covered; their area is said, and is 0 but by rare chance.
+// Darts come in batches, whose size follows from what was accepted so far. Where few of a batch are accepted, pieces
+// are refined: those that one disk covers are dropped. A set is saturated when no piece is left. All of the surface is
+// then nearer to a point than the minimum distance, but for pieces that are within LIMIT units (2^-25 of the surface's
+// size at most), whose centre is covered; their area is said, and is 0 but by rare chance.
 #pragma once
 
 #include "base/random/random.hpp"
@@ -60,8 +60,8 @@ public:
                          std::size_t capacity) = 0;
     virtual void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) = 0;
 
-    /// Darts number first, first + 1, ..., of which at most `most` are accepted. Returns these, in order; they are among
-    /// the points now.
+    /// Darts number first, first + 1, ..., of which at most `most` are accepted. Returns these, in order; they are
+    /// among the points now.
     virtual std::vector<SurfacePoint> throw_darts(std::uint64_t first, std::uint32_t darts, std::size_t most) = 0;
 
     /// The state of each piece that was set.

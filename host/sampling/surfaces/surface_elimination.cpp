@@ -140,8 +140,8 @@ private:
                       b.weights, b.heavier, b.marks, b.removed);
             touch_.run(ids_.size(), group_size_, elimination_, b.candidates, b.triangles, b.starts, b.weights, b.marks,
                        b.touched);
-            remove_.run(ids_.size(), group_size_, elimination_, b.candidates, b.triangles, b.starts, b.weights,
-                        b.marks, b.touched);
+            remove_.run(ids_.size(), group_size_, elimination_, b.candidates, b.triangles, b.starts, b.weights, b.marks,
+                        b.touched);
             of_round = b.removed.read(0, 1).front();
         }
         return removed;
@@ -181,8 +181,7 @@ std::vector<SurfacePoint> surface_candidates(const FixedSurface& surface, std::s
 }
 
 std::vector<SurfacePoint> eliminate_on_surface(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
-                                               std::size_t kept, double angle,
-                                               const SurfaceRemovalOrder& removal_order)
+                                               std::size_t kept, double angle, const SurfaceRemovalOrder& removal_order)
 {
     std::vector<SurfacePoint> left = points;
     if (kept < points.size()) {
@@ -194,8 +193,7 @@ std::vector<SurfacePoint> eliminate_on_surface(const FixedSurface& surface, cons
     std::vector<SurfacePoint> ordered = left;
     while (left.size() >= 3) {
         const std::size_t half = left.size() / 2;
-        const auto removed =
-            removal_order(left, {packed_on_surface(surface, half), 0, angle}, left.size() - half);
+        const auto removed = removal_order(left, {packed_on_surface(surface, half), 0, angle}, left.size() - half);
         for (std::size_t i = 0; i < removed.size(); ++i) ordered[left.size() - 1 - i] = left[removed[i]];
         left = chosen_of(left, rest_of(removed, left.size()));
         std::ranges::copy(left, ordered.begin());

@@ -1,10 +1,11 @@
-// Sample elimination on surfaces: of many random points, the one that has the others nearest is removed, again and again.
+// Sample elimination on surfaces: of many random points, the one that has the others nearest is removed, again and
+// again.
 //
 // Yuksel, Sample elimination for generating Poisson disk sample sets, Computer Graphics Forum 34(2), 2015; section 4.2
-// is of surfaces, with distances straight through space. A pair of points at a distance d weighs (1 - d / d_max)^8, where
-// d_max is the distance of the densest packing of as many points as are kept in a plane of the surface's area. Points
-// whose normals are too far apart do not see each other. Elimination goes on from n to n / 2 points, for the order: every
-// beginning of the set is one that elimination would keep, or nearly.
+// is of surfaces, with distances straight through space. A pair of points at a distance d weighs (1 - d / d_max)^8,
+// where d_max is the distance of the densest packing of as many points as are kept in a plane of the surface's area.
+// Points whose normals are too far apart do not see each other. Elimination goes on from n to n / 2 points, for the
+// order: every beginning of the set is one that elimination would keep, or nearly.
 #pragma once
 
 #include "base/random/random.hpp"

@@ -57,8 +57,8 @@ void add_halves(const FixedSurface& surface, const SurfacePiece& piece, std::vec
     for (const std::size_t replaced : ends) {
         SurfacePiece half = piece;
         for (std::size_t k = 0; k < 2; ++k)
-            half.shares[replaced + k] = static_cast<std::uint32_t>(
-                (piece.shares[ends[0] + k] + std::uint64_t{piece.shares[ends[1] + k]}) / 2);
+            half.shares[replaced + k] =
+                static_cast<std::uint32_t>((piece.shares[ends[0] + k] + std::uint64_t{piece.shares[ends[1] + k]}) / 2);
         ++half.halvings;
         mark_if_last(surface, half);
         to.push_back(half);

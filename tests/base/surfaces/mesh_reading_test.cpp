@@ -1,4 +1,4 @@
-// Meshes read from files of four formats, polygons as triangles, open edges, and what is refused.
+// Meshes read from files of four formats, polygons as triangles, and what is refused.
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
 #include "tests/support/errors.hpp"
@@ -60,7 +60,8 @@ TEST_F(MeshFiles, AreTheSameInFourFormats)
 
 TEST_F(MeshFiles, HavePolygonsAsTriangles)
 {
-    // A square, and an arrow head with a corner that points inwards: its area is 1, a fan from the first corner has more.
+    // A square, and an arrow head with a corner that points inwards: its area is 1, a fan from the first corner has
+    // more.
     const TriangleMesh mesh =
         read("a.off", "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 0\n5 1 0\n3 2 0\n4 1 0\n4 0 1 2 3\n4 4 5 6 7\n");
     EXPECT_EQ(mesh.divided, 2U);
@@ -87,21 +88,9 @@ TEST_F(MeshFiles, SayWhatIsWrong)
                                  "property float y\nproperty float z\nend_header\n0 0 0\n"),
                 HasSubstr("a.ply: "));
     EXPECT_THAT(refusal("a.stl", "words"), HasSubstr("a.stl: "));
-    EXPECT_THAT(message_of([&] { read_triangle_mesh(folder_.path() / "none.obj"); }), EndsWith("must be a file that is there"));
+    EXPECT_THAT(message_of([&] { read_triangle_mesh(folder_.path() / "none.obj"); }),
+                EndsWith("must be a file that is there"));
     EXPECT_THAT(message_of([&] { read_triangle_mesh("/dev/zero"); }), HasSubstr("a mesh is a file"));
-}
-
-TEST(MeshEdges, AreOpenWithAFaceOnOneSide)
-{
-    EXPECT_EQ(open_edges(square_mesh(1)), 4U);
-    EXPECT_EQ(open_edges(square_mesh(3)), 12U);
-    EXPECT_EQ(open_edges(sphere_mesh(6)), 0U);
-    EXPECT_EQ(open_edges(sheet_mesh(0.1)), 8U);
-    // Vertices at one place count as one: halves of the square with corners of their own.
-    TriangleMesh parts = square_mesh(1);
-    parts.vertices.push_back(parts.vertices[parts.triangles[1][0]]);
-    parts.triangles[1][0] = 4;
-    EXPECT_EQ(open_edges(parts), 4U);
 }
 
 }

@@ -26,7 +26,7 @@ const DistributionPlace on_reference{.engine = Engine::reference, .device = {}};
 
 std::shared_ptr<const SurfaceMesh> mesh_of(const TriangleMesh& mesh)
 {
-    return std::make_shared<const SurfaceMesh>(SurfaceMesh{mesh, fixed_surface(mesh), open_edges(mesh)});
+    return std::make_shared<const SurfaceMesh>(SurfaceMesh{mesh, fixed_surface(mesh)});
 }
 
 MeshPointSettings settings_on(const TriangleMesh& mesh)
@@ -107,8 +107,8 @@ TEST(SurfaceNeighbourhoods, AreThoseOfAllPairs)
         double nearest = INFINITY;
         for (std::size_t j = 0; j < places.size(); ++j) {
             if (i == j) continue;
-            const double d = std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1],
-                                        places[i][2] - places[j][2]);
+            const double d =
+                std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1], places[i][2] - places[j][2]);
             any = std::min(any, d);
             if (places[i][2] == places[j][2]) nearest = std::min(nearest, d); // on the same side
         }
@@ -175,7 +175,8 @@ TEST(SurfaceFiles, AreReadByCgal)
     ASSERT_EQ(read.size(), 50U);
     for (std::size_t i = 0; i < 50; ++i) {
         const auto& [point, normal] = read[i];
-        EXPECT_EQ((std::array{point.x(), point.y(), point.z()}), (std::array{places[i][0], places[i][1], places[i][2]}));
+        EXPECT_EQ((std::array{point.x(), point.y(), point.z()}),
+                  (std::array{places[i][0], places[i][1], places[i][2]}));
         EXPECT_NEAR(normal.squared_length(), 1, 1e-6);
         // Normals of a sphere point away from its middle, but for the slopes of flat triangles.
         EXPECT_GT(normal * (point - CGAL::ORIGIN), 0.9);
@@ -184,7 +185,7 @@ TEST(SurfaceFiles, AreReadByCgal)
 
 TEST(SurfaceViews, ShowDotsOnTheNearSide)
 {
-    const SurfaceMesh mesh{sphere_mesh(8), fixed_surface(sphere_mesh(8)), 0};
+    const SurfaceMesh mesh{sphere_mesh(8), fixed_surface(sphere_mesh(8))};
     const auto dark = [&](const MeshPoint& at) {
         // The point whose place is nearest to a direction: the triangle is that of the nearest middle.
         SurfacePoint point{};
@@ -195,12 +196,17 @@ TEST(SurfaceViews, ShowDotsOnTheNearSide)
             if (along <= best) continue;
             best = along;
             const auto place = place_on(mesh.surface.triangles[t], 715'827'882, 715'827'882);
-            point = {.place = {int(place[0]), int(place[1]), int(place[2])}, .triangle = t, .shares = {}, .next = 0, .unused = 0};
+            point = {.place = {int(place[0]), int(place[1]), int(place[2])},
+                     .triangle = t,
+                     .shares = {},
+                     .next = 0,
+                     .unused = 0};
         }
         const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 200);
         std::array<int, 2> counts{};
         for (int row = 0; row < 100; ++row)
-            for (int column = 0; column < 200; ++column) counts[column / 100] += view.values[view.at(column, row, 0)] < 60;
+            for (int column = 0; column < 200; ++column)
+                counts[column / 100] += view.values[view.at(column, row, 0)] < 60;
         return counts;
     };
     // The first view is from -y above, the second one from +y above.

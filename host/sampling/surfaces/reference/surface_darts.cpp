@@ -63,9 +63,9 @@ public:
         std::vector<std::uint32_t> states;
         states.reserve(pieces_.size());
         for (const SurfacePiece& piece : pieces_)
-            states.push_back(is_covered(piece)                          ? PIECE_COVERED
+            states.push_back(is_covered(piece)                                  ? PIECE_COVERED
                              : is_last(piece) && has_conflict(centre_of(piece)) ? PIECE_SMALL
-                                                                        : PIECE_OPEN);
+                                                                                : PIECE_OPEN);
         return states;
     }
 
@@ -98,9 +98,8 @@ private:
 
     bool has_conflict(const SurfaceSpot& spot) const
     {
-        return any_near(spot, [&](const SurfaceSpot& other) {
-            return squared_distance(spot.place, other.place) < rule_.squared;
-        });
+        return any_near(
+            spot, [&](const SurfaceSpot& other) { return squared_distance(spot.place, other.place) < rule_.squared; });
     }
 
     bool is_covered(const SurfacePiece& piece) const
@@ -136,7 +135,8 @@ private:
 SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
                           const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number)
 {
-    const auto words = philox({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0, 0}, stream);
+    const auto words =
+        philox({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0, 0}, stream);
     const SurfacePiece& piece = pieces[choice.piece(std::uint64_t{words[0]} << 32 | words[1])];
     std::int64_t u = words[2], v = words[3];
     if (u + v > std::int64_t{UINT32_MAX}) {

@@ -41,8 +41,7 @@ std::vector<std::uint32_t> numbers_around(const PlainCells& cells, const MeshPla
 }
 
 std::vector<std::vector<SurfacePartner>> surface_partners(const FixedSurface& surface,
-                                                          const std::vector<SurfacePoint>& points,
-                                                          const Elimination& e)
+                                                          const std::vector<SurfacePoint>& points, const Elimination& e)
 {
     const auto cell_of = [&](const SurfacePoint& p) {
         return MeshPlace{p.place[0] / e.cell, p.place[1] / e.cell, p.place[2] / e.cell};

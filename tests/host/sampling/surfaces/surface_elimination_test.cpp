@@ -24,15 +24,13 @@ void PrintTo(const SurfaceEliminationCase& c, std::ostream* out) { *out << c.nam
 std::vector<SurfacePoint> eliminated(const SurfaceEliminationCase& c, std::size_t group_size, bool by_kernels)
 {
     const auto surface = std::make_shared<const FixedSurface>(fixed_surface(c.mesh));
-    const auto candidates =
-        surface_candidates(*surface, c.candidates, stream_key(3, Purpose::surface_candidates, 0));
+    const auto candidates = surface_candidates(*surface, c.candidates, stream_key(3, Purpose::surface_candidates, 0));
     SurfaceElimination kernels(Device::open(), surface, group_size);
-    return eliminate_on_surface(*surface, candidates, c.kept, c.angle,
-                                [&](const auto& points, const SurfaceReach& reach, std::size_t count) {
-                                    return by_kernels
-                                               ? kernels.removal_order(points, reach, count)
-                                               : reference::surface_removal_order(*surface, points, reach, count);
-                                });
+    return eliminate_on_surface(
+        *surface, candidates, c.kept, c.angle, [&](const auto& points, const SurfaceReach& reach, std::size_t count) {
+            return by_kernels ? kernels.removal_order(points, reach, count)
+                              : reference::surface_removal_order(*surface, points, reach, count);
+        });
 }
 
 PointSet places_of(const SurfaceEliminationCase& c, const std::vector<SurfacePoint>& points)
