@@ -28,7 +28,7 @@ struct Camera
 Camera camera_at(double turn, double height)
 {
     const double c = std::cos(turn), s = std::sin(turn), ch = std::cos(height), sh = std::sin(height);
-    return {{c, s, 0}, {s * sh, -c * sh, ch}, {s * ch, -c * ch, sh}};
+    return {{c, s, 0}, {-s * sh, c * sh, ch}, {s * ch, -c * ch, sh}};
 }
 
 /// One view as samples, rows from the top.

@@ -202,11 +202,11 @@ TEST(SurfaceViews, ShowDotsOnTheNearSide)
                      .next = 0,
                      .unused = 0};
         }
-        const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 200);
+        const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 800);
         std::array<int, 2> counts{};
-        for (int row = 0; row < 100; ++row)
-            for (int column = 0; column < 200; ++column)
-                counts[column / 100] += view.values[view.at(column, row, 0)] < 60;
+        for (int row = 0; row < 400; ++row)
+            for (int column = 0; column < 800; ++column)
+                counts[column / 400] += view.values[view.at(column, row, 0)] < 60;
         return counts;
     };
     // The first view is from -y above, the second one from +y above.

@@ -154,7 +154,7 @@ TEST(SaturatedSurfaces, LeaveNoGap)
         SurfaceDarts set = plain(request);
         ASSERT_TRUE(set.is_saturated);
         EXPECT_EQ(set.small_area, 0);
-        std::vector<SurfacePoint> places = places_on(*request.surface, 40'000);
+        std::vector<SurfacePoint> places = places_on(*request.surface, 15'000);
         EXPECT_LT(largest_gap(request, set, places), 0) << c.name;
         // The measure sees the gap that a point leaves that is taken away, at least there.
         places.push_back(set.points.back());
