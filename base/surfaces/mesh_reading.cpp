@@ -62,7 +62,7 @@ PolygonSoup read_soup(const std::filesystem::path& file)
     check_indices(file, soup);
     if (!is_read && soup.polygons.empty())
         fail_in_mesh(file, "cannot be read as a mesh: it is damaged, or has no faces");
-    if (!is_read) fail_in_mesh(file, fmt::format("is damaged after {} faces", soup.polygons.size()));
+    if (!is_read) fail_in_mesh(file, "is damaged, or has coordinates that are no finite numbers");
     if (soup.polygons.empty()) fail_in_mesh(file, "has no faces");
     return soup;
 }
