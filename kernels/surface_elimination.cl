@@ -55,7 +55,7 @@ bool is_heavier(global const long* weights, global const uint* ids, uint item, u
     return weights[item] > weights[other] || (weights[item] == weights[other] && ids[item] < ids[other]);
 }
 
-/// Nothing is known of heavier ones yet, which `heavier` says by the point itself.
+/// No heavier points are known yet, which `heavier` says by the point itself.
 kernel void weigh_candidates(Elimination e, global const Candidate* candidates,
                              global const struct Triangle* triangles, global const uint* starts,
                              global long* weights, global uint* heavier, global uint* marks, global uint* touched)

@@ -83,7 +83,7 @@ std::uint64_t SurfaceNeighbours::squared_nearest(std::size_t own, std::int32_t l
         least = std::min(least, squared_distance(place_of(point), place_of(points_[other])));
     };
     for_each_around(place_of(point), look_at);
-    // What is farther away than the reach may have something nearer outside these cells; few points are so lonely.
+    // A nearest point beyond the reach may have a nearer rival outside these cells; few points are so lonely.
     if (least > static_cast<std::uint64_t>(reach_) * static_cast<std::uint64_t>(reach_))
         for (std::size_t other = 0; other < points_.size(); ++other) look_at(other);
     return least;

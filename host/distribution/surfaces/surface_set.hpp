@@ -23,7 +23,7 @@ struct SurfaceMesh
     TriangleMesh mesh;
     FixedSurface surface;
 
-    /// What a person should know of it: faces that were dropped or divided, open boundaries. A line each.
+    /// Returns what a person should know of it, a line each: faces that were dropped or divided, open boundaries.
     std::vector<std::string> notes() const;
 };
 

@@ -46,10 +46,10 @@ struct SurfaceDarts
 /// Distances below this part of the surface's size are refused: places have too few digits for them.
 inline constexpr double least_part_of_size = 1e-5;
 
-/// What the surface's grid makes of a distance.
+/// Converts a distance and an angle to units of the surface's grid.
 contract::surface::SurfaceRule surface_rule(const FixedSurface& surface, double min_distance, double angle);
 
-/// What an engine does with darts and pieces; both engines do the same.
+/// An engine throws darts and covers pieces; kernels and the plain twin do the same.
 class SurfaceDartEngine
 {
 public:

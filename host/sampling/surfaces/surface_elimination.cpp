@@ -204,7 +204,7 @@ std::vector<SurfacePoint> eliminate_on_surface(const FixedSurface& surface, cons
 Elimination surface_elimination(const FixedSurface& surface, const SurfaceReach& reach, std::size_t points)
 {
     const double units = surface.units_of(reach.most);
-    // Nothing is farther apart than the corners of the grid.
+    // The corners of the grid are farther apart than any two points.
     const double widest = std::ldexp(std::numbers::sqrt3, contract::surface::COORDINATE_BITS);
     return {.squared_reach = squared_threshold(std::min(units * 0x1p-32, 1.0)),
             .reach = units,

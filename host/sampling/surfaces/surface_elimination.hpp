@@ -41,7 +41,7 @@ std::vector<SurfacePoint> eliminate_on_surface(const FixedSurface& surface, cons
                                                std::size_t kept, double angle,
                                                const SurfaceRemovalOrder& removal_order);
 
-/// What kernels are told of a reach; the mask of buckets is left to them.
+/// Converts a reach to the arguments of kernels; the mask of buckets is left to them.
 contract::surface_elimination::Elimination surface_elimination(const FixedSurface& surface, const SurfaceReach& reach,
                                                                std::size_t points);
 

@@ -38,7 +38,7 @@ double area_of(const FixedSurface& surface, const SurfacePiece& piece);
 
 bool is_last(const SurfacePiece& piece);
 
-/// What is left of pieces of these states (PieceState): open ones are halved, or stay where they are last.
+/// Pieces that are left of those with these states (PieceState): open ones are halved, or stay where they are last.
 struct RefinedPieces
 {
     std::vector<SurfacePiece> pieces;
