@@ -57,6 +57,8 @@ enum class Purpose : std::uint32_t
     mri_mask = 71,
     dither_mask = 72,
     region_envelope = 73,
+    varied_darts = 80,
+    varied_candidates = 81,
     class_tile_filling = 90,
     surface_darts = 100,
     surface_candidates = 101,

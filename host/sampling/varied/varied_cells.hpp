@@ -1,0 +1,57 @@
+// Cells that may have room for points whose distances vary, and the darts that fall into them: what kernels and the plain
+// algorithm share.
+#pragma once
+
+#include "host/sampling/varied/varied_darts.hpp"
+#include "kernels/common/darts/varied_darts.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// Sets OpenCell::least of each cell, 0 where it has no room.
+using CellLook = std::function<void(std::vector<contract::varied_darts::OpenCell>& cells)>;
+
+/// Squares of several sizes: each as wide as 2^-fineness times the least distance in it at most.
+class VariedCells
+{
+public:
+    /// Everything, before refine() was called.
+    explicit VariedCells(const VariedDartRequest& request);
+
+    /// Splits cells, by another bit of fineness each time, and leaves out those without room. The first time, by none.
+    void refine(const CellLook& look);
+
+    std::uint32_t fineness() const { return fineness_; }
+    std::span<const contract::varied_darts::OpenCell> cells() const { return cells_; }
+
+    /// The weights of cells, added up, each with its own.
+    std::span<const std::uint64_t> ends() const { return ends_; }
+    std::uint64_t weight() const { return ends_.empty() ? 0 : ends_.back(); }
+
+private:
+    bool is_coarse(const contract::varied_darts::OpenCell& cell) const;
+    void split_coarse(const CellLook& look, bool looks_at_all);
+
+    std::vector<contract::varied_darts::OpenCell> cells_;
+    std::vector<std::uint64_t> ends_;
+    std::uint32_t fineness_ = 0;
+    bool is_begun_ = false;
+};
+
+/// See quotient_of() in kernels/varied_darts.cl.
+std::uint64_t cell_quotient(std::uint32_t bits, std::uint32_t fineness, std::uint32_t distance);
+
+/// What the kernels are told of a request, but for the scale and the buckets.
+contract::varied_darts::DistanceRule distance_rule(const VariedDartRequest& request);
+
+/// The scale that follows, in units of 2^-SCALE_BITS.
+std::uint32_t reduced_scale(std::uint32_t scale, double factor);
+
+/// Darts of a slot before cells are refined or distances shrink.
+std::uint32_t tries_of(const VariedDartRequest& request);
+
+}
