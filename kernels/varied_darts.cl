@@ -104,11 +104,18 @@ bool is_covered(const Thrown* all, uint from, uint x, uint y, uint extent, uint 
     return false;
 }
 
-/// A cell's side over a distance, in units of 2^-(QUOTIENT_BITS + fineness); its square is the weight of the cell with
-/// its least distance, and the part of it that darts have at a place with the place's.
+/// A cell's side over a distance, in units of 2^-(QUOTIENT_BITS + fineness): at most 2^QUOTIENT_BITS, as no distance in
+/// the cell is less than its side, but for single positions. The square is the part of darts that count.
 ALWAYS_INLINE ulong quotient_of(uint bits, uint fineness, uint distance)
 {
     return min((1ul << (bits + QUOTIENT_BITS + fineness)) / distance, 1ul << QUOTIENT_BITS);
+}
+
+/// Does a dart of a cell count, at a place with this distance?
+ALWAYS_INLINE bool counts(uint random, uint bits, uint fineness, uint distance)
+{
+    const ulong quotient = quotient_of(bits, fineness, distance);
+    return random < quotient * quotient >> (2 * QUOTIENT_BITS - 32);
 }
 
 /// The darts of a batch.
@@ -117,39 +124,25 @@ typedef struct
     struct VariedBatch batch;
     Region region;
     global const struct OpenCell* cells;
-    global const ulong* ends; ///< of the weights of cells, added up
 } Darts;
 
-/// The cell whose end is the first above a value.
-uint cell_above(const Darts* darts, ulong value)
-{
-    uint low = 0, high = darts->batch.cells - 1;
-    while (low < high) {
-        const uint middle = (low + high) / 2;
-        if (darts->ends[middle] > value)
-            high = middle;
-        else
-            low = middle + 1;
-    }
-    return low;
-}
-
-/// A dart: x, y, its distance; that is 0 where it does not count.
+/// A dart: x, y, its distance; that is 0 where it does not count. All cells have as many darts, and those that count have
+/// a density of 1 / distance^2.
 uint4 draw_dart(const Darts* darts, const Field* field, uint slot, ulong number)
 {
     const uint4 words = philox((uint4)(slot, (uint)number, (uint)(number >> 32), 0),
                                (uint2)(darts->batch.key_x, darts->batch.key_y));
-    const ulong value = mul_hi((ulong)words.x << 32 | words.y, darts->batch.weight);
-    const uint chosen = cell_above(darts, value);
-    const struct OpenCell cell = darts->cells[chosen];
-    const ulong part = value - (chosen > 0 ? darts->ends[chosen - 1] : 0);
+    const struct OpenCell cell = darts->cells[(uint)((ulong)words.x * darts->batch.cells >> 32)];
     uint4 dart;
     dart.x = cell.x + (uint)((ulong)words.z >> (32 - cell.bits));
     dart.y = cell.y + (uint)((ulong)words.w >> (32 - cell.bits));
-    dart.z = distance_at(field, dart.x, dart.y);
+    dart.z = 0;
     dart.w = 0;
-    const ulong quotient = quotient_of(cell.bits, darts->batch.fineness, dart.z);
-    if (part >= quotient * quotient || !is_in_region(&darts->region, dart.xy)) dart.z = 0;
+    // Most that do not count are known by the least distance in the cell.
+    if (!counts(words.y, cell.bits, darts->batch.fineness, cell.least)) return dart;
+    const uint distance = distance_at(field, dart.x, dart.y);
+    if (counts(words.y, cell.bits, darts->batch.fineness, distance) && is_in_region(&darts->region, dart.xy))
+        dart.z = distance;
     return dart;
 }
 
@@ -175,8 +168,7 @@ uint first_free(const Darts* darts, const Thrown* all, uint slot, ulong skipped,
     Darts darts;                                                                                                       \
     darts.batch = batch;                                                                                               \
     darts.region = region;                                                                                             \
-    darts.cells = cells;                                                                                               \
-    darts.ends = ends;
+    darts.cells = cells;
 
 kernel void look_at_cells(struct DistanceRule rule, uint count, global const uint* nodes, global const uint* bounds,
                           global const uint* heads, global const uint* points,
@@ -199,8 +191,7 @@ kernel void look_at_cells(struct DistanceRule rule, uint count, global const uin
 /// candidates: the number of the dart.
 kernel void find_varied_darts(struct DistanceRule rule, struct VariedBatch batch, global const uint* nodes,
                               global const uint* bounds, global const uint* heads, global const uint* points,
-                              global const struct OpenCell* cells, global const ulong* ends,
-                              global uint* candidates REGION_PARAMETERS)
+                              global const struct OpenCell* cells, global uint* candidates REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
     if (id >= batch.slots) return;
@@ -213,8 +204,8 @@ kernel void find_varied_darts(struct DistanceRule rule, struct VariedBatch batch
 /// One work-item.
 kernel void settle_varied_darts(struct DistanceRule rule, struct VariedBatch batch, global const uint* nodes,
                                 global const uint* bounds, global uint* heads, global uint* points,
-                                global const struct OpenCell* cells, global const ulong* ends,
-                                global const uint* candidates, global uint* counters REGION_PARAMETERS)
+                                global const struct OpenCell* cells, global const uint* candidates,
+                                global uint* counters REGION_PARAMETERS)
 {
     if (get_global_id(0) != 0) return;
     REGION_VALUES(region)

@@ -47,7 +47,7 @@ std::string value_name_of(const KeySpec& spec)
     if (spec.is_spread) return "NUMBER|LOW HIGH|TABLE";
     switch (spec.value.kind) {
     case ValueKind::number:
-        return "NUMBER";
+        return spec.is_formula ? "NUMBER|IMAGE|FORMULA" : "NUMBER";
     case ValueKind::integer:
         return "N";
     case ValueKind::boolean:

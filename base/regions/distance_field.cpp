@@ -152,9 +152,8 @@ private:
 
     void measure_cell(std::uint32_t column, std::uint32_t row, double side, double a, double b, double c, double d)
     {
-        const double slope = std::hypot(std::max(std::abs(b - a), std::abs(d - c)),
-                                        std::max(std::abs(c - a), std::abs(d - b))) /
-                             side;
+        const double slope =
+            std::hypot(std::max(std::abs(b - a), std::abs(d - c)), std::max(std::abs(c - a), std::abs(d - b))) / side;
         table_.slope_of_box =
             std::isnan(slope) ? std::numeric_limits<double>::infinity() : std::max(table_.slope_of_box, slope);
         const double share = table_.share[cell_at(column, row)];
@@ -246,8 +245,8 @@ std::uint32_t DistanceField::least_in(const TorusPoint<2>& low, std::uint32_t bi
         return bounds_[begin + row * columns + column];
     }
     const std::uint32_t last = (1u << bits) - 1;
-    const std::uint32_t least = std::min({at(low), at({low[0] + last, low[1]}), at({low[0], low[1] + last}),
-                                          at({low[0] + last, low[1] + last})});
+    const std::uint32_t least = std::min(
+        {at(low), at({low[0] + last, low[1]}), at({low[0], low[1] + last}), at({low[0] + last, low[1] + last})});
     return bits == 0 ? least : least - 1; // rounded values between corners may be one lower
 }
 

@@ -26,9 +26,9 @@ struct DistanceTable
 
     std::uint32_t columns = 0; ///< cells; there is a node more along each axis
     std::uint32_t rows = 0;
-    std::vector<double> nodes;     ///< row by row
-    std::vector<double> share;     ///< the part of each cell that lies in the region, from 0 to 1
-    double slope = 0;        ///< the largest one in the region: by how much the distance grows along a unit of length
+    std::vector<double> nodes; ///< row by row
+    std::vector<double> share; ///< the part of each cell that lies in the region, from 0 to 1
+    double slope = 0;          ///< the largest one in the region: by how much the distance grows along a unit of length
     double slope_of_box = 0; ///< the largest one in the box around it; infinite where there are no distances somewhere
     std::array<double, 2> steepest{}; ///< where the slope in the region is largest, in its units
     double least = 0, most = 0;       ///< distances in the region
@@ -39,13 +39,13 @@ struct DistanceTable
 };
 
 /// Looks at the distances in a region; `name` is what messages call them. Between nodes they are no more than bilinear
-/// interpolation says, nearly: where a formula is curved, the nodes around have more. Throws InputError where a distance
-/// in the region is not above 0.
+/// interpolation says, nearly: where a formula is curved, the nodes around have more. Throws InputError where a
+/// distance in the region is not above 0.
 DistanceTable distance_table(const FixedRegion& region, const DistanceAt& distance, const std::string& name);
 
 /// The distance of a picture that is laid over a region's box, from the smallest one where its values are 0 to the
-/// largest one where they are 1: bilinear between middles of pixels. Or of a formula in the region's coordinates. Throws
-/// InputError, one line with the text, for what is neither.
+/// largest one where they are 1: bilinear between middles of pixels. Or of a formula in the region's coordinates.
+/// Throws InputError, one line with the text, for what is neither.
 DistanceAt distance_of_text(const std::string& text, const std::string& from, const std::array<double, 2>& range,
                             const RegionBox& box);
 

@@ -40,7 +40,8 @@ DistanceAt distance_of_text(const std::string& text, const std::string& from, co
     if (is_file_name(text)) {
         const auto pixels = std::make_shared<const PixelValues>(picture_values(read_linear_picture(text), from, text));
         return [pixels, range, box](double x, double y) {
-            const double value = value_between(*pixels, (x - box.low[0]) / box.width(), (y - box.low[1]) / box.height());
+            const double value =
+                value_between(*pixels, (x - box.low[0]) / box.width(), (y - box.low[1]) / box.height());
             return range[0] + (range[1] - range[0]) * value;
         };
     }

@@ -44,12 +44,16 @@ struct RegionDartRequest
     DartThrowingRequest darts;
 };
 
+/// See host/distribution/varied_points.hpp.
+struct VariedSet;
+
 struct RegionDarts
 {
     RegionDartRequest request;
     PointSet points;           ///< in the region's units, in dart order
     bool is_saturated = false; ///< no further point fits
     double sure_distance = 0;  ///< that any two points have at least, in the region's units; 0: nothing is said
+    std::shared_ptr<const VariedSet> varied{}; ///< where the distance varies
 };
 
 /// Checks that the distance suits the region. Throws InputError.

@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/varied_points.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
@@ -205,6 +206,7 @@ private:
 
 RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
+    if (settings.place.varies()) return make_varied_points(settings, seed, place);
     if (settings.method == RegionMethod::darts) return throw_region_darts(settings.place, seed, place);
     return RegionPointWork(settings, seed, place).run();
 }

@@ -20,6 +20,7 @@ class Made:
     pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
     points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
     region's own; None where there are none.
+    distances: of points whose minimum distance varies: that at each, in the region's units; else None.
     classes: of points with classes: the class of each, uint32; else None.
     normals: of points on surfaces: the normal of each one's triangle, (N, 3); else None.
     mask: of masks: an array of shape (rows, columns); else None.
@@ -38,8 +39,8 @@ class Made:
         self.files = [folder / name for name in made["files"]]
         tiles = folder / "tiles.txt"
         self.tiles = numpy.loadtxt(tiles, dtype=numpy.int64, ndmin=2) if tiles.exists() else None
-        self.points, self.classes, self.normals, self.mask = (
-            self._array(name) for name in ("points", "classes", "normals", "mask"))
+        self.points, self.distances, self.classes, self.normals, self.mask = (
+            self._array(name) for name in ("points", "distances", "classes", "normals", "mask"))
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
 
     def _array(self, name):

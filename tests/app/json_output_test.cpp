@@ -54,6 +54,8 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"distribute darts", {"--region 'rectangle 0 0 3 2' --points 9 --quiet --out a.txt", "area", "6"}},
         {"distribute points",
          {"--region 'rectangle 0 0 3 2' --method lloyd --iterations 2 --points 9 --quiet --out a.txt", "area", "6"}},
+        {"distribute points",
+         {"--region 'rectangle 0 0 3 2' --min-distance 0.3+0.1*x --between mean --quiet --out a.txt", "too_near", "0"}},
         {"points dart-throwing", {"--points 20 --relative-radius 0.6 --quiet --out p.npy", "points", "20"}},
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
         {"distribute surface", {"square.off --points 5 --quiet --engine reference --out a.ply", "area", "1"}},

@@ -14,6 +14,12 @@ from poissonlab import _poissonlab, distribute, kinds
 from support import SOURCE, TILE_SET, program
 
 
+def ratios_of_pairs(points, kept, distances):
+    """The distances of all pairs over those that they keep."""
+    i, j = numpy.triu_indices(len(points), 1)
+    return numpy.linalg.norm(points[i] - points[j], axis=1) / kept(distances[i], distances[j])
+
+
 class Kinds(unittest.TestCase):
     def test_stippling_has_points_pictures_and_numbers(self):
         made = distribute.stipple(image="0.2 + 0.1*x", points=200, by="warping", engine="reference", rng=3)
@@ -75,6 +81,20 @@ class Kinds(unittest.TestCase):
             made = distribute.points(region="disk 0 0 5", method=method, engine="reference", **keys)
             self.assertGreaterEqual(len(made.points), 60)
             self.assertLessEqual(numpy.linalg.norm(made.points, axis=1).max(), 5)
+
+    def test_distances_vary_over_regions(self):
+        for between, kept in (("smaller", numpy.minimum), ("mean", lambda a, b: (a + b) / 2)):
+            made = distribute.points(region="rectangle 0 0 2 1", min_distance="0.04 + 0.1*x", between=between,
+                                     engine="reference")
+            r = 0.04 + 0.1 * made.points[:, 0]
+            numpy.testing.assert_allclose(made.distances, r, rtol=1e-12)
+            near = ratios_of_pairs(made.points, kept, r)
+            self.assertGreaterEqual(near.min(), 1)
+            self.assertAlmostEqual(near.min(), made.numbers["least_ratio_typed"], 6)
+            # No further point fits: no place of a lattice is far enough from all points.
+            x, y = (axis.ravel() for axis in numpy.meshgrid(numpy.linspace(0, 2, 401), numpy.linspace(0, 1, 201)))
+            gaps = numpy.hypot(x[:, None] - made.points[:, 0], y[:, None] - made.points[:, 1])
+            self.assertLess((gaps / kept((0.04 + 0.1 * x)[:, None], r)).min(axis=1).max(), 1)
 
     def test_regions_may_have_a_geo_interface(self):
         class Triangle:

@@ -1,7 +1,7 @@
 // poissonlab distribute darts: points in a region of the plane, in its own units.
+#include "app/commands/distribution/region_outputs.hpp"
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "host/distribution/region_darts.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
@@ -15,7 +15,9 @@ constexpr auto distribute_darts_notes =
     R"help(Darts are thrown into a region until there are --points of them, or until no further one fits: then every place of
 the region is nearer than --min-distance to a point. Coordinates and distances are in the region's own units. Points on
 the boundary are inside; with --boundary disks whole disks of half the distance around points are, and with --boundary on
-the boundary is sampled first. A region is
+the boundary is sampled first. --min-distance may vary: a formula in the region's x and y, or a picture over its box
+with --distance-range for black and white; with --points it is a shape, scaled until so many have room. --distances FILE
+writes the distance at each point. A region is
   FILE                         GeoJSON (Polygon, MultiPolygon, Feature, FeatureCollection), or WKT
   "rectangle X0 Y0 X1 Y1"      from the lowest corner to the highest
   "disk X Y RADIUS"            a polygon of 1,024 corners on the circle
@@ -29,30 +31,27 @@ points of CSV, NPY and other point files. They are never in polygons, and nearer
 default than --min-distance to points.
   poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
-  poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv)help";
+  poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv
+  poissonlab distribute darts --region "rectangle 0 0 1 1" --min-distance "0.01+0.02*x" --out dots.svg --out dots.npy)help";
 
 struct DartOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    OutputFiles outs{{}, true};
+    RegionOutputs outs;
 };
 
 void throw_darts(const DartOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<DartSettings>();
-    o.outs.check(o.command());
+    o.outs.check(o.command(), settings.varies());
     const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
-    const std::string what =
-        fmt::format("{} points at least {:.17g} apart{}", darts.points.size(), darts.request.min_distance,
-                    darts.is_saturated ? ", between which no further one fits" : "");
+    const std::string what = words_of(darts);
     o.say_note(what);
     if (darts.request.land->obstacles.count() > 0 && darts.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
-    for (const std::string& out : o.outs.names)
-        write_points(out, darts.points,
-                     fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
-                                 shortened(printable(settings.region)), o.seed(), what));
+    o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
+                                    shortened(printable(settings.region)), o.seed(), what));
     if (o.prints_json()) print_numbers(dart_numbers(darts));
 }
 
@@ -61,7 +60,7 @@ void throw_darts(const DartOptions& o)
 Command distribute_darts_command()
 {
     const auto o = std::make_shared<DartOptions>(*find_kind("distribution", "darts"));
-    return kind_command(o, {o->outs.option()}, distribute_darts_notes, throw_darts);
+    return kind_command(o, o->outs.options(), distribute_darts_notes, throw_darts);
 }
 
 }

@@ -1,7 +1,7 @@
 // poissonlab distribute points: points in a region of the plane by several methods, in its own units.
+#include "app/commands/distribution/region_outputs.hpp"
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "host/distribution/region_points.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
@@ -21,33 +21,34 @@ constexpr auto distribute_points_notes =
   lloyd         --points moved to the centroids of their cells in the region, --iterations times
   bridson       darts around points, until none finds room at --min-distance
 Elimination and Lloyd's method promise no distance; --json and reports have the one that was found.
+--min-distance may vary for darts, relaxation and elimination: a formula in the region's x and y, or a picture over its
+box with --distance-range for black and white. Two points keep the smaller of their distances or, with --between mean,
+the mean of both, which is proven of all pairs afterwards. With --points it is a shape, scaled until so many have room.
   poissonlab distribute points --region park.geojson --planar --method elimination --points 500 --out trees.csv
-  poissonlab distribute points --region "disk 0 0 1" --method lloyd --points 1000 --iterations 100 --out disk.npy)help";
+  poissonlab distribute points --region "disk 0 0 1" --method lloyd --points 1000 --iterations 100 --out disk.npy
+  poissonlab distribute points --region "disk 0 0 1" --method relaxation --points 2000 --min-distance "1+4*(x*x+y*y)" \
+      --between mean --out disks.svg --out disks.csv --distances diameters.npy)help";
 
 struct RegionPointOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    OutputFiles outs{{}, true};
+    RegionOutputs outs;
 };
 
 void make_points_of_region(const RegionPointOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<RegionPointSettings>();
-    o.outs.check(o.command());
+    o.outs.check(o.command(), settings.place.varies());
     const RegionDarts made = make_region_points(settings, o.seed(), o.place());
-    std::string what = fmt::format("{} points", made.points.size());
-    if (made.sure_distance > 0) what += fmt::format(" at least {:.17g} apart", made.sure_distance);
-    if (made.is_saturated) what += ", between which no further one fits";
+    const std::string what = words_of(made);
     o.say_note(what);
     if (made.request.land->obstacles.count() > 0 && made.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
-    for (const std::string& out : o.outs.names)
-        write_points(out, made.points,
-                     fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in units of the "
-                                 "region",
-                                 shortened(printable(settings.place.region)), region_methods[settings.method], o.seed(),
-                                 what));
+    o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in units of "
+                                   "the region",
+                                   shortened(printable(settings.place.region)), region_methods[settings.method],
+                                   o.seed(), what));
     if (o.prints_json()) print_numbers(dart_numbers(made));
 }
 
@@ -56,7 +57,7 @@ void make_points_of_region(const RegionPointOptions& o)
 Command distribute_points_command()
 {
     const auto o = std::make_shared<RegionPointOptions>(*find_kind("distribution", "points"));
-    return kind_command(o, {o->outs.option()}, distribute_points_notes, make_points_of_region);
+    return kind_command(o, o->outs.options(), distribute_points_notes, make_points_of_region);
 }
 
 }

@@ -3,13 +3,17 @@
 //
 // Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
 // nothing about a region: distances are what is measured.
+#include "base/densities/density_text.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/region_points.hpp"
+#include "host/distribution/runs/dart_pictures.hpp"
 #include "host/distribution/runs/region_curve_files.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
+#include "host/distribution/runs/varied_results.hpp"
+#include "host/distribution/varied_points.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
 
@@ -22,20 +26,40 @@
 namespace poissonlab {
 namespace {
 
-/// The longest side of the picture: its numbers have two decimals.
-constexpr double picture_side = 4096;
+void distance_keys(Keys& keys, DartSettings& s)
+{
+    VaryingDistance& v = s.varying;
+    keys.number_over_region(
+            "min_distance", s.min_distance, v.text, v.from, {1e-12, 1e12},
+            "the least distance of two points; where it varies, a formula in the region's x and y, or a "
+            "picture over its box, and only a shape where points are given")
+        .unit("units of the region")
+        .otherwise("that of relative_radius");
+    keys.numbers("distance_range", v.range, {{1e-12, 1e12}}, {"black", "white"},
+                 "the distances where the picture of min_distance is 0 and 1")
+        .unit("units of the region")
+        .otherwise("needed with a picture");
+    keys.word("between", v.between, kept_distances_names,
+              "which distance two points keep where it varies: the smaller of theirs, or the mean of both")
+        .only_if(!keys.is_read() || s.varies(), "a min_distance that varies");
+    if (!keys.is_read()) return;
+    const bool is_picture = s.varies() && is_file_name(v.text);
+    if (is_picture && !keys.is_given("distance_range"))
+        throw keys.invalid("min_distance", "needs " + keys.name_of("distance_range") + ", as it is a picture");
+    if (!is_picture && keys.is_given("distance_range"))
+        throw keys.invalid("distance_range", "goes with a picture as " + keys.name_of("min_distance"));
+}
 
 void dart_keys(Keys& keys, DartSettings& s)
 {
     keys.region(s.region);
     keys.flag("planar", s.is_planar, "whether coordinates that look like longitude and latitude are lengths");
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
-    keys.number("min_distance", s.min_distance, {1e-12, 1e12}, "the least distance of two points")
-        .unit("units of the region")
-        .otherwise("that of relative_radius");
+    distance_keys(keys, s);
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
-                "of so many points: their distance over that of the densest packing of as many in the region's area")
-        .excludes("min_distance");
+                "of so many points: their distance over that of the densest packing of as many in the region's area");
+    if (keys.is_given("relative_radius") && s.min_distance)
+        throw keys.invalid("relative_radius", "does not go with " + keys.name_of("min_distance"));
     keys.word("boundary", s.boundary, region_boundary_names,
               "what is inside: points, whole disks of half the minimum distance around them, or points that lie on "
               "the boundary first");
@@ -50,14 +74,47 @@ void dart_keys(Keys& keys, DartSettings& s)
         throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
     if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
     keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
-    if (!s.points && !s.min_distance)
+    if (!s.points && !s.min_distance && !s.varies())
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
     if (keys.is_given("relative_radius") && !s.points)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    if (s.varies() && s.boundary != RegionBoundary::inside)
+        throw keys.invalid("boundary", fmt::format("goes with a number as {}", keys.name_of("min_distance")));
+    if (s.varies() && !s.obstacle_distance && !s.land->obstacles.points.empty())
+        throw keys.invalid("obstacles", fmt::format("has points, which need {} where {} varies",
+                                                    keys.name_of("obstacle_distance"), keys.name_of("min_distance")));
+    if (s.varies()) return;
     keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, s.land); });
     if (s.boundary == RegionBoundary::on && s.obstacle_distance && !s.land->obstacles.points.empty())
         throw keys.invalid("boundary",
                            fmt::format("goes with {} where no obstacle is a point", keys.name_of("obstacle_distance")));
+}
+
+void check_varied(Keys& keys, const RegionPointSettings& s, VaryingDistance& varying)
+{
+    if (!keys.is_read() || !s.place.varies()) return;
+    keys.check("min_distance",
+               [&] { varying.request = std::make_shared<const VariedRequest>(varied_request(s, s.place.land)); });
+}
+
+void dart_kind_keys(Keys& keys, DartSettings& s)
+{
+    dart_keys(keys, s);
+    RegionPointSettings points; // by darts
+    points.place = s;
+    check_varied(keys, points, s.varying);
+}
+
+/// Methods that take distances which vary need a number of points, but for darts.
+void check_method_of_varied(const Keys& keys, const RegionPointSettings& s)
+{
+    const RegionMethod method = s.method;
+    if (method == RegionMethod::lloyd || method == RegionMethod::bridson)
+        throw keys.invalid("min_distance", fmt::format("varies, which {} does not take: darts, relaxation and "
+                                                       "elimination do",
+                                                       region_methods[method]));
+    if (method != RegionMethod::darts && !s.place.points)
+        throw keys.problem(fmt::format("{} needs {}", region_methods[method], keys.name_of("points")));
 }
 
 void region_point_keys(Keys& keys, RegionPointSettings& s)
@@ -76,11 +133,14 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
         .only_if(is_one_of(elimination), "method = elimination");
     keys.integer("iterations", s.iterations, 0, 1'000'000, "steps to centroids")
         .only_if(is_one_of(lloyd), "method = lloyd");
+    if (keys.is_read() && s.place.varies()) check_method_of_varied(keys, s);
+    check_varied(keys, s, s.place.varying);
     if (!keys.is_read() || is_one_of(darts)) return;
     if (keys.is_given("relative_radius"))
         throw keys.invalid("relative_radius", "goes with " + keys.shown("method", "darts"));
     if (s.place.boundary == RegionBoundary::on)
         throw keys.invalid("boundary", "goes with " + keys.shown("method", "darts"));
+    if (s.place.varies()) return;
     const bool takes_distance = is_one_of(bridson);
     const std::string other = takes_distance ? "points" : "min_distance",
                       needed = takes_distance ? "min_distance" : "points";
@@ -95,43 +155,15 @@ std::string region_point_label(const RegionPointSettings& s)
     return fmt::format("Points in {}, {}", name_of_input(s.place.region), region_methods[s.method]);
 }
 
-/// The region's outlines and holes as lines, obstacles beside them, and points as disks of a third of their distance.
-MarkPicture picture_of(const RegionDarts& darts)
+/// Whatever sets of a constant distance do not have.
+void add_varied_results(const VariedSet& set, DistributionFiles& files, DistributionResult& result)
 {
-    const RegionBox& box = darts.request.region->box();
-    const double margin = picture_side / 100, scale = (picture_side - 2 * margin) / box.longest();
-    MarkPicture picture{box.width() * scale + 2 * margin, box.height() * scale + 2 * margin};
-    const auto placed = [&](double x, double y) {
-        return std::array{margin + (x - box.low[0]) * scale, margin + (y - box.low[1]) * scale};
-    };
-    const auto add_line = [&](MarkGroup& group, const std::array<double, 2>& from, const std::array<double, 2>& to) {
-        const auto [x0, y0] = placed(from[0], from[1]);
-        const auto [x1, y1] = placed(to[0], to[1]);
-        group.strokes.push_back({x0, y0, x1, y1, picture_side / 500});
-    };
-    const auto add_ring = [&](MarkGroup& group, const RegionRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) add_line(group, ring[i], ring[(i + 1) % ring.size()]);
-    };
-    MarkGroup lines{"#8a8f98"}, dots{"#000000"}, obstacles{"#c2410c"};
-    for (const RegionPolygon& polygon : darts.request.land->rest.polygons) {
-        add_ring(lines, polygon.outline);
-        for (const RegionRing& hole : polygon.holes) add_ring(lines, hole);
-    }
-    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land->obstacles, box))
-        add_line(obstacles, {x0, y0}, {x1, y1});
-    const double distance = darts.sure_distance > 0 ? darts.sure_distance : darts.request.min_distance;
-    const double radius = std::min(distance * scale / 6, picture_side / 100);
-    for (const auto& [x, y] : points_within(darts.request.land->obstacles, box)) {
-        const auto [left, top] = placed(x, y);
-        obstacles.disks.push_back({left, top, radius});
-    }
-    for (std::size_t i = 0; i < darts.points.size(); ++i) {
-        const auto [x, y] = placed(darts.points[i][0], darts.points[i][1]);
-        dots.disks.push_back({x, y, radius});
-    }
-    picture.groups = {std::move(lines), std::move(dots)};
-    if (darts.request.land->obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
-    return picture;
+    result.facts.push_back(words_of_varied(set));
+    write_distances(files.add("distances.npy"), set);
+    result.files.push_back("distances.npy");
+    files.add_marks("nearest.json", nearest_picture(set),
+                    "How near the nearest points are, over the distance that both keep: none is nearer than 1.",
+                    result);
 }
 
 DistributionResult result_of(const RegionDarts& darts, const DartSettings& settings, const std::string& how,
@@ -144,11 +176,15 @@ DistributionResult result_of(const RegionDarts& darts, const DartSettings& setti
     if (const std::size_t obstacles = darts.request.land->obstacles.count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
     if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
-    files.add_marks("points.json", picture_of(darts), "The points in their region.", result);
+    files.add_marks("points.json", dart_picture(darts),
+                    darts.varied ? "The points in their region, with disks of half their distances."
+                                 : "The points in their region.",
+                    result);
     write_points(files.add("points.npy"), darts.points);
     result.files.push_back("points.npy");
+    if (darts.varied) add_varied_results(*darts.varied, files, result);
     result.numbers = dart_numbers(darts);
-    add_region_curves(plane, darts.points, files, result);
+    if (!darts.varied) add_region_curves(plane, darts.points, files, result);
     return result;
 }
 
@@ -183,6 +219,10 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
     numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
                        "of points from their nearest ones, also beside the boundary, in its units"});
+    if (darts.varied) {
+        append_varied_numbers(*darts.varied, numbers);
+        return numbers;
+    }
     numbers.push_back({"relative_radius", "Relative radius",
                        nearest.least / (max_min_distance(darts.points.size(), 2) * std::sqrt(area)),
                        "least distance over that of the densest packing of as many points in the region's area; "
@@ -194,7 +234,7 @@ Kind dart_kind()
 {
     return make_kind<DartSettings>({"distribution", "darts", "distribute darts", "Darts in a region",
                                     "Throw darts into polygons with holes, to a number of points or until none fits"},
-                                   dart_keys, dart_label, make_darts);
+                                   dart_kind_keys, dart_label, make_darts);
 }
 
 Kind region_point_kind()

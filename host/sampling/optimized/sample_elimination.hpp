@@ -41,6 +41,17 @@ using RemovalOrder =
 PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order, double area = 1);
 
 namespace reference {
+/// A point in reach of another, and what the pair weighs.
+struct Partner
+{
+    std::uint32_t point;
+    std::uint64_t weight;
+};
+
+/// The order in which the heaviest point goes, again and again, of points with these partners.
+std::vector<std::uint32_t> heaviest_first(const std::vector<std::vector<Partner>>& partners, std::size_t count,
+                                          std::span<const std::uint32_t> factors);
+
 /// By a heap.
 std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
 

@@ -13,20 +13,13 @@ namespace {
 
 using contract::varied_darts::OpenCell;
 
-/// A point, with the distance at its place before it is scaled.
-struct VariedPoint
-{
-    TorusPoint<2> place;
-    std::uint32_t distance = 0;
-};
-
 /// Points by the power of two below their distance, and in each by squares of twice its side.
 class VariedGrid
 {
 public:
     explicit VariedGrid(bool is_mean) : is_mean_(is_mean) {}
 
-    void add(const VariedPoint& point)
+    void add(const VariedPlace& point)
     {
         const int octave = std::bit_width(point.distance) - 1;
         squares_[octave][{point.place[0] >> (octave + 1), point.place[1] >> (octave + 1)}].push_back(point);
@@ -67,10 +60,10 @@ private:
         return is_mean_ ? std::uint64_t{a} + b : 2 * std::uint64_t{std::min(a, b)};
     }
 
-    bool covers(const std::vector<VariedPoint>& points, const TorusPoint<2>& low, std::uint32_t extent,
+    bool covers(const std::vector<VariedPlace>& points, const TorusPoint<2>& low, std::uint32_t extent,
                 std::uint32_t least, std::uint32_t scale) const
     {
-        return std::ranges::any_of(points, [&](const VariedPoint& point) {
+        return std::ranges::any_of(points, [&](const VariedPlace& point) {
             const std::uint64_t twice = twice_kept(least, scaled(point.distance, scale));
             const std::uint64_t squared = squared_farthest(point.place, low, extent);
             return squared < std::uint64_t{1} << 62 && 4 * squared < twice * twice;
@@ -91,7 +84,7 @@ private:
     }
 
     bool is_mean_;
-    std::map<int, std::map<TorusPoint<2>, std::vector<VariedPoint>>> squares_; ///< by octave
+    std::map<int, std::map<TorusPoint<2>, std::vector<VariedPlace>>> squares_; ///< by octave
 };
 
 class VariedThrowing
@@ -107,7 +100,7 @@ public:
     {
         VariedDarts darts;
         while (!cells_.cells().empty() && darts.points.size() < request_.points.value_or(SIZE_MAX)) {
-            const std::optional<VariedPoint> point = first_free(static_cast<std::uint32_t>(darts.points.size()));
+            const std::optional<VariedPlace> point = first_free(static_cast<std::uint32_t>(darts.points.size()));
             if (!point) break;
             grid_.add(*point);
             darts.points.push_back(point->place);
@@ -119,11 +112,11 @@ public:
 
 private:
     /// Returns nothing where there is no room.
-    std::optional<VariedPoint> first_free(std::uint32_t slot)
+    std::optional<VariedPlace> first_free(std::uint32_t slot)
     {
         for (std::uint64_t number = 0;;) {
             for (std::uint32_t i = 0; i < tries_of(request_); ++i, ++number) {
-                const std::optional<VariedPoint> dart = draw(slot, number);
+                const std::optional<VariedPlace> dart = varied_dart(request_, cells_, slot, number);
                 if (dart && !grid_.covers(dart->place, 0, dart->distance, scale_)) return dart;
             }
             if (request_.attempts > 0)
@@ -132,26 +125,6 @@ private:
                 refine();
             if (cells_.cells().empty()) return {};
         }
-    }
-
-    std::optional<VariedPoint> draw(std::uint32_t slot, std::uint64_t number) const
-    {
-        const auto words = philox(
-            {slot, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0}, request_.stream);
-        __extension__ using Wide = unsigned __int128;
-        const std::uint64_t random = std::uint64_t{words[0]} << 32 | words[1];
-        const auto value = static_cast<std::uint64_t>(Wide{random} * cells_.weight() >> 64);
-        const auto chosen = static_cast<std::size_t>(std::ranges::upper_bound(cells_.ends(), value) -
-                                                     cells_.ends().begin());
-        const OpenCell& cell = cells_.cells()[chosen];
-        const std::uint64_t part = value - (chosen > 0 ? cells_.ends()[chosen - 1] : 0);
-        VariedPoint dart;
-        dart.place = {cell.x + static_cast<std::uint32_t>(std::uint64_t{words[2]} >> (32 - cell.bits)),
-                      cell.y + static_cast<std::uint32_t>(std::uint64_t{words[3]} >> (32 - cell.bits))};
-        dart.distance = request_.field->at(dart.place);
-        const std::uint64_t quotient = cell_quotient(cell.bits, cells_.fineness(), dart.distance);
-        if (part >= quotient * quotient || (request_.region && !request_.region->contains(dart.place))) return {};
-        return dart;
     }
 
     void refine()
@@ -163,13 +136,8 @@ private:
 
     std::uint32_t least_in(const OpenCell& cell) const
     {
-        const std::uint32_t extent = (1u << cell.bits) - 1;
-        const TorusPoint<2> low{cell.x, cell.y};
-        if (request_.region &&
-            request_.region->side_of({low, {low[0] + extent, low[1] + extent}}) == RegionSide::outside)
-            return 0;
-        const std::uint32_t least = request_.field->least_in(low, cell.bits);
-        return grid_.covers(low, extent, least, scale_) ? 0 : least;
+        const std::uint32_t least = least_distance_in(request_, cell);
+        return least > 0 && grid_.covers({cell.x, cell.y}, (1u << cell.bits) - 1, least, scale_) ? 0 : least;
     }
 
     const VariedDartRequest& request_;

@@ -110,11 +110,17 @@ std::vector<TorusPoint<2>> RegionCandidates::next(std::size_t count)
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const EliminationReach& reach)
 {
+    return boundary_factors(region, points, [&](std::size_t) { return reach.most * 0x1p32; });
+}
+
+std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
+                                            const std::function<double(std::size_t)>& radius_of)
+{
     using contract::sample_elimination::FACTOR_UNITS;
     static const auto places = places_in_disk();
     std::vector<std::uint32_t> factors(points.size(), FACTOR_UNITS);
-    const double radius = reach.most * 0x1p32;
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const double radius = radius_of(i);
         const TorusPoint<2> position = fixed_position(points[i]);
         if (is_well_inside(region, position, radius)) return;
         std::size_t inside = 0;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,5 +40,9 @@ private:
 /// that lies inside, by 128 places in it.
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const EliminationReach& reach);
+
+/// The same where disks of weights have a radius of their own each, in positions.
+std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
+                                            const std::function<double(std::size_t)>& radius_of);
 
 }

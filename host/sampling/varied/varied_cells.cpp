@@ -9,7 +9,7 @@ using contract::varied_darts::OpenCell;
 
 namespace {
 
-constexpr std::uint32_t saturation_tries = 256;
+constexpr std::uint32_t saturation_tries = 512; // of which half count, nearly
 
 /// Single positions are not split, so that a fineness beyond the largest distance's says no more.
 constexpr std::uint32_t most_fineness = 31;
@@ -47,14 +47,8 @@ void VariedCells::refine(const CellLook& look)
     if (is_begun_) fineness_ = std::min(fineness_ + 1, most_fineness);
     is_begun_ = true;
     split_coarse(look, true);
-    while (std::ranges::any_of(cells_, [&](const OpenCell& cell) { return is_coarse(cell); })) split_coarse(look, false);
-    ends_.clear();
-    std::uint64_t sum = 0;
-    for (const OpenCell& cell : cells_) {
-        const std::uint64_t quotient = cell_quotient(cell.bits, fineness_, cell.least);
-        sum += quotient * quotient;
-        ends_.push_back(sum);
-    }
+    while (std::ranges::any_of(cells_, [&](const OpenCell& cell) { return is_coarse(cell); }))
+        split_coarse(look, false);
 }
 
 /// Cells keep their order, quarters stand where they came from.
@@ -90,6 +84,39 @@ std::uint64_t cell_quotient(std::uint32_t bits, std::uint32_t fineness, std::uin
     using contract::varied_darts::QUOTIENT_BITS;
     return std::min((std::uint64_t{1} << (bits + QUOTIENT_BITS + fineness)) / distance,
                     std::uint64_t{1} << QUOTIENT_BITS);
+}
+
+std::optional<VariedPlace> varied_dart(const VariedDartRequest& request, const VariedCells& cells, std::uint32_t slot,
+                                       std::uint64_t number)
+{
+    const auto words =
+        philox({slot, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0}, request.stream);
+    const OpenCell& cell = cells.cells()[std::uint64_t{words[0]} * cells.cells().size() >> 32];
+    VariedPlace dart;
+    dart.place = {cell.x + static_cast<std::uint32_t>(std::uint64_t{words[2]} >> (32 - cell.bits)),
+                  cell.y + static_cast<std::uint32_t>(std::uint64_t{words[3]} >> (32 - cell.bits))};
+    dart.distance = request.field->at(dart.place);
+    const std::uint64_t quotient = cell_quotient(cell.bits, cells.fineness(), dart.distance);
+    if (words[1] >= quotient * quotient >> (2 * contract::varied_darts::QUOTIENT_BITS - 32)) return {};
+    if (request.region && !request.region->contains(dart.place)) return {};
+    return dart;
+}
+
+VariedCells first_varied_cells(const VariedDartRequest& request)
+{
+    VariedCells cells(request);
+    cells.refine([&](std::vector<OpenCell>& all) {
+        for (OpenCell& cell : all) cell.least = least_distance_in(request, cell);
+    });
+    return cells;
+}
+
+std::uint32_t least_distance_in(const VariedDartRequest& request, const OpenCell& cell)
+{
+    const std::uint32_t extent = (1u << cell.bits) - 1;
+    const FixedBox box{{cell.x, cell.y}, {cell.x + extent, cell.y + extent}};
+    if (request.region && request.region->side_of(box) == RegionSide::outside) return 0;
+    return request.field->least_in(box.low, cell.bits);
 }
 
 /// Of two places at a distance t that are too near to each other, t is below the smaller of their distances a and b, or

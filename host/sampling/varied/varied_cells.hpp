@@ -1,5 +1,5 @@
-// Cells that may have room for points whose distances vary, and the darts that fall into them: what kernels and the plain
-// algorithm share.
+// Cells that may have room for points whose distances vary, and the darts that fall into them: what kernels and the
+// plain algorithm share.
 #pragma once
 
 #include "host/sampling/varied/varied_darts.hpp"
@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,19 +29,31 @@ public:
     std::uint32_t fineness() const { return fineness_; }
     std::span<const contract::varied_darts::OpenCell> cells() const { return cells_; }
 
-    /// The weights of cells, added up, each with its own.
-    std::span<const std::uint64_t> ends() const { return ends_; }
-    std::uint64_t weight() const { return ends_.empty() ? 0 : ends_.back(); }
-
 private:
     bool is_coarse(const contract::varied_darts::OpenCell& cell) const;
     void split_coarse(const CellLook& look, bool looks_at_all);
 
     std::vector<contract::varied_darts::OpenCell> cells_;
-    std::vector<std::uint64_t> ends_;
     std::uint32_t fineness_ = 0;
     bool is_begun_ = false;
 };
+
+/// A place, with the distance there before it is scaled.
+struct VariedPlace
+{
+    TorusPoint<2> place{};
+    std::uint32_t distance = 0;
+};
+
+/// A dart of a slot. Nothing where it falls outside, or is left out so that darts have a density of 1 / distance^2.
+std::optional<VariedPlace> varied_dart(const VariedDartRequest& request, const VariedCells& cells, std::uint32_t slot,
+                                       std::uint64_t number);
+
+/// The cells into which darts fall first: all that are not outside, each as wide as its least distance at most.
+VariedCells first_varied_cells(const VariedDartRequest& request);
+
+/// The least distance in a cell; 0 where it is outside altogether.
+std::uint32_t least_distance_in(const VariedDartRequest& request, const contract::varied_darts::OpenCell& cell);
 
 /// See quotient_of() in kernels/varied_darts.cl.
 std::uint64_t cell_quotient(std::uint32_t bits, std::uint32_t fineness, std::uint32_t distance);

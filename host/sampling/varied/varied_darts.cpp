@@ -24,7 +24,6 @@ struct VariedDartBuffers
 
     Words nodes, bounds; ///< of the field
     Buffer<OpenCell> cells, looked_at;
-    Buffer<std::uint64_t> ends;
     Words candidates; ///< a slot of the batch each
     Words heads, points, counters;
     RegionBuffers region;
@@ -49,7 +48,6 @@ NeededBuffers varied_buffers(VariedDartBuffers& b, const VariedDartRequest& requ
                          {b.bounds, request.field->bounds().size()},
                          {b.cells, cells},
                          {b.looked_at, cells},
-                         {b.ends, cells},
                          {b.candidates, most_varied_slots},
                          {b.heads, bucket_count(request)},
                          {b.points, (request.expected + 64) * contract::varied_darts::POINT_WORDS},
@@ -64,10 +62,9 @@ NeededBuffers varied_buffers(VariedDartBuffers& b, const VariedDartRequest& requ
 class ThrowingVaried
 {
 public:
-    ThrowingVaried(Device& device, VariedDartBuffers& buffers, const VariedDartRequest& request,
-                   std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          rule_(distance_rule(request)), cells_(request)
+    ThrowingVaried(Device& device, VariedDartBuffers& buffers, const VariedDartRequest& request, std::size_t group_size)
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), rule_(distance_rule(request)),
+          cells_(request)
     {
         const KernelProgram program = kernel_program("varied_darts.cl", {{"REGION", request.region != nullptr}});
         look_ = device.kernel(program, "look_at_cells");
@@ -121,8 +118,7 @@ private:
     {
         VariedDartBuffers& b = buffers_;
         make_room(count_ + slots);
-        const VariedBatch batch{.weight = cells_.weight(),
-                                .skipped = skipped,
+        const VariedBatch batch{.skipped = skipped,
                                 .cells = word(cells_.cells().size()),
                                 .fineness = cells_.fineness(),
                                 .first = word(count_),
@@ -132,10 +128,10 @@ private:
                                 .key_y = request_.stream[1],
                                 .unused = 0};
         with_region([&](const auto&... region) {
-            find_.run(slots, group_size_, rule_, batch, b.nodes, b.bounds, b.heads, b.points, b.cells, b.ends,
-                      b.candidates, region...);
-            settle_.run(1, 1, rule_, batch, b.nodes, b.bounds, b.heads, b.points, b.cells, b.ends, b.candidates,
-                        b.counters, region...);
+            find_.run(slots, group_size_, rule_, batch, b.nodes, b.bounds, b.heads, b.points, b.cells, b.candidates,
+                      region...);
+            settle_.run(1, 1, rule_, batch, b.nodes, b.bounds, b.heads, b.points, b.cells, b.candidates, b.counters,
+                        region...);
         });
         std::array<std::uint32_t, contract::varied_darts::COUNTERS> counters{};
         b.counters.read(counters);
@@ -174,9 +170,7 @@ private:
             b.looked_at.read(cells);
         });
         reserve(device_, b.cells, cells_.cells().size());
-        reserve(device_, b.ends, cells_.cells().size());
         b.cells.write(cells_.cells());
-        b.ends.write(cells_.ends());
     }
 
     VariedDarts result() const

@@ -1,12 +1,12 @@
 // Dart throwing with distances that vary from place to place, in a region or on the torus: to a number of points, or
 // until no further one fits; or relaxation, where all distances shrink until so many points fit.
 //
-// Mitchell, Rand, Ebeida, Bajaj, Variable radii Poisson-disk sampling, CCCG 2012, where the smaller distance of two points
-// is kept ("smaller-disks"); or the mean of both, so that disks of half the distance around points do not overlap. Darts
-// fall with a density of 1 / distance^2, so that every prefix is as dense everywhere as the distances say. They fall into
-// cells that may have room: the whole region at first, and, each time that so many darts of a point failed, cells of half
-// the size that no single point covers. No place without a point near it is ever left out, and where no cell is left,
-// none is there: the set is saturated, proven by whole numbers down to single positions.
+// Mitchell, Rand, Ebeida, Bajaj, Variable radii Poisson-disk sampling, CCCG 2012, where the smaller distance of two
+// points is kept ("smaller-disks"); or the mean of both, so that disks of half the distance around points do not
+// overlap. Darts fall with a density of 1 / distance^2, so that every prefix is as dense everywhere as the distances
+// say. They fall into cells that may have room: the whole region at first, and, each time that so many darts of a point
+// failed, cells of half the size that no single point covers. No place without a point near it is ever left out, and
+// where no cell is left, none is there: the set is saturated, proven by whole numbers down to single positions.
 //
 // McCool and Fiume 1992 for relaxation, see host/sampling/relaxation_dart_throwing.hpp.
 #pragma once

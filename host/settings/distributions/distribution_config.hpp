@@ -118,6 +118,29 @@ enum class RegionBoundary
 inline constexpr WordTable<RegionBoundary, 3> region_boundary_names{
     {{{RegionBoundary::inside, "inside"}, {RegionBoundary::disks, "disks"}, {RegionBoundary::on, "on"}}}};
 
+/// Which of the distances of two points they keep where distances vary.
+enum class KeptDistance
+{
+    smaller,
+    mean ///< of both
+};
+
+inline constexpr WordTable<KeptDistance, 2> kept_distances_names{
+    {{{KeptDistance::smaller, "smaller"}, {KeptDistance::mean, "mean"}}}};
+
+/// See host/distribution/varied_points.hpp.
+struct VariedRequest;
+
+/// A minimum distance that varies over a region: see distance_of_text().
+struct VaryingDistance
+{
+    std::string text; ///< a picture, or a formula in the region's units; empty: the distance does not vary
+    std::string from = "light";
+    std::array<double, 2> range{}; ///< of a picture: the distances where it is 0 and 1, in the region's units
+    KeptDistance between = KeptDistance::smaller;
+    std::shared_ptr<const VariedRequest> request{}; ///< what it was read as; empty: it is not read yet
+};
+
 /// See host/distribution/region_darts.hpp.
 struct RegionLand;
 
@@ -128,11 +151,14 @@ struct DartSettings
     bool is_planar = false; ///< its coordinates are lengths, whatever they look like
     std::optional<std::size_t> points;
     std::optional<double> min_distance; ///< in the region's units
+    VaryingDistance varying;            ///< instead of min_distance
     double relative_radius = 0.7;       ///< of so many points, where there is no minimum distance
     RegionBoundary boundary = RegionBoundary::inside;
     std::string obstacles;                   ///< empty: none; else see read_obstacles()
     std::optional<double> obstacle_distance; ///< of points from them; none: min_distance from points, else 0
     std::shared_ptr<const RegionLand> land;  ///< what both were read as; empty: they are not read yet
+
+    bool varies() const { return !varying.text.empty(); }
 };
 
 /// How points are made in a region.

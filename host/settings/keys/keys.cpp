@@ -384,11 +384,36 @@ Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, 
 Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, std::string& from, std::string help)
 {
     const Said said = picture_or_formula(key, value, std::move(help));
+    from_of_picture(key, value, from);
+    return said;
+}
+
+void Keys::from_of_picture(const std::string& key, const std::string& value, std::string& from)
+{
     const std::string from_key = key + "_from", unless_given = from;
     text(from_key, from, fmt::format("what of the picture {} is meant: light, ink, or one of its channels", key));
     if (is_given(key) && !is_file_name(value) && from != unless_given)
         throw invalid(from_key,
                       fmt::format("is for pictures, and {} is none", shown(key, shortened(printable(value)))));
+}
+
+Keys::Said Keys::number_over_region(const std::string& key, std::optional<double>& value, std::string& text,
+                                    std::string& from, Interval range, std::string help)
+{
+    const std::string allowed =
+        fmt::format("a number from {} to {}, or a formula or a picture's file in quotes", range.low, range.high);
+    if (const ConfigNode* node = given(key)) {
+        const auto* words = node->get_if<std::string>();
+        value = words ? std::nullopt : number_within(*node, range);
+        if (!words && !value) throw invalid(key, "must be " + allowed);
+        if (words) {
+            check_text(key, *words);
+            text = named_file(*words);
+        }
+    }
+    resolve(key, value ? fmt::format("{}", *value) : text.empty() ? "none" : text);
+    const Said said = describe({.value = {.key = key, .help = std::move(help)}, .is_formula = true, .own = allowed});
+    from_of_picture(key, value ? fmt::format("{}", *value) : text, from);
     return said;
 }
 

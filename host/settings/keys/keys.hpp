@@ -154,6 +154,10 @@ public:
     Said picture_or_formula(const std::string& key, std::string& value, std::string help);
     Said picture_or_formula(const std::string& key, std::string& value, std::string& from, std::string help);
 
+    /// A number, or what it is over a region: a picture's file or a formula, with the key `KEY_from`.
+    Said number_over_region(const std::string& key, std::optional<double>& value, std::string& text, std::string& from,
+                            Interval range, std::string help);
+
     /// The key `points`, which is required.
     Said points(std::size_t& value, std::string help = "the number of points");
 
@@ -193,6 +197,7 @@ private:
     Said describe(KeySpec spec);
     const ConfigNode* given(const std::string& key) const;
     void resolve(const std::string& key, const std::string& value);
+    void from_of_picture(const std::string& key, const std::string& value, std::string& from);
     Said list(std::vector<double>& values, KeySpec spec, const std::vector<Interval>& ranges);
     std::optional<ParameterValue> read(const ParameterSpec& spec) const;
     void check_text(const std::string& key, const std::string& text) const;

@@ -57,7 +57,6 @@ struct DistanceRule
 /// they come.
 struct VariedBatch
 {
-    ulong weight; ///< of all cells
     ulong skipped; ///< darts of the first slot that failed before
     uint cells;
     uint fineness; ///< see quotient_of()

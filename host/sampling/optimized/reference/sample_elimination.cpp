@@ -13,13 +13,6 @@
 namespace poissonlab::reference {
 namespace {
 
-/// A point in reach of another, and what the pair weighs.
-struct Partner
-{
-    std::uint32_t point;
-    std::uint64_t weight;
-};
-
 std::vector<std::vector<Partner>> partners_within(const PointSet& points, const EliminationReach& reach)
 {
     TorusGrid grid(points.size(), points.dimension);
@@ -58,10 +51,15 @@ std::vector<std::uint32_t> removal_order(const PointSet& points, const Eliminati
 std::vector<std::uint32_t> factored_removal_order(const PointSet& points, const EliminationReach& reach,
                                                   std::size_t count, std::span<const std::uint32_t> factors)
 {
+    return heaviest_first(partners_within(points, reach), count, factors);
+}
+
+std::vector<std::uint32_t> heaviest_first(const std::vector<std::vector<Partner>>& partners, std::size_t count,
+                                          std::span<const std::uint32_t> factors)
+{
     const auto weight_for = [&](std::uint32_t point, std::uint64_t weight) {
         return factors.empty() ? weight : weight * factors[point];
     };
-    const auto partners = partners_within(points, reach);
     // The heaviest first; of equal weights, the lower number.
     using Entry = std::pair<std::uint64_t, std::uint32_t>;
     const auto heavier = [](const Entry& a, const Entry& b) {

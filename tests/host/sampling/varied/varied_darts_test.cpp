@@ -1,5 +1,5 @@
-// Dart throwing with distances that vary: kernels against their twin, distances of all pairs, saturation by all places of
-// a fine lattice, and constant distances as a case of those that vary.
+// Dart throwing with distances that vary: kernels against their twin, distances of all pairs, saturation by all places
+// of a fine lattice, and constant distances as a case of those that vary.
 #include "host/sampling/varied/varied_darts.hpp"
 
 #include "base/errors/errors.hpp"
@@ -93,8 +93,8 @@ TEST_P(VariedDartSets, KeepTheDistanceOfEachPairInside)
     }
 }
 
-/// Every place of a lattice that is finer than holes could be is too near to a point; and just as many of a smaller set,
-/// without its last point, are not.
+/// Every place of a lattice that is finer than holes could be is too near to a point; and just as many of a smaller
+/// set, without its last point, are not.
 TEST_P(VariedDartSets, LeaveNoRoomWhereTheyAreFull)
 {
     const VariedDartRequest request = request_of(GetParam());
@@ -121,8 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Small, VariedDartSets,
                                          VariedCase{"disk 0 0 1", "0.9+0.3*x", true}));
 INSTANTIATE_TEST_SUITE_P(
     Sizes, VariedDartSets,
-    testing::Values(VariedCase{"rectangle 0 0 1 1", "0.01+0.1*x"},
-                    VariedCase{"rectangle 0 0 1 1", "0.01+0.1*x", true},
+    testing::Values(VariedCase{"rectangle 0 0 1 1", "0.01+0.1*x"}, VariedCase{"rectangle 0 0 1 1", "0.01+0.1*x", true},
                     VariedCase{"rectangle 0 0 1 1", "0.02+0.3*abs(x-0.5)", false, 200},
                     VariedCase{"rectangle 0 0 1 1", "0.02+0.3*abs(x-0.5)", true, 300, 100},
                     VariedCase{"POLYGON ((500000 0, 500300 10, 500200 200, 500000 190, 500000 0), (500100 50, 500150 "

@@ -1,0 +1,50 @@
+#include "app/commands/distribution/region_outputs.hpp"
+
+#include "app/commands/picture_output.hpp"
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "host/distribution/runs/dart_pictures.hpp"
+#include "host/distribution/runs/varied_results.hpp"
+#include "reports/drawings/mark_image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+std::vector<Option> RegionOutputs::options()
+{
+    return {
+        files.option(),
+        {"--distances", &distances, "Write the distance at each point, where it varies, to this .npy file", "FILE"}};
+}
+
+void RegionOutputs::check(const std::string& command, bool varies) const
+{
+    files.check(command);
+    if (distances.empty()) return;
+    if (!varies) throw InputError("--distances: goes with a --min-distance that varies");
+    OutputFiles{{".npy"}, false, {distances}}.check(command);
+}
+
+void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) const
+{
+    for (const std::filesystem::path out : files.names) {
+        if (std::ranges::find(files.kinds, out.extension().string()) != files.kinds.end())
+            write_picture_file(out, draw_marks(dart_picture(darts), {}));
+        else
+            write_points(out, darts.points, comment);
+    }
+    if (!distances.empty()) write_distances(distances, *darts.varied);
+}
+
+std::string words_of(const RegionDarts& darts)
+{
+    std::string what = fmt::format("{} points", darts.points.size());
+    if (darts.sure_distance > 0 && !darts.varied) what += fmt::format(" at least {:.17g} apart", darts.sure_distance);
+    if (darts.is_saturated) what += ", between which no further one fits";
+    return darts.varied ? what + "; " + words_of_varied(*darts.varied) : what;
+}
+
+}

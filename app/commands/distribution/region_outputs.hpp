@@ -1,0 +1,30 @@
+// What the commands that make points in regions write, and what they say of them.
+#pragma once
+
+#include "app/commands/kind_options.hpp"
+#include "host/distribution/region_darts.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// --out, point files and pictures, and --distances.
+struct RegionOutputs
+{
+    OutputFiles files{{".svg", ".png"}, true};
+    std::string distances;
+
+    std::vector<Option> options();
+
+    /// Throws InputError for names that cannot be written, and for --distances of points whose distance does not vary.
+    void check(const std::string& command, bool varies) const;
+
+    /// `comment` goes into point files.
+    void write(const RegionDarts& darts, const std::string& comment) const;
+};
+
+/// How many points there are, how far apart, and whether a further one fits.
+std::string words_of(const RegionDarts& darts);
+
+}

@@ -1,0 +1,134 @@
+#include "host/distribution/runs/dart_pictures.hpp"
+
+#include "host/distribution/charts/curve_marks.hpp"
+#include "host/distribution/varied_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// The longest side of the picture: its numbers have two decimals.
+constexpr double picture_side = 4096;
+
+/// Dots in the middle of more disks than these would cover them.
+constexpr std::size_t most_dotted = 4000;
+
+/// Colours of distances, the smallest one first: viridis of Matplotlib.
+constexpr std::array distance_colors{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
+                                     "#28ae80", "#5ec962", "#addc30", "#fde725"};
+
+/// Where things of a region lie in its picture.
+class PicturePlaces
+{
+public:
+    explicit PicturePlaces(const RegionBox& box) : box_(box), scale_((picture_side - 2 * margin) / box.longest()) {}
+
+    std::array<double, 2> operator()(double x, double y) const
+    {
+        return {margin + (x - box_.low[0]) * scale_, margin + (y - box_.low[1]) * scale_};
+    }
+
+    double scale() const { return scale_; }
+    MarkPicture picture() const { return {box_.width() * scale_ + 2 * margin, box_.height() * scale_ + 2 * margin}; }
+
+    void add_line(MarkGroup& group, const std::array<double, 2>& from, const std::array<double, 2>& to) const
+    {
+        const auto [x0, y0] = (*this)(from[0], from[1]);
+        const auto [x1, y1] = (*this)(to[0], to[1]);
+        group.strokes.push_back({x0, y0, x1, y1, picture_side / 500});
+    }
+
+    void add_ring(MarkGroup& group, const RegionRing& ring) const
+    {
+        for (std::size_t i = 0; i < ring.size(); ++i) add_line(group, ring[i], ring[(i + 1) % ring.size()]);
+    }
+
+private:
+    static constexpr double margin = picture_side / 100;
+    RegionBox box_;
+    double scale_;
+};
+
+/// Points as disks of the distance at each.
+std::vector<MarkGroup> distance_disks(const RegionDarts& darts, const PicturePlaces& places)
+{
+    const std::vector<double>& distances = darts.varied->distances;
+    const auto [least, most] = std::ranges::minmax(distances);
+    std::vector<MarkGroup> groups;
+    for (const char* color : distance_colors) groups.push_back({color});
+    MarkGroup dots{"#000000"};
+    for (std::size_t i = 0; i < darts.points.size(); ++i) {
+        const auto [x, y] = places(darts.points[i][0], darts.points[i][1]);
+        const double part = most > least ? std::log(distances[i] / least) / std::log(most / least) : 0;
+        const auto color = std::min(static_cast<std::size_t>(part * distance_colors.size()), groups.size() - 1);
+        const double radius = distances[i] * places.scale() / 2;
+        groups[color].disks.push_back({x, y, radius});
+        if (darts.points.size() <= most_dotted) dots.disks.push_back({x, y, std::min(radius / 5, picture_side / 400)});
+    }
+    groups.push_back(std::move(dots));
+    return groups;
+}
+
+MarkGroup equal_dots(const RegionDarts& darts, const PicturePlaces& places, double radius)
+{
+    MarkGroup dots{"#000000"};
+    for (std::size_t i = 0; i < darts.points.size(); ++i) {
+        const auto [x, y] = places(darts.points[i][0], darts.points[i][1]);
+        dots.disks.push_back({x, y, radius});
+    }
+    return dots;
+}
+
+}
+
+MarkPicture dart_picture(const RegionDarts& darts)
+{
+    const RegionBox& box = darts.request.region->box();
+    const PicturePlaces places(box);
+    MarkPicture picture = places.picture();
+    MarkGroup lines{"#8a8f98"}, obstacles{"#c2410c"};
+    for (const RegionPolygon& polygon : darts.request.land->rest.polygons) {
+        places.add_ring(lines, polygon.outline);
+        for (const RegionRing& hole : polygon.holes) places.add_ring(lines, hole);
+    }
+    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land->obstacles, box))
+        places.add_line(obstacles, {x0, y0}, {x1, y1});
+    const double distance = darts.sure_distance > 0 ? darts.sure_distance : darts.request.min_distance;
+    const double radius = std::min(distance * places.scale() / 6, picture_side / 100);
+    for (const auto& [x, y] : points_within(darts.request.land->obstacles, box)) {
+        const auto [left, top] = places(x, y);
+        obstacles.disks.push_back({left, top, radius});
+    }
+    picture.groups = {std::move(lines)};
+    if (darts.varied) {
+        for (MarkGroup& group : distance_disks(darts, places)) picture.groups.push_back(std::move(group));
+    } else {
+        picture.groups.push_back(equal_dots(darts, places, radius));
+    }
+    if (darts.request.land->obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
+    return picture;
+}
+
+MarkPicture nearest_picture(const VariedSet& set)
+{
+    constexpr double low = 0.9, high = 2.1, width = 0.02;
+    std::array<double, 60> counts{};
+    for (const double nearest : set.nearest)
+        if (nearest >= low && nearest < high)
+            ++counts[std::min(static_cast<std::size_t>((nearest - low) / width), counts.size() - 1)];
+    MarkCurve curve{"points", "#2c728e", {}};
+    double most = 1;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double density = counts[i] / width / static_cast<double>(set.nearest.size());
+        most = std::max(most, density);
+        curve.places.push_back({low + width * (static_cast<double>(i) + 0.5), density});
+    }
+    const double step = most > 8 ? 4 : most > 4 ? 2 : 1;
+    return curve_marks({"distance of the nearest point / the distance that both keep", low, high, 0.2},
+                       {"density of points", 0, std::ceil(most / step) * step, step}, 0, {curve});
+}
+
+}

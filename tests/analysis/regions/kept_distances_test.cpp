@@ -1,0 +1,58 @@
+// Distances of pairs over those that they are to keep: against all pairs.
+#include "analysis/regions/kept_distances.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+TEST(KeptDistances, AreThoseOfAllPairs)
+{
+    std::mt19937 random(3);
+    for (const bool is_mean : {false, true})
+        for (const std::size_t count : {2, 7, 300}) {
+            std::vector<TorusPoint<2>> points;
+            std::vector<std::uint32_t> distances;
+            for (std::size_t i = 0; i < count; ++i) {
+                points.push_back({random() % 0x80000000u, random() % 0x10000000u});
+                distances.push_back(1 + random() % 0x4000000u);
+            }
+            const KeptDistances kept = kept_distances(points, distances, is_mean);
+            ASSERT_EQ(kept.nearest.size(), count);
+            bool are_kept = true;
+            for (std::size_t i = 0; i < count; ++i) {
+                double least = HUGE_VAL;
+                for (std::size_t j = 0; j < count; ++j) {
+                    if (i == j) continue;
+                    const double distance =
+                        std::hypot(double{1} * points[i][0] - points[j][0], double{1} * points[i][1] - points[j][1]);
+                    const double a = distances[i], b = distances[j];
+                    least = std::min(least, distance / (is_mean ? (a + b) / 2 : std::min(a, b)));
+                }
+                are_kept &= least >= 1;
+                EXPECT_NEAR(kept.nearest[i], least, 1e-12 * least);
+            }
+            EXPECT_EQ(kept.are_kept, are_kept);
+        }
+}
+
+TEST(KeptDistances, AreExactInTheLastPosition)
+{
+    const std::vector<TorusPoint<2>> points{{0, 0}, {3000000000u / 2, 2000000000u}}; // 2500000000 apart
+    for (const std::uint32_t distance : {2147483647u, 2000000000u}) {
+        EXPECT_TRUE(kept_distances(points, std::vector{distance, distance}, false).are_kept);
+    }
+    const std::vector<TorusPoint<2>> near{{5, 7}, {5 + 300000000u, 7 + 400000000u}}; // 500000000
+    EXPECT_TRUE(kept_distances(near, std::vector{500000000u, 600000000u}, false).are_kept);
+    EXPECT_FALSE(kept_distances(near, std::vector{500000001u, 600000000u}, false).are_kept);
+    EXPECT_TRUE(kept_distances(near, std::vector{500000001u, 499999999u}, true).are_kept);
+    EXPECT_FALSE(kept_distances(near, std::vector{500000001u, 500000000u}, true).are_kept);
+    EXPECT_TRUE(std::isinf(kept_distances({}, {}, false).least()));
+}
+
+}
+}
