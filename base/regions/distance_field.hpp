@@ -19,7 +19,7 @@ namespace poissonlab {
 /// A distance at a place, both in units of the region.
 using DistanceAt = std::function<double(double x, double y)>;
 
-/// What is read of a formula or a picture: distances at the nodes of a region's grid, in the region's units.
+/// The distances of a formula or a picture at the nodes of a region's grid, in the region's units.
 struct DistanceTable
 {
     static constexpr std::uint32_t shift = 22; ///< nodes are 2^shift positions apart: 512 cells along the longest side

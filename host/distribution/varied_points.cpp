@@ -208,7 +208,7 @@ private:
         return darts;
     }
 
-    /// What was found is what the set keeps.
+    /// Multiplies distances by the least ratio that was found, so that all pairs keep them.
     static void take_least_for_scale(VariedSet& set)
     {
         set.scale *= set.least;

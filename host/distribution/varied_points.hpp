@@ -22,7 +22,7 @@ namespace poissonlab {
 /// The slope that distances must stay below.
 double slope_limit(KeptDistance between);
 
-/// What is asked for, but for random numbers. The distances of the field are those of the table times `scale`.
+/// A request for points, but for its random numbers. The distances of the field are those of the table times `scale`.
 struct VariedRequest
 {
     RegionDartRequest place; ///< min_distance is the least one
@@ -32,7 +32,7 @@ struct VariedRequest
     VariedDartRequest darts;
 };
 
-/// What was made of it, and what was found in the set.
+/// The set that was made, and how near its pairs are.
 struct VariedSet
 {
     VariedRequest request;

@@ -1,4 +1,4 @@
-// What the commands that make points in regions write, and what they say of them.
+// The files of the commands that make points in regions, and what they say of the points.
 #pragma once
 
 #include "app/commands/kind_options.hpp"

@@ -155,7 +155,7 @@ std::string region_point_label(const RegionPointSettings& s)
     return fmt::format("Points in {}, {}", name_of_input(s.place.region), region_methods[s.method]);
 }
 
-/// Whatever sets of a constant distance do not have.
+/// Adds the pictures and files that sets of one distance do not have.
 void add_varied_results(const VariedSet& set, DistributionFiles& files, DistributionResult& result)
 {
     result.facts.push_back(words_of_varied(set));

@@ -1,4 +1,4 @@
-// What is said of points whose minimum distance varies.
+// Words, numbers and files about points whose minimum distance varies.
 #pragma once
 
 #include "host/distribution/runs/run_numbers.hpp"
@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// What points keep, from which distance to which, and how near the nearest two of all pairs are.
+/// A sentence that says which distances points keep, and how near the nearest two of all pairs are.
 std::string words_of_varied(const VariedSet& set);
 
 /// Scale, slope, distances, and what was found in all pairs.

@@ -20,7 +20,7 @@ using CellLook = std::function<void(std::vector<contract::varied_darts::OpenCell
 class VariedCells
 {
 public:
-    /// Everything, before refine() was called.
+    /// Cells that cover everything, until refine() is called.
     explicit VariedCells(const VariedDartRequest& request);
 
     /// Splits cells, by another bit of fineness each time, and leaves out those without room. The first time, by none.
@@ -58,7 +58,7 @@ std::uint32_t least_distance_in(const VariedDartRequest& request, const contract
 /// See quotient_of() in kernels/varied_darts.cl.
 std::uint64_t cell_quotient(std::uint32_t bits, std::uint32_t fineness, std::uint32_t distance);
 
-/// What the kernels are told of a request, but for the scale and the buckets.
+/// The rule that kernels are told, but for its scale and the buckets.
 contract::varied_darts::DistanceRule distance_rule(const VariedDartRequest& request);
 
 /// The scale that follows, in units of 2^-SCALE_BITS.
