@@ -87,9 +87,9 @@ private:
     {
         for (std::uint32_t y = 0; y <= 2 * table_.rows; ++y)
             for (std::uint32_t x = 0; x < width_; ++x) {
-                const double value = distance_(place_along(x, 0), place_along(y, 1));
-                const bool is_distance = value > 0 && !std::isinf(value);
-                places_.push_back(is_distance ? value : std::numeric_limits<double>::quiet_NaN());
+                double value = distance_(place_along(x, 0), place_along(y, 1));
+                if (!is_distance(value)) value = distance_(within_box(x, 0), within_box(y, 1));
+                places_.push_back(is_distance(value) ? value : std::numeric_limits<double>::quiet_NaN());
             }
         for_each_cell([&](std::uint32_t column, std::uint32_t row) {
             for (std::uint32_t y = 2 * row; y < 2 * row + 3; ++y)
@@ -97,17 +97,24 @@ private:
         });
     }
 
-    /// A formula is not asked beyond the region's box.
+    static bool is_distance(double value) { return value > 0 && !std::isinf(value); }
+
+    /// In units of the region: up to a cell beyond its box, so that interpolation is right at the border.
     double place_along(std::uint32_t half, std::size_t k) const
     {
-        const double at = region_.box().low[k] + region_.unit() * half * (cell_side / 2.0);
-        return std::min(at, region_.box().high[k]);
+        return region_.box().low[k] + region_.unit() * half * (cell_side / 2.0);
+    }
+
+    /// Where a formula is no distance beyond the box, it is what it is at the border.
+    double within_box(std::uint32_t half, std::size_t k) const
+    {
+        return std::min(place_along(half, k), region_.box().high[k]);
     }
 
     void check_place(std::uint32_t x, std::uint32_t y)
     {
         if (!std::isnan(place(x, y))) return;
-        const double at_x = place_along(x, 0), at_y = place_along(y, 1);
+        const double at_x = within_box(x, 0), at_y = within_box(y, 1);
         throw InputError(fmt::format("{} is {:.6g} at {:.6g}, {:.6g}, in or beside the region: must be above 0", name_,
                                      distance_(at_x, at_y), at_x, at_y));
     }

@@ -13,13 +13,14 @@ namespace {
 TEST(KeptDistances, AreThoseOfAllPairs)
 {
     std::mt19937 random(3);
+    const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
     for (const bool is_mean : {false, true})
         for (const std::size_t count : {2, 7, 300}) {
             std::vector<TorusPoint<2>> points;
             std::vector<std::uint32_t> distances;
             for (std::size_t i = 0; i < count; ++i) {
-                points.push_back({random() % 0x80000000u, random() % 0x10000000u});
-                distances.push_back(1 + random() % 0x4000000u);
+                points.push_back({below(0x80000000u), below(0x10000000u)});
+                distances.push_back(1 + below(0x4000000u));
             }
             const KeptDistances kept = kept_distances(points, distances, is_mean);
             ASSERT_EQ(kept.nearest.size(), count);
