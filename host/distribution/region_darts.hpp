@@ -44,7 +44,7 @@ struct RegionDartRequest
     DartThrowingRequest darts;
 };
 
-/// See host/distribution/varied/varied_points.hpp.
+/// See host/distribution/varied_points.hpp.
 struct VariedSet;
 
 struct RegionDarts

@@ -1,7 +1,7 @@
 #include "host/distribution/runs/dart_pictures.hpp"
 
 #include "host/distribution/charts/curve_marks.hpp"
-#include "host/distribution/varied/varied_points.hpp"
+#include "host/distribution/varied_points.hpp"
 
 #include <algorithm>
 #include <array>

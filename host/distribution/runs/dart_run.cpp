@@ -13,7 +13,7 @@
 #include "host/distribution/runs/region_curve_files.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/runs/varied_results.hpp"
-#include "host/distribution/varied/varied_points.hpp"
+#include "host/distribution/varied_points.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
 

@@ -128,7 +128,7 @@ enum class KeptDistance
 inline constexpr WordTable<KeptDistance, 2> kept_distances_names{
     {{{KeptDistance::smaller, "smaller"}, {KeptDistance::mean, "mean"}}}};
 
-/// See host/distribution/varied/varied_points.hpp.
+/// See host/distribution/varied_points.hpp.
 struct VariedRequest;
 
 /// A minimum distance that varies over a region: see distance_of_text().

@@ -1,6 +1,6 @@
 // Points in regions whose minimum distance varies: what each method keeps of all pairs, by the formula itself; no room
 // left; constant distances as a case; and what is refused.
-#include "host/distribution/varied/varied_points.hpp"
+#include "host/distribution/varied_points.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/distribution/region_points.hpp"
