@@ -4,9 +4,9 @@
 #include "base/images/png_file.hpp"
 #include "base/random/random.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/lookup_costs.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/distribution/runs/lookup_costs.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
 

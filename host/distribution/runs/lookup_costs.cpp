@@ -1,4 +1,4 @@
-#include "host/distribution/lookup_costs.hpp"
+#include "host/distribution/runs/lookup_costs.hpp"
 
 #include "base/programs/interrupt.hpp"
 #include "host/distribution/tabled_noise.hpp"
