@@ -1,4 +1,4 @@
-// Runs kernels/surface_darts.cl.
+// Runs kernels/surfaces/surface_darts.cl.
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/surfaces/surface_buckets.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
@@ -53,7 +53,7 @@ public:
     KernelSurfaceDarts(const SurfaceDartRequest& request, const Device& device, std::size_t work_group_size)
         : DeviceMethod(device, work_group_size, std::make_shared<SurfaceDartBuffers>()), stream_(request.stream)
     {
-        const KernelProgram program = kernel_program("surface_darts.cl", {});
+        const KernelProgram program = kernel_program("surfaces/surface_darts.cl", {});
         find_ = device_.kernel(program, "find_darts");
         settle_ = device_.kernel(program, "settle_darts");
         clear_ = device_.kernel(program, "clear_darts");

@@ -1,4 +1,4 @@
-// Runs kernels/surface_elimination.cl, and the order of points from one elimination after the other.
+// Runs kernels/surfaces/surface_elimination.cl, and the order of points from one elimination after the other.
 #include "host/sampling/surfaces/surface_elimination.hpp"
 
 #include "base/geometry/torus.hpp"
@@ -89,7 +89,7 @@ public:
                           const std::vector<SurfacePoint>& points, const SurfaceReach& reach, std::size_t group_size)
         : buffers_(buffers), elimination_(surface_elimination(surface, reach, points.size())), group_size_(group_size)
     {
-        const KernelProgram program = kernel_program("surface_elimination.cl", {});
+        const KernelProgram program = kernel_program("surfaces/surface_elimination.cl", {});
         mark_ = device.kernel(program, "mark_heaviest");
         touch_ = device.kernel(program, "touch_around");
         remove_ = device.kernel(program, "remove_marked");

@@ -51,7 +51,7 @@ std::vector<std::uint32_t> surface_removal_order(const FixedSurface& surface, co
                                                  const SurfaceReach& reach, std::size_t count);
 }
 
-/// The same, by kernels/surface_elimination.cl: the same order on every device.
+/// The same, by kernels/surfaces/surface_elimination.cl: the same order on every device.
 class SurfaceElimination : DeviceMethod<struct SurfaceEliminationBuffers>
 {
 public:

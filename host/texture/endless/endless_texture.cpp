@@ -89,7 +89,7 @@ int rows_at_once(const PixelWindow& window)
 
 Kernel endless_kernel(Device& device, const EndlessTexture& texture)
 {
-    return device.kernel(kernel_program("endless_texture.cl", {{"METHOD", std::to_string(texture.method)},
+    return device.kernel(kernel_program("textures/endless_texture.cl", {{"METHOD", std::to_string(texture.method)},
                                                                {"CHANNELS", std::to_string(texture.channels)},
                                                                {"CELL", std::to_string(texture.plane.cell)},
                                                                {"ROW", std::to_string(texture.plane.row)},

@@ -1,5 +1,5 @@
 // Colours of endless textures at pixels of the plane: those of endless_request.hpp, and tiles that have places in an
-// atlas, by the same kernel, kernels/endless_texture.cl.
+// atlas, by the same kernel, kernels/textures/endless_texture.cl.
 //
 // Pixels of the plane have whole coordinates, x to the east and y to the south, and show texels of the exemplar as they
 // are: what renderers do between them, and with levels, is left out. In hexagonal grids row j of lattice points is at

@@ -187,7 +187,7 @@ std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, Te
     const Buffer<float> shown = device.buffer<float>(at_once * channels);
     light.write(pyramid.light);
     Kernel kernel =
-        device.kernel(kernel_program("texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
+        device.kernel(kernel_program("textures/texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
                                                         {"CHANNELS", std::to_string(channels)},
                                                         {"WANG", pyramid.is_wang ? "1" : "0"},
                                                         {"COLORS", std::to_string(pyramid.levels.colors)}}),

@@ -1,4 +1,4 @@
-// The plain C++ twin of kernels/texture_map.cl: a loop over pixels, samples and texels, each of which finds its own
+// The plain C++ twin of kernels/textures/texture_map.cl: a loop over pixels, samples and texels, each of which finds its own
 // tile.
 #include "base/programs/interrupt.hpp"
 #include "host/texture/mapping/texture_map.hpp"
