@@ -82,8 +82,8 @@ SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<Surface
                           const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number);
 }
 
-/// The same by kernels/surfaces/surface_darts.cl: the same bytes as the reference on every device. `work_group_size` 0: the
-/// default.
+/// The same by kernels/surfaces/surface_darts.cl: the same bytes as the reference on every device. `work_group_size` 0:
+/// the default.
 std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request, const Device& device,
                                                        std::size_t work_group_size = 0);
 

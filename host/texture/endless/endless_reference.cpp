@@ -1,4 +1,5 @@
-// The plain C++ twin of kernels/textures/endless_texture.cl: a loop over pixels and the pieces of the exemplar that each sees.
+// The plain C++ twin of kernels/textures/endless_texture.cl: a loop over pixels and the pieces of the exemplar that
+// each sees.
 #include "base/programs/interrupt.hpp"
 #include "host/texture/endless/endless_texture.hpp"
 #include "tiles/texture/endless_texture.hpp"

@@ -90,13 +90,13 @@ int rows_at_once(const PixelWindow& window)
 Kernel endless_kernel(Device& device, const EndlessTexture& texture)
 {
     return device.kernel(kernel_program("textures/endless_texture.cl", {{"METHOD", std::to_string(texture.method)},
-                                                               {"CHANNELS", std::to_string(texture.channels)},
-                                                               {"CELL", std::to_string(texture.plane.cell)},
-                                                               {"ROW", std::to_string(texture.plane.row)},
-                                                               {"EXPONENT", std::to_string(texture.exponent)},
-                                                               {"GAIN", std::to_string(texture.gain)},
-                                                               {"RESTORED", texture.is_restored ? "1" : "0"},
-                                                               {"COLORS", std::to_string(texture.colors)}}),
+                                                                        {"CHANNELS", std::to_string(texture.channels)},
+                                                                        {"CELL", std::to_string(texture.plane.cell)},
+                                                                        {"ROW", std::to_string(texture.plane.row)},
+                                                                        {"EXPONENT", std::to_string(texture.exponent)},
+                                                                        {"GAIN", std::to_string(texture.gain)},
+                                                                        {"RESTORED", texture.is_restored ? "1" : "0"},
+                                                                        {"COLORS", std::to_string(texture.colors)}}),
                          "color_pixels");
 }
 

@@ -188,9 +188,9 @@ std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, Te
     light.write(pyramid.light);
     Kernel kernel =
         device.kernel(kernel_program("textures/texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
-                                                        {"CHANNELS", std::to_string(channels)},
-                                                        {"WANG", pyramid.is_wang ? "1" : "0"},
-                                                        {"COLORS", std::to_string(pyramid.levels.colors)}}),
+                                                                 {"CHANNELS", std::to_string(channels)},
+                                                                 {"WANG", pyramid.is_wang ? "1" : "0"},
+                                                                 {"COLORS", std::to_string(pyramid.levels.colors)}}),
                       "map_texture");
     std::vector<float> pixels(count * channels);
     for (std::size_t first = 0; first < count; first += at_once) {

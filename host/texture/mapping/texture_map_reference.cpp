@@ -1,5 +1,5 @@
-// The plain C++ twin of kernels/textures/texture_map.cl: a loop over pixels, samples and texels, each of which finds its own
-// tile.
+// The plain C++ twin of kernels/textures/texture_map.cl: a loop over pixels, samples and texels, each of which finds
+// its own tile.
 #include "base/programs/interrupt.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 #include "tiles/texture/endless_texture.hpp"
