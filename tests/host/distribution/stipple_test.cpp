@@ -7,7 +7,7 @@
 #include "host/sampling/warp/warp.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
-#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
