@@ -12,10 +12,10 @@
 // ends there, and the host takes finer cells, or smaller distances.
 //
 // Points lie in squares that are as wide as twice the power of two below their distance, and these in buckets by a hash.
-// Needs REGION (1 or 0: the torus).
 
 #define DIMENSION 2
 #define LARGE_DISKS 1
+#define REGION 1
 
 #include "kernels/common/darts/varied_darts.h"
 #include "kernels/common/philox.clh"
@@ -23,7 +23,6 @@
 #include "kernels/common/darts/distance_field.clh"
 #include "kernels/common/regions/inside_region.clh"
 
-#if REGION
 #define REGION_PARAMETERS                                                                                              \
     , struct RegionGrid region_grid, global const uint *region_cells, global const uint *region_edges,                 \
         global const uint *region_filled
@@ -33,12 +32,6 @@
     region.cells = region_cells;                                                                                       \
     region.edges = region_edges;                                                                                       \
     region.filled = region_filled;
-#else
-#define REGION_PARAMETERS
-#define REGION_VALUES(region)                                                                                          \
-    Region region;                                                                                                     \
-    region.bits = 0;
-#endif
 
 /// All that darts are held against.
 typedef struct

@@ -112,7 +112,7 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     set->ranks = ranked ? set->points + before_ranks : 0;
     const uint64_t end = 128 + 2 * (before_ranks + (ranked ? points : 0)), c = version > 2 ? ptiles_word(bytes + 36) : 0;
     /* Of each class the number of its points, then two distances of each pair of classes, which nothing here needs. */
-    if (c > 32 || size != end + 4 * c + 8 * c * (c + 1)) return "too short or too long for its points";
+    if (c > 32 || (version > 2 && c == 0) || size != end + 4 * c + 8 * c * (c + 1)) return "too short or too long for its points";
     set->classes = (uint32_t)c;
     set->class_points = c > 0 ? bytes + end : 0;
     uint64_t of_classes = 0;

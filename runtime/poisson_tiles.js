@@ -57,7 +57,7 @@ const PoissonTiles = (() => {
       const end = 128 + 2 * (beforeRanks + (ranked ? points : 0));
       const classes = version > 2 ? word(36) : 0;
       // Of each class the number of its points, then two distances of each pair of classes, which nothing here needs.
-      check(classes <= 32 && size === end + 4 * classes + 8 * classes * (classes + 1),
+      check(classes <= 32 && (version < 3 || classes > 0) && size === end + 4 * classes + 8 * classes * (classes + 1),
             "too short or too long for its points");
       this.classPoints = Array.from({ length: classes }, (_, i) => word(end + 4 * i)); // empty: points have no classes
       check(classes === 0 || this.classPoints.reduce((sum, n) => sum + n) === this.pointsPerTile,

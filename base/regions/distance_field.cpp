@@ -105,10 +105,13 @@ private:
         return region_.box().low[k] + region_.unit() * half * (cell_side / 2.0);
     }
 
-    /// Where a formula is no distance beyond the box, it is what it is at the border.
+    /// Where a formula is no distance beyond the region's extent, which is rounded to the grid, it is what it is just
+    /// inside.
     double within_box(std::uint32_t half, std::size_t k) const
     {
-        return std::min(place_along(half, k), region_.box().high[k]);
+        const double low = region_.own(region_.extent().low)[k] + region_.unit();
+        const double high = region_.own(region_.extent().high)[k] - region_.unit();
+        return std::clamp(place_along(half, k), std::min(low, high), std::max(low, high));
     }
 
     void check_place(std::uint32_t x, std::uint32_t y)
@@ -162,7 +165,7 @@ private:
         const double slope =
             std::hypot(std::max(std::abs(b - a), std::abs(d - c)), std::max(std::abs(c - a), std::abs(d - b))) / side;
         table_.slope_of_box =
-            std::isnan(slope) ? std::numeric_limits<double>::infinity() : std::max(table_.slope_of_box, slope);
+            std::isnan(a + b + c + d) ? std::numeric_limits<double>::infinity() : std::max(table_.slope_of_box, slope);
         const double share = table_.share[cell_at(column, row)];
         if (share == 0) return;
         if (slope > table_.slope) {

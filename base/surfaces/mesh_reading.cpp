@@ -67,6 +67,9 @@ PolygonSoup read_soup(const std::filesystem::path& file)
     return soup;
 }
 
+/// The search for triangles takes time with the cube of a face's corners.
+constexpr std::size_t most_corners = 1000;
+
 /// The corners of a polygon without those that repeat the one before.
 std::vector<std::uint32_t> corners_of(const std::vector<std::size_t>& polygon)
 {
@@ -103,7 +106,11 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file)
                 fail_in_mesh(file,
                              fmt::format("vertex {} has a coordinate that is no finite number", mesh.vertices.size()));
     }
-    for (const auto& polygon : soup.polygons) add_polygon(mesh, corners_of(polygon));
+    for (const auto& polygon : soup.polygons) {
+        if (polygon.size() > most_corners)
+            fail_in_mesh(file, fmt::format("has a face of {} corners: at most {}", polygon.size(), most_corners));
+        add_polygon(mesh, corners_of(polygon));
+    }
     return mesh;
 }
 

@@ -61,7 +61,7 @@ const std::vector<KernelFile>& kernel_files()
           {"STEP", {"1", "2"}},
           {"VALUE", {"float", "uint"}}}},
         {"tile_relaxation.cl", {dimension}},
-        {"varied_darts.cl", {{"REGION", {"0", "1"}}}},
+        {"varied_darts.cl", {}},
         {"voronoi_2d.cl", {}},
         {"voronoi_3d_fast.cl", {}},
         {"voronoi_3d_slow.cl", {}},

@@ -18,7 +18,7 @@
 namespace poissonlab {
 namespace {
 
-/// As for darts: sets of the torus share no random numbers with those of regions.
+/// The stream of sets with varying distances.
 constexpr std::uint32_t varied_attempt = 1;
 
 constexpr std::uint32_t usual_varied_attempts = 1000;
@@ -50,12 +50,16 @@ DistanceAt distance_of(const DartSettings& settings, const PlaneRegion& whole)
     return distance_of_text(varying.text, varying.from, varying.range, box_of(whole));
 }
 
+/// Distances are less than this, or cells do not tell them apart.
+double longest_distance(const RegionLand& land) { return 0.999 * box_of(land.whole).longest(); }
+
 /// By what distances are multiplied so that so many points, at this relative radius, have room; 1 without a number.
-double asked_scale(const RegionPointSettings& settings, const DistanceTable& table)
+double asked_scale(const RegionPointSettings& settings, const DistanceTable& table, double longest)
 {
     if (!settings.place.points) return 1;
     const double radius = settings.method == RegionMethod::darts ? settings.place.relative_radius : 1;
-    return radius * max_min_distance(*settings.place.points, 2) * std::sqrt(table.packing);
+    const double scale = radius * max_min_distance(*settings.place.points, 2) * std::sqrt(table.packing);
+    return std::min(scale, longest / table.most);
 }
 
 /// The part of the region's longest side that a single distance is not below, which needs cells everywhere.
@@ -83,12 +87,18 @@ VariedRequest varied_request(const RegionPointSettings& settings, const std::sha
     const std::string name = "the distance";
     request.table =
         distance_table(FixedRegion(land->rest, 0, KeptAway{{}, {}, 0, 0, box_of(land->whole)}), request.distance, name);
-    request.scale = asked_scale(settings, request.table);
+    if (!(request.table.packing > 0)) fail_without_room(place_for(place, land, 0), place);
+    const double longest = longest_distance(*land);
+    request.scale = asked_scale(settings, request.table, longest);
     request.place = place_for(place, land, request.table.least * request.scale);
     if (!place.obstacles.empty()) {
         request.table = distance_table(*request.place.region, request.distance, name);
-        request.scale = asked_scale(settings, request.table);
+        if (!(request.table.packing > 0)) fail_without_room(request.place, place);
+        request.scale = asked_scale(settings, request.table, longest);
     }
+    if (request.table.most * request.scale > longest)
+        throw InputError(fmt::format("is {:.6g} somewhere: must be at most {:.6g}, the extent of the region",
+                                     request.table.most * request.scale, longest));
     check_slope(request.table, request.scale, place.varying.between);
     const double unit = request.place.region->unit();
     if (request.table.least * request.scale < least_positions * unit)
@@ -191,6 +201,9 @@ private:
         for (const TorusPoint<2>& point : made.points) {
             const auto [x, y] = region.own(point);
             set->distances.push_back(request_.distance(x, y) * set->scale);
+            if (!(set->distances.back() > 0))
+                throw InputError(fmt::format("min_distance is {:.6g} at {:.6g}, {:.6g}: must be above 0",
+                                             set->distances.back(), x, y));
             kept.push_back(scaled_distance(request_.darts.field->at(point), made.scale));
             typed.push_back(
                 static_cast<std::uint32_t>(std::clamp(set->distances.back() / region.unit(), 1.0, 0x1p31 - 1)));

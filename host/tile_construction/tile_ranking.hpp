@@ -17,8 +17,8 @@ namespace poissonlab {
 
 /// The ranks of all points: see PoissonTileSet::ranks. `progress` is told how many ranks are done; what it throws ends
 /// the work. On all threads; the result is the same for any number of them. Points of classes are ranked class by
-/// class; then those of all classes together, the same for all tiles, such that each part of them has all classes in
-/// their proportions.
+/// class; then those of all classes together, the same for all tiles, such that each part of them has all classes
+/// nearly in their proportions.
 std::vector<std::uint16_t> rank_points(const PoissonTileSet& set,
                                        const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 

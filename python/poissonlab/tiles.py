@@ -155,6 +155,9 @@ class TileSet:
         if not self.class_points:
             raise InputError("class_of: the points of these tiles have no classes")
         ends = numpy.cumsum(self.class_points)  # points come class after class
+        index = numpy.asarray(index)
+        if numpy.any((index < 0) | (index >= ends[-1])):
+            raise InputError(f"class_of: index: must be from 0 to {ends[-1] - 1}")
         return numpy.searchsorted(ends, index, side="right").astype(numpy.uint32)
 
     def verify(self) -> Certificate:

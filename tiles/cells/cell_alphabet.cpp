@@ -18,7 +18,7 @@ Heaviest heaviest(const std::array<Color, 4>& from_north_west, std::size_t color
 {
     const std::array<double, 4> weights{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
     const std::array<double, 4> along_x{-(1 - y), 1 - y, -y, y}, along_y{-(1 - x), -x, 1 - x, x};
-    std::vector<double> sums(colors), slopes_x(colors), slopes_y(colors);
+    std::array<double, most_cell_colors> sums{}, slopes_x{}, slopes_y{};
     for (std::size_t i = 0; i < 4; ++i) {
         sums[from_north_west[i]] += weights[i];
         slopes_x[from_north_west[i]] += along_x[i];

@@ -116,12 +116,13 @@ std::uint32_t cell_number(const CellAlphabet& alphabet, TileIndex cell)
     return static_cast<std::uint32_t>((side - 1 - place.y) * side + place.x);
 }
 
-std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first)
+std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first,
+                         std::string_view row_end)
 {
     std::string text;
     for (std::size_t i = 0; i < map.cells.size(); ++i)
         fmt::format_to(std::back_inserter(text), "{}{}", first + cell_number(alphabet, map.cells[i]),
-                       (i + 1) % map.columns == 0 ? "\n" : ",");
+                       (i + 1) % map.columns == 0 ? row_end : ",");
     return text;
 }
 
@@ -129,10 +130,8 @@ std::string tiled_map(const CellAlphabet& alphabet, const CellMap& map, const st
 {
     const std::uint32_t side = alphabet.colors() * alphabet.colors();
     const int size = alphabet.size;
-    std::string numbers = cell_numbers(alphabet, map, 1);
-    // Tiled separates rows by commas as well.
-    for (std::size_t at = numbers.find('\n'); at + 1 < numbers.size(); at = numbers.find('\n', at + 2))
-        numbers.insert(at, ",");
+    std::string numbers = cell_numbers(alphabet, map, 1, ",\n"); // Tiled separates rows by commas as well
+    numbers.erase(numbers.size() - 2, 1);
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<map version=\"1.10\" orientation=\"orthogonal\" "
                        "renderorder=\"right-down\" width=\"{}\" height=\"{}\" tilewidth=\"{}\" tileheight=\"{}\" "
                        "infinite=\"0\" nextlayerid=\"2\" nextobjectid=\"1\">\n",

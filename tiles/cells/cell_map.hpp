@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poissonlab {
@@ -39,7 +40,8 @@ CellMap packed_cells(Color colors);
 std::uint32_t cell_number(const CellAlphabet& alphabet, TileIndex cell);
 
 /// The numbers of all cells of a map, a line a row, counted from `first`: layers of Tiled count from 1.
-std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first = 0);
+std::string cell_numbers(const CellAlphabet& alphabet, const CellMap& map, std::uint32_t first = 0,
+                         std::string_view row_end = "\n");
 
 /// A map of Tiled (TMX 1.10): one layer as CSV and a tile set with the picture `picture`, whose tiles know the colours
 /// of their corners, as its terrain brush wants them.

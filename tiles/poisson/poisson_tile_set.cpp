@@ -57,6 +57,16 @@ void check_border(const PoissonTileParameters& p)
         throw refused("null_peaks", p.null_peaks, "must be false without joint iterations, which do it");
 }
 
+/// The relative radius follows from distances, which those who gave them know.
+void check_room_of_classes(const PoissonTileParameters& p)
+{
+    check(p.classes, p.points_per_tile);
+    if (relative_radius(p.classes.least_distance(), p.points_per_tile, p.dimension) >= 1)
+        throw InputError(
+            fmt::format("points of classes that keep a distance of {:.4f} tiles: {} in a tile have no room",
+                        p.classes.least_distance(), p.points_per_tile));
+}
+
 /// Refuses what tiles with classes do not have.
 void check_class_parameters(const PoissonTileParameters& p)
 {
@@ -68,7 +78,6 @@ void check_class_parameters(const PoissonTileParameters& p)
     if (!p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with classes");
     if (p.joint_iterations != 0) throw refused("joint_iterations", p.joint_iterations, "must be 0 with classes");
     if (p.equal_moments != 0) throw refused("equal_moments", p.equal_moments, "must be 0 with classes");
-    check(p.classes, p.points_per_tile);
     const double radius = relative_radius(p.classes.least_distance(), p.points_per_tile, p.dimension);
     if (!(std::abs(p.relative_radius - radius) <= 1e-9))
         throw refused("relative_radius", p.relative_radius, fmt::format("must be {}, that of the classes", radius));
@@ -92,6 +101,7 @@ void check_numbers(const PoissonTileParameters& p)
     if (p.points_per_tile < min_points_per_tile || p.points_per_tile > max_points_per_tile)
         throw refused("points_per_tile", p.points_per_tile,
                       fmt::format("must be an integer from {} to {}", min_points_per_tile, max_points_per_tile));
+    if (!p.classes.is_empty()) check_room_of_classes(p);
     if (!(p.relative_radius > 0 && p.relative_radius < 1))
         throw refused("relative_radius", p.relative_radius, "must be a number between 0 and 1");
     if (p.attempts < 1 || p.attempts > 1'000'000)

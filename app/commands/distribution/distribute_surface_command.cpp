@@ -42,7 +42,9 @@ void place_on_surface(const KindOptions& o)
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     std::string what = fmt::format("{} points, {}", set.points.size(), surface_fact(set, settings));
-    if (set.min_distance > 0) what += fmt::format("; at least {:.17g} apart", set.min_distance);
+    if (set.min_distance > 0)
+        what += fmt::format("; {}at least {:.17g} apart", set.angle < 180 ? "those that see each other " : "",
+                            set.min_distance);
     o.say_note(what);
     for (const std::string& out : o.outs.names)
         write_surface_output(out, set, o.pixels > 0 ? static_cast<int>(o.pixels) : default_view_pixels,

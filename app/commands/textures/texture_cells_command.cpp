@@ -22,18 +22,34 @@ struct TextureCellsOptions : KindOptions
     using KindOptions::KindOptions;
 };
 
+std::filesystem::path picture_beside(const std::filesystem::path& map)
+{
+    return map.parent_path() / (map.stem().string() + "-tiles.png");
+}
+
+/// Refuses files of which one would take the place of another's picture.
+void check_pictures(const std::vector<std::string>& files)
+{
+    for (const std::filesystem::path map : files)
+        for (const std::filesystem::path other : files)
+            if (map.extension() == ".tmx" && other.lexically_normal() == picture_beside(map).lexically_normal())
+                throw InputError(fmt::format("texture cells: --out {}: is the name of the picture of {}",
+                                             other.string(), map.string()));
+}
+
 void draw_cells(const TextureCellsOptions& o)
 {
     const KindSettings read = o.settings();
     o.outs.check(o.command());
+    check_pictures(o.outs.names);
     const DrawnCells drawn = drawn_cells(read.as<CellSettings>(), o.seed());
     for (const std::filesystem::path file : o.outs.names) {
         if (file.extension() == ".png") write_cell_map(file, drawn.alphabet, drawn.map);
         if (file.extension() == ".csv") write_whole_file(file, cell_numbers(drawn.alphabet, drawn.map));
         if (file.extension() != ".tmx") continue;
-        const std::string picture = file.stem().string() + "-tiles.png";
-        write_cell_map(file.parent_path() / picture, drawn.alphabet, packed_cells(drawn.alphabet.colors()));
-        write_whole_file(file, tiled_map(drawn.alphabet, drawn.map, picture));
+        const std::filesystem::path picture = picture_beside(file);
+        write_cell_map(picture, drawn.alphabet, packed_cells(drawn.alphabet.colors()));
+        write_whole_file(file, tiled_map(drawn.alphabet, drawn.map, picture.filename().string()));
     }
     if (o.prints_json()) print_numbers(cell_counts(drawn));
 }

@@ -90,7 +90,7 @@ private:
         if (!table) throw invalid_node("glyphs", *node, "must be a table, [glyphs]");
         for (const ConfigEntry& entry : *table) {
             if (entry.key.size() != 1)
-                throw invalid_node(entry.key, entry.node, "must be called by one letter or sign");
+                throw invalid_node(entry.key, entry.node, "must be called by one letter or sign of ASCII");
             glyphs_[entry.key.front()] = color_of(entry.key, entry.node);
         }
     }
@@ -129,7 +129,7 @@ private:
         const auto* list = node->get_if<ConfigList>();
         const auto size = static_cast<std::size_t>(alphabet_.size);
         const auto wrong = [&](const ConfigNode& at) {
-            return invalid_node("rows", at, fmt::format("must be {} texts of {} glyphs", size, size));
+            return invalid_node("rows", at, fmt::format("must be {} texts of {} glyphs of ASCII", size, size));
         };
         if (!list || list->size() != size) throw wrong(*node);
         Drawing drawing;

@@ -10,6 +10,17 @@
 namespace poissonlab {
 namespace {
 
+/// The report says that distances are proven: those of the file are what the program has proven when it wrote it.
+void check_is_proven(const PoissonTileSet& set, const std::string& file)
+{
+    const TileClasses& classes = set.parameters.classes;
+    for (std::size_t j = 0; j < classes.count(); ++j)
+        for (std::size_t i = 0; i <= j; ++i)
+            if (set.class_squared_distances[class_pair(i, j)] < squared_units(classes.distances.at(i, j)))
+                throw InputError(
+                    fmt::format("{}: the distance of classes {} and {} is not proven: see tiles verify", file, i, j));
+}
+
 PoissonTileSet set_with_classes(const ClassSettings& settings)
 {
     PoissonTileSet set = read_tile_set(settings.tiles);
@@ -20,6 +31,7 @@ PoissonTileSet set_with_classes(const ClassSettings& settings)
     if (points > static_cast<std::uint64_t>(max_points))
         throw InputError(
             fmt::format("a torus of {0} x {0} tiles has {1} points; at most {2}", settings.torus, points, max_points));
+    check_is_proven(set, settings.tiles.string());
     return set;
 }
 

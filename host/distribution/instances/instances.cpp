@@ -86,13 +86,17 @@ InstanceBox instance_box(const ObjectTileSet& tiles, const InstanceSettings& set
         {std::min(left + width, reach) * unit + 0.5, std::min(bottom + height, reach) * unit + 0.5, half * unit + 0.5}};
 }
 
+void check_models(const InstanceSettings& settings, const TileClasses& classes)
+{
+    if (settings.models < classes.count())
+        throw InputError(fmt::format("models = {}: must be at least {}, one for each class of the tiles' points",
+                                     settings.models, classes.count()));
+}
+
 void set_classes(std::vector<Instance>& instances, const TileClasses& classes, const InstanceSettings& settings)
 {
     const auto count = static_cast<std::uint32_t>(classes.count());
     if (count == 0) return;
-    if (settings.models < count)
-        throw InputError(fmt::format("models = {}: must be at least {}, one for each class of the tiles' points",
-                                     settings.models, count));
     for (Instance& instance : instances) {
         const std::uint32_t own = classes.class_of(instance.index);
         const std::uint32_t models = (settings.models - own + count - 1) / count;
@@ -105,6 +109,7 @@ void set_classes(std::vector<Instance>& instances, const TileClasses& classes, c
 std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
                                    const InstanceSettings& settings, const DistributionPlace& place)
 {
+    check_models(settings, tiles.tiles().parameters.classes);
     const std::optional<Terrain> terrain = terrain_of(settings);
     check_box(tiles, instance_box(tiles, settings));
     std::vector<Instance> instances;

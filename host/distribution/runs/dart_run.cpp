@@ -106,6 +106,9 @@ void dart_kind_keys(Keys& keys, DartSettings& s)
 }
 
 /// Methods that take distances which vary need a number of points, but for darts.
+/// All partners of all candidates are in memory, some hundred bytes of each.
+constexpr std::size_t most_varied_candidates = std::size_t{1} << 24;
+
 void check_method_of_varied(const Keys& keys, const RegionPointSettings& s)
 {
     const RegionMethod method = s.method;
@@ -115,6 +118,9 @@ void check_method_of_varied(const Keys& keys, const RegionPointSettings& s)
                                                        region_methods[method]));
     if (method != RegionMethod::darts && !s.place.points)
         throw keys.problem(fmt::format("{} needs {}", region_methods[method], keys.name_of("points")));
+    if (method == RegionMethod::elimination && *s.place.points > most_varied_candidates / s.candidates)
+        throw keys.invalid("points", fmt::format("must be at most {} with {} candidates each where distances vary",
+                                                 most_varied_candidates / s.candidates, s.candidates));
 }
 
 void region_point_keys(Keys& keys, RegionPointSettings& s)

@@ -1,6 +1,5 @@
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -83,10 +82,8 @@ std::uint64_t SurfaceNeighbours::squared_nearest(std::size_t own, std::int32_t l
         least = std::min(least, squared_distance(place_of(point), place_of(points_[other])));
     };
     for_each_around(place_of(point), look_at);
-    // A nearest point beyond the reach may have a nearer rival outside these cells; few points are so lonely.
-    if (least > static_cast<std::uint64_t>(reach_) * static_cast<std::uint64_t>(reach_))
-        for (std::size_t other = 0; other < points_.size(); ++other) look_at(other);
-    return least;
+    // A point beyond the reach may have a nearer rival outside these cells.
+    return least > static_cast<std::uint64_t>(reach_) * static_cast<std::uint64_t>(reach_) ? no_distance : least;
 }
 
 bool SurfaceNeighbours::is_near(const SurfacePoint& place, std::uint64_t squared, std::int32_t least_cosine) const
@@ -100,20 +97,54 @@ bool SurfaceNeighbours::is_near(const SurfacePoint& place, std::uint64_t squared
     return is_found;
 }
 
+namespace {
+
+/// Fewer points than these look at all others where they see none.
+constexpr std::size_t few_points = 10'000;
+
+/// The squared distance of each point to the nearest one that it sees. Those that see none in reach look four times as
+/// far, twice; few points look at all others then, of many they are said to see none.
+std::vector<std::uint64_t> squared_nearest_of_all(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
+                                                  std::int32_t least_cosine)
+{
+    constexpr std::uint64_t all = std::uint64_t{1} << (contract::surface::COORDINATE_BITS + 1);
+    const double spacing = std::sqrt(2 / std::numbers::sqrt3 * surface.area / static_cast<double>(points.size()));
+    std::vector<std::uint64_t> squared(points.size(), no_distance);
+    std::vector<std::size_t> lonely(points.size());
+    std::iota(lonely.begin(), lonely.end(), std::size_t{0});
+    const auto first = std::min(static_cast<std::uint64_t>(1.1 * surface.units_of(spacing)) + 1, all);
+    for (const std::uint64_t reach : {first, std::min(4 * first, all), std::min(16 * first, all), all}) {
+        if (lonely.empty() || (reach == all && points.size() > few_points)) break;
+        const SurfaceNeighbours near(surface, points, reach);
+        tbb::parallel_for(std::size_t{0}, lonely.size(),
+                          [&](std::size_t i) { squared[lonely[i]] = near.squared_nearest(lonely[i], least_cosine); });
+        std::erase_if(lonely, [&](std::size_t i) { return squared[i] != no_distance; });
+    }
+    return squared;
+}
+
+}
+
 SurfaceDistances surface_distances(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
                                    std::int32_t least_cosine)
 {
-    const double spacing = std::sqrt(2 / std::numbers::sqrt3 * surface.area / static_cast<double>(points.size()));
-    const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(1.1 * surface.units_of(spacing)) + 1);
-    std::vector<std::uint64_t> seen(points.size()), any(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            seen[i] = near.squared_nearest(i, least_cosine);
-            any[i] = near.squared_nearest(i, std::numeric_limits<std::int32_t>::min());
-        }
-    });
+    const auto seen = squared_nearest_of_all(surface, points, least_cosine);
+    const auto any = squared_nearest_of_all(surface, points, std::numeric_limits<std::int32_t>::min());
     return {length_of(std::ranges::min(seen), surface), length_of(std::ranges::min(any), surface),
             mean_of_finite(seen, surface)};
+}
+
+bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
+                   std::int32_t least_cosine)
+{
+    const double units = surface.units_of(distance) * (1 - 0x1p-50);
+    const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(units) + 1);
+    std::vector<char> is_kept(points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const std::uint64_t squared = near.squared_nearest(i, least_cosine);
+        is_kept[i] = squared == no_distance || std::sqrt(static_cast<double>(squared)) >= units;
+    });
+    return std::ranges::all_of(is_kept, [](char kept) { return kept != 0; });
 }
 
 }

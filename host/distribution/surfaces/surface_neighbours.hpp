@@ -17,7 +17,7 @@ public:
     SurfaceNeighbours(const FixedSurface& surface, const std::vector<SurfacePoint>& points, std::uint64_t reach);
 
     /// The least squared distance from point `own` to another one whose normal is near enough, in squares of units.
-    /// UINT64_MAX where there is none.
+    /// UINT64_MAX where there is none within reach.
     std::uint64_t squared_nearest(std::size_t own, std::int32_t least_cosine) const;
 
     /// Is a point nearer to a place of a triangle than the root of `squared`, which is no more than the reach?
@@ -35,7 +35,12 @@ private:
     std::vector<std::uint32_t> order_; ///< numbers of points
 };
 
-/// In the mesh's units. There are two points or more; infinite where normals are too far apart for any two.
+/// Are all points that see each other at least so far from each other, in the mesh's units, but for what doubles round?
+bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
+                   std::int32_t least_cosine);
+
+/// In the mesh's units. There are two points or more; infinite where normals are too far apart for any two. Of more
+/// than 10,000 points, those that see none within some sixteen mean distances count as seeing none.
 struct SurfaceDistances
 {
     double least = 0; ///< of points that see each other

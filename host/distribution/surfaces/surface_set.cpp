@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <numbers>
 #include <optional>
 
@@ -65,6 +66,13 @@ SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlac
     return throw_surface_darts(request, *surface_dart_engine(request, device), most, tell);
 }
 
+/// All points are looked at once more, without what threw them.
+void check_distances(const FixedSurface& surface, const SurfaceDarts& darts, double angle)
+{
+    if (!keep_distance(surface, darts.points, darts.min_distance, least_cosine(angle)))
+        throw std::logic_error("darts are nearer to each other than they may be");
+}
+
 SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
                     const DistributionPlace& place)
 {
@@ -77,6 +85,7 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
                                      .stream = stream_key(seed, Purpose::surface_darts, 0)};
     SurfaceDarts darts = thrown_on(request, place);
     check_count(darts, settings);
+    check_distances(mesh->surface, darts, settings.normal_angle);
     return {std::move(mesh),    std::move(darts.points), darts.min_distance, settings.normal_angle,
             darts.is_saturated, darts.small_area,        darts.darts};
 }
@@ -130,7 +139,8 @@ std::vector<std::string> SurfaceMesh::notes() const
     if (mesh.divided > 0)
         notes.push_back(counted(mesh.divided, "face", "faces") + " of more than three corners became triangles");
     if (const std::size_t dropped = surface.flat + mesh.dropped; dropped > 0)
-        notes.push_back(counted(dropped, "face", "faces") + " without an area were left out");
+        notes.push_back(counted(dropped, "face", "faces") +
+                        " without an area, or that no triangles fill, were left out");
     if (surface.open_edges > 0)
         notes.push_back("the surface is open: " + counted(surface.open_edges, "edge has a face", "edges have faces") +
                         " on one side only, and beyond it no points keep others away");
@@ -199,7 +209,8 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     numbers.push_back({"area", "Area", surface.area, "of the surface, in squares of its units"});
     if (set.min_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
-                           "that points are sure to keep, straight through space, in units of the mesh"});
+                           set.angle < 180 ? "that points which see each other are sure to keep, straight through space"
+                                           : "that points are sure to keep, straight through space"});
     numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.points.size() < 2) return numbers;
     const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle));

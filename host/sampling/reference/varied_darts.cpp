@@ -91,7 +91,7 @@ class VariedThrowing
 {
 public:
     explicit VariedThrowing(const VariedDartRequest& request)
-        : request_(request), grid_(request.is_mean), cells_(request)
+        : request_(request), grid_(request.is_mean)
     {
         refine();
     }

@@ -29,13 +29,8 @@ std::uint32_t rounded_ratio(double ratio)
 
 }
 
-VariedCells::VariedCells(const VariedDartRequest& request)
-{
-    // No place has a distance of less than 2, so that these are split.
-    constexpr std::uint32_t half = 1u << 31;
-    cells_.push_back({0, 0, 31, 1});
-    if (!request.region) cells_.insert(cells_.end(), {{half, 0, 31, 1}, {0, half, 31, 1}, {half, half, 31, 1}});
-}
+/// No place has a distance of less than 2, so that this cell is split.
+VariedCells::VariedCells() { cells_.push_back({0, 0, 31, 1}); }
 
 bool VariedCells::is_coarse(const OpenCell& cell) const
 {
@@ -98,13 +93,13 @@ std::optional<VariedPlace> varied_dart(const VariedDartRequest& request, const V
     dart.distance = request.field->at(dart.place);
     const std::uint64_t quotient = cell_quotient(cell.bits, cells.fineness(), dart.distance);
     if (words[1] >= quotient * quotient >> (2 * contract::varied_darts::QUOTIENT_BITS - 32)) return {};
-    if (request.region && !request.region->contains(dart.place)) return {};
+    if (!request.region->contains(dart.place)) return {};
     return dart;
 }
 
 VariedCells first_varied_cells(const VariedDartRequest& request)
 {
-    VariedCells cells(request);
+    VariedCells cells;
     cells.refine([&](std::vector<OpenCell>& all) {
         for (OpenCell& cell : all) cell.least = least_distance_in(request, cell);
     });
@@ -115,7 +110,7 @@ std::uint32_t least_distance_in(const VariedDartRequest& request, const OpenCell
 {
     const std::uint32_t extent = (1u << cell.bits) - 1;
     const FixedBox box{{cell.x, cell.y}, {cell.x + extent, cell.y + extent}};
-    if (request.region && request.region->side_of(box) == RegionSide::outside) return 0;
+    if (request.region->side_of(box) == RegionSide::outside) return 0;
     return request.field->least_in(box.low, cell.bits);
 }
 

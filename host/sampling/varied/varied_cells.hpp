@@ -21,7 +21,7 @@ class VariedCells
 {
 public:
     /// Cells that cover everything, until refine() is called.
-    explicit VariedCells(const VariedDartRequest& request);
+    VariedCells();
 
     /// Splits cells, by another bit of fineness each time, and leaves out those without room. The first time, by none.
     void refine(const CellLook& look);

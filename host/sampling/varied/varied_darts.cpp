@@ -52,10 +52,8 @@ NeededBuffers varied_buffers(VariedDartBuffers& b, const VariedDartRequest& requ
                          {b.heads, bucket_count(request)},
                          {b.points, (request.expected + 64) * contract::varied_darts::POINT_WORDS},
                          {b.counters, contract::varied_darts::COUNTERS}};
-    if (request.region) {
-        const NeededBuffers region = b.region.needed(*request.region);
-        needed.insert(needed.end(), region.begin(), region.end());
-    }
+    const NeededBuffers region = b.region.needed(*request.region);
+    needed.insert(needed.end(), region.begin(), region.end());
     return needed;
 }
 
@@ -63,10 +61,9 @@ class ThrowingVaried
 {
 public:
     ThrowingVaried(Device& device, VariedDartBuffers& buffers, const VariedDartRequest& request, std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), rule_(distance_rule(request)),
-          cells_(request)
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), rule_(distance_rule(request))
     {
-        const KernelProgram program = kernel_program("varied_darts.cl", {{"REGION", request.region != nullptr}});
+        const KernelProgram program = kernel_program("varied_darts.cl", {});
         look_ = device.kernel(program, "look_at_cells");
         find_ = device.kernel(program, "find_varied_darts");
         settle_ = device.kernel(program, "settle_varied_darts");
@@ -75,7 +72,7 @@ public:
         buffers.nodes.write(request.field->nodes());
         buffers.bounds.write(request.field->bounds());
         buffers.heads.write(std::vector<std::uint32_t>(bucket_count(request)));
-        if (request.region) buffers.region.write(*request.region);
+        buffers.region.write(*request.region);
         refine();
     }
 
@@ -107,10 +104,7 @@ private:
     void with_region(const Run& run) const
     {
         const RegionBuffers& r = buffers_.region;
-        if (request_.region)
-            run(region_grid(*request_.region), r.cells, r.edges, r.filled);
-        else
-            run();
+        run(region_grid(*request_.region), r.cells, r.edges, r.filled);
     }
 
     /// The number of slots that have a point now, and of those that needed another dart.

@@ -1,5 +1,5 @@
-// Dart throwing with distances that vary from place to place, in a region or on the torus: to a number of points, or
-// until no further one fits; or relaxation, where all distances shrink until so many points fit.
+// Dart throwing with distances that vary from place to place, in a region: to a number of points, or until
+// no further one fits; or relaxation, where all distances shrink until so many points fit.
 //
 // Mitchell, Rand, Ebeida, Bajaj, Variable radii Poisson-disk sampling, CCCG 2012, where the smaller distance of two
 // points is kept ("smaller-disks"); or the mean of both, so that disks of half the distance around points do not
@@ -26,9 +26,9 @@ namespace poissonlab {
 struct VariedDartRequest
 {
     std::shared_ptr<const DistanceField> field;
-    std::shared_ptr<const FixedRegion> region; ///< empty: the torus
-    bool is_mean = false;                      ///< the mean of both distances is kept, else the smaller one
-    double slope = 0; ///< of distances, no less than the largest one on any way between two places; may be infinite
+    std::shared_ptr<const FixedRegion> region;
+    bool is_mean = false; ///< the mean of both distances is kept, else the smaller one
+    double slope = 0;     ///< of distances, no less than the largest one on any way between two places; may be infinite
     std::optional<std::size_t> points; ///< stop at so many points; empty: at saturation
     std::size_t expected = 0;          ///< points, nearly: for memory and speed alone
     std::uint32_t attempts = 0;        ///< of relaxation: darts that fail in a row before distances shrink; 0: never

@@ -5,11 +5,14 @@
 #include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -41,6 +44,7 @@ struct Nearest
 {
     std::uint64_t squared = std::numeric_limits<std::uint64_t>::max();
     std::array<UnitPosition, 2> points = {};
+    std::uint32_t tile = 0;
 };
 
 /// The nearest two points of one list and another, both by rising x; where they are the same list, of different points.
@@ -58,7 +62,7 @@ Nearest nearest_of(std::span<const UnitPosition> one, std::span<const UnitPositi
         for (std::size_t j = are_same ? i + 1 : begin; j < other.size(); ++j) {
             if (along(j) > 0 && is_far(j)) break;
             const std::uint64_t squared = squared_distance(one[i], other[j]);
-            if (squared < nearest.squared) nearest = {squared, {one[i], other[j]}};
+            if (squared < nearest.squared) nearest = {squared, {one[i], other[j]}, 0};
         }
     }
     return nearest;
@@ -74,7 +78,30 @@ std::vector<Nearest> nearest_in_closure(const std::vector<ClassPieces>& classes,
         std::ranges::sort(closures[j]);
         for (std::size_t i = 0; i <= j; ++i) nearest[class_pair(i, j)] = nearest_of(closures[i], closures[j]);
     }
+    for (Nearest& pair : nearest) pair.tile = tile;
     return nearest;
+}
+
+/// The nearer of each two pairs; of the same distance, the first one's.
+std::vector<Nearest> joined(std::vector<Nearest> first, const std::vector<Nearest>& second)
+{
+    for (std::size_t pair = 0; pair < first.size(); ++pair)
+        if (second[pair].squared < first[pair].squared) first[pair] = second[pair];
+    return first;
+}
+
+/// The nearest points of each pair of classes in all closures; of the same distance, those of the first tile.
+std::vector<Nearest> nearest_of_all(const std::vector<ClassPieces>& classes, std::uint32_t tiles)
+{
+    using Range = tbb::blocked_range<std::uint32_t>;
+    return tbb::parallel_reduce(
+        Range(0, tiles), std::vector<Nearest>(class_pair_count(classes.size())),
+        [&](const Range& range, std::vector<Nearest> nearest) {
+            for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile)
+                nearest = joined(std::move(nearest), nearest_in_closure(classes, tile));
+            return nearest;
+        },
+        joined);
 }
 
 std::vector<ClassPieces> pieces_of_classes(const PoissonTileSet& set)
@@ -96,20 +123,17 @@ std::vector<ClassPieces> pieces_of_classes(const PoissonTileSet& set)
 std::vector<ClassPairProof> certify_classes(const PoissonTileSet& set)
 {
     const std::vector<ClassPieces> classes = pieces_of_classes(set);
-    std::vector<std::vector<Nearest>> nearest(classes.empty() ? 0 : set.parameters.tiles);
-    tbb::parallel_for(std::size_t{0}, nearest.size(), [&](std::size_t tile) {
-        nearest[tile] = nearest_in_closure(classes, static_cast<std::uint32_t>(tile));
-    });
+    if (classes.empty()) return {};
+    const std::vector<Nearest> nearest = nearest_of_all(classes, set.parameters.tiles);
     std::vector<ClassPairProof> proofs;
     for (std::size_t j = 0; j < classes.size(); ++j)
         for (std::size_t i = 0; i <= j; ++i) {
-            const auto squared = [&](const std::vector<Nearest>& all) { return all[class_pair(i, j)].squared; };
-            const auto first = std::ranges::min_element(nearest, {}, squared);
-            ClassPairProof proof{.squared_closure_distance = squared(*first),
+            const Nearest& found = nearest[class_pair(i, j)];
+            ClassPairProof proof{.squared_closure_distance = found.squared,
                                  .squared_separation = squared_separation(classes[i].extents, classes[j].extents,
                                                                           set.parameters.dimension),
-                                 .tile = static_cast<std::uint32_t>(first - nearest.begin()),
-                                 .points = (*first)[class_pair(i, j)].points};
+                                 .tile = found.tile,
+                                 .points = found.points};
             proof.squared_min_distance = std::min(proof.squared_closure_distance, proof.squared_separation);
             proofs.push_back(proof);
         }
@@ -125,11 +149,15 @@ void check_class_promises(const TileClasses& classes, const std::vector<std::uin
             const ClassPairProof& proof = proofs[pair];
             const std::uint64_t promised = std::max(squared_units(classes.distances.at(i, j)), stated[pair]);
             if (promised <= proof.squared_min_distance) continue;
-            throw InputError(
-                fmt::format("classes {} and {}: promises a squared distance of {}: must be at most {}, which "
-                            "is proven: see the points at ({}, {}) and ({}, {}) of tile {}",
-                            i, j, promised, proof.squared_min_distance, proof.points[0][0], proof.points[0][1],
-                            proof.points[1][0], proof.points[1][1], proof.tile));
+            // Where regions are nearer than any two points that are seen together, there are no points to name.
+            const std::string points =
+                proof.squared_min_distance < proof.squared_closure_distance
+                    ? ""
+                    : fmt::format(": see the points at ({}, {}) and ({}, {}) of tile {}", proof.points[0][0],
+                                  proof.points[0][1], proof.points[1][0], proof.points[1][1], proof.tile);
+            throw InputError(fmt::format("classes {} and {}: promises a squared distance of {}: must be at most {}, "
+                                         "which is proven{}",
+                                         i, j, promised, proof.squared_min_distance, points));
         }
 }
 

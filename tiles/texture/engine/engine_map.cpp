@@ -94,7 +94,26 @@ void append_encoded(std::vector<std::uint8_t>& bytes, double value, SampleType t
 /// A companion's name: what stands between atlas- and the file's ending.
 std::string companion_name(const CompanionMap& map)
 {
-    return std::filesystem::path(map.atlas_file).stem().string().substr(std::string_view("atlas-").size());
+    constexpr std::string_view prefix = "atlas-";
+    const std::string stem = std::filesystem::path(map.atlas_file).stem().string();
+    if (!stem.starts_with(prefix) || stem.size() == prefix.size())
+        throw InputError(fmt::format("companion {}: its name must begin with {}", printable(map.atlas_file), prefix));
+    return stem.substr(prefix.size());
+}
+
+/// Names become names of files, which must differ.
+void check_names(const std::vector<std::string>& names, const std::string& heights)
+{
+    for (const std::string& name : names)
+        if (std::ranges::count(names, name) > 1)
+            throw InputError(fmt::format("companion {}: there are two of this name", printable(name)));
+    if (heights.empty()) return;
+    if (std::ranges::find(names, heights) == names.end())
+        throw InputError(
+            fmt::format("normals of {}: there is no such companion; {}", printable(heights),
+                        names.empty() ? "the set has none" : fmt::format("there are: {}", fmt::join(names, ", "))));
+    if (std::ranges::count(names, heights + "-normals") > 0)
+        throw InputError(fmt::format("normals of {0}: there is a companion {0}-normals already", printable(heights)));
 }
 
 EngineMap companion(const std::filesystem::path& folder, const TextureSet& set, const CompanionMap& map, bool is_height)
@@ -129,10 +148,7 @@ std::vector<EngineMap> engine_maps(const std::filesystem::path& folder, const Te
     std::vector<EngineMap> maps{color_map(set)};
     std::vector<std::string> names;
     for (const CompanionMap& map : set.companions) names.push_back(companion_name(map));
-    if (!heights.empty() && std::ranges::find(names, heights) == names.end())
-        throw InputError(
-            fmt::format("normals of {}: there is no such companion; {}", printable(heights),
-                        names.empty() ? "the set has none" : fmt::format("there are: {}", fmt::join(names, ", "))));
+    check_names(names, heights);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool is_height = names[i] == heights;
         maps.push_back(companion(folder, set, set.companions[i], is_height));

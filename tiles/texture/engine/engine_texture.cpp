@@ -66,10 +66,13 @@ std::vector<std::size_t> tile_layers(const TextureSet& set)
 GpuTexture packed_texture(const EngineMap& map, int tile_size)
 {
     GpuTexture texture{format_of(map), map.width, map.height, 1, false, {}};
-    EngineMap level = map;
+    const EngineMap* level = &map; // large: the first one is not copied
+    EngineMap half;
     for (int left = tile_levels(tile_size); left > 0; --left) {
-        texture.levels.push_back(texels_of(encoded_level(level), texture.format, map.meaning));
-        if (left > 1) level = halved(level);
+        texture.levels.push_back(texels_of(encoded_level(*level), texture.format, map.meaning));
+        if (left == 1) break;
+        half = halved(*level);
+        level = &half;
     }
     return texture;
 }
@@ -94,13 +97,16 @@ GpuTexture layered_texture(const EngineMap& map, const TextureSet& set)
     const std::vector<std::size_t> layers = tile_layers(set);
     std::vector<std::size_t> tiles(layers.size());
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) tiles[layers[tile]] = tile;
-    EngineMap level = map;
+    const EngineMap* level = &map; // large: the first one is not copied
+    EngineMap half;
     for (int left = tile_levels(set.size); left > 0; --left) {
-        const RawPicture picture = encoded_level(level);
+        const RawPicture picture = encoded_level(*level);
         std::string& texels = texture.levels.emplace_back();
         for (const std::size_t tile : tiles)
             texels += texels_of(tile_of_level(picture, layout, tile), texture.format, map.meaning);
-        if (left > 1) level = halved(level);
+        if (left == 1) break;
+        half = halved(*level);
+        level = &half;
     }
     return texture;
 }
