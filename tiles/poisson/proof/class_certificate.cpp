@@ -83,7 +83,7 @@ std::vector<Nearest> nearest_in_closure(const std::vector<ClassPieces>& classes,
 }
 
 /// The nearer of each two pairs; of the same distance, the first one's.
-std::vector<Nearest> joined(std::vector<Nearest> first, const std::vector<Nearest>& second)
+std::vector<Nearest> nearer_of(std::vector<Nearest> first, const std::vector<Nearest>& second)
 {
     for (std::size_t pair = 0; pair < first.size(); ++pair)
         if (second[pair].squared < first[pair].squared) first[pair] = second[pair];
@@ -98,10 +98,10 @@ std::vector<Nearest> nearest_of_all(const std::vector<ClassPieces>& classes, std
         Range(0, tiles), std::vector<Nearest>(class_pair_count(classes.size())),
         [&](const Range& range, std::vector<Nearest> nearest) {
             for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile)
-                nearest = joined(std::move(nearest), nearest_in_closure(classes, tile));
+                nearest = nearer_of(std::move(nearest), nearest_in_closure(classes, tile));
             return nearest;
         },
-        joined);
+        nearer_of);
 }
 
 std::vector<ClassPieces> pieces_of_classes(const PoissonTileSet& set)
