@@ -162,10 +162,10 @@ std::vector<Command> all_commands(const std::string& typed)
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
                                       aperiodic_tile_command(), aperiodic_tables_command()};
     std::vector<Command> of_densities{
-        distribute_warp_command(),     distribute_rank_command(),       distribute_stipple_command(),
-        distribute_hatch_command(),    distribute_icons_command(),      distribute_instances_command(),
-        distribute_darts_command(),    distribute_points_command(),     distribute_classes_command(),
-        distribute_surface_command(),  distribute_mri_mask_command(),   distribute_dither_mask_command()};
+        distribute_warp_command(),    distribute_rank_command(),     distribute_stipple_command(),
+        distribute_hatch_command(),   distribute_icons_command(),    distribute_instances_command(),
+        distribute_darts_command(),   distribute_points_command(),   distribute_classes_command(),
+        distribute_surface_command(), distribute_mri_mask_command(), distribute_dither_mask_command()};
     std::vector<Command> of_textures{texture_build_command(), texture_verify_command(),  texture_tile_command(),
                                      texture_map_command(),   texture_endless_command(), texture_export_command(),
                                      texture_cells_command()};

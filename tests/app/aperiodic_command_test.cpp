@@ -153,7 +153,9 @@ TEST_F(AperiodicCommand, WrongArguments)
 {
     expect_error("verify karj --width 3", "aperiodic verify: SET karj: must be one of \"culik\", \"kari\", \"ammann\", "
                                           "\"jeandel-rao\", or a file of tiles; did you mean \"kari\"?");
-    expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64 (see poissonlab aperiodic verify --help)");
+    expect_error(
+        "verify kari --width 0",
+        "aperiodic verify: --width 0: must be an integer from 1 to 64 (see poissonlab aperiodic verify --help)");
     expect_error("verify kari --width 3 --construction diagnal",
                  "aperiodic verify: --construction diagnal: must be one of \"diagonal\", \"horizontal\", \"vertical\", "
                  "\"rotation\", \"subdivision\"; did you mean \"diagonal\"?");
@@ -161,8 +163,9 @@ TEST_F(AperiodicCommand, WrongArguments)
                  "aperiodic verify: repetition 1 is ambiguous: there is none after it");
     expect_error("verify kari --width 3 --out a.gif", "aperiodic verify: --out a.gif: must end in .svg or .png");
     expect_error("verify kari --width 3 --out no/a.png", "aperiodic verify: --out no/a.png: there is no folder no");
-    expect_error("convert kari --construction diagonal --repeat 17",
-                 "aperiodic convert: --repeat 17: must be an integer from 1 to 16 (see poissonlab aperiodic convert --help)");
+    expect_error(
+        "convert kari --construction diagonal --repeat 17",
+        "aperiodic convert: --repeat 17: must be an integer from 1 to 16 (see poissonlab aperiodic convert --help)");
     expect_error("convert kari --construction diagonal --repeat 3 --out a.png",
                  "aperiodic convert: --out a.png: 58910 tiles cannot be drawn (at most 20000)");
     expect_error("convert kari --construction diagonal --repeat 5",

@@ -142,7 +142,8 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
                  "--method random: does not go with --by ranks");
     expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--iterations", "3"},
                  "--iterations 3: is for --by gaussian");
-    expect_error({"--image", "0.5", "--points", "9", "--pixels", "40000"}, "--pixels 40000: must be an integer from 1 to 32768 ");
+    expect_error({"--image", "0.5", "--points", "9", "--pixels", "40000"},
+                 "--pixels 40000: must be an integer from 1 to 32768 ");
     expect_error({"--image", "0.5", "--points", "9", "--slenderness", "0"}, "--slenderness 0: must be a number from 1",
                  "hatch");
     expect_error({"--image", "0.5", "--points", "9", "--out", "no/a.png"}, "there is no folder no");

@@ -111,7 +111,8 @@ TEST_F(ParticleFiles, BadArgumentsLeaveNothingBehind)
     expect_error_with("spheres.ptiles --out a.hdf5", "tiles points: needs one of --window, --torus and --region");
     expect_error_with("spheres.ptiles --torus 2 --window 0 0 0 1 1 1 --out a.hdf5",
                       "needs one of --window, --torus and --region");
-    expect_error_with("spheres.ptiles --torus 65536 --out a.hdf5", "--torus 65536: must be an integer from 1 to 65535 ");
+    expect_error_with("spheres.ptiles --torus 65536 --out a.hdf5",
+                      "--torus 65536: must be an integer from 1 to 65535 ");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.hdf5"));
 }
 

@@ -78,8 +78,9 @@ TEST(KernelFiles, ListEveryFile)
 {
     std::vector<std::string> listed, there;
     for (const KernelFile& file : kernel_files()) listed.push_back(file.name);
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(source_folder()) / "kernels"))
-        if (entry.path().extension() == ".cl") there.push_back(entry.path().filename().string());
+    const std::filesystem::path folder = std::filesystem::path(source_folder()) / "kernels";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".cl") there.push_back(entry.path().lexically_relative(folder).string());
     EXPECT_THAT(there, testing::UnorderedElementsAreArray(listed));
 }
 

@@ -11,9 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
 namespace poissonlab {
 namespace {

@@ -90,11 +90,7 @@ private:
 class VariedThrowing
 {
 public:
-    explicit VariedThrowing(const VariedDartRequest& request)
-        : request_(request), grid_(request.is_mean)
-    {
-        refine();
-    }
+    explicit VariedThrowing(const VariedDartRequest& request) : request_(request), grid_(request.is_mean) { refine(); }
 
     VariedDarts run()
     {
