@@ -105,7 +105,7 @@ kernel void find_darts(struct SurfaceBatch batch, Rule rule, global const struct
 
 /// The state of a dart that is undecided, from those of darts before it.
 uint state_among(uint id, struct SurfaceBatch batch, const Rule* rule, global const struct Triangle* triangles,
-                 global const Point* darts, global const uint* dart_heads, global const volatile uint* states)
+                 global const Point* darts, global const uint* dart_heads, global volatile uint* states)
 {
     Spot spot;
     for (int k = 0; k < 3; ++k) spot.place.c[k] = darts[id].place[k];
@@ -113,7 +113,7 @@ uint state_among(uint id, struct SurfaceBatch batch, const Rule* rule, global co
     uint state = ACCEPTED;
     FOR_EACH_NEAR(&spot, rule->cell, batch.bucket_mask, dart_heads, darts, {
         if (link - 1 >= id) continue;
-        const uint other = states[link - 1];
+        const uint other = atomic_or(&states[link - 1], 0); // others write them
         if (other == REJECTED || !are_in_conflict(&spot, point, triangles, rule)) continue;
         if (other == ACCEPTED) return REJECTED;
         state = UNDECIDED;
@@ -127,12 +127,12 @@ kernel void settle_darts(struct SurfaceBatch batch, Rule rule, global const stru
                          global uint* undecided)
 {
     const uint id = get_global_id(0);
-    if (id >= batch.darts || states[id] != UNDECIDED) return;
+    if (id >= batch.darts || atomic_or(&states[id], 0) != UNDECIDED) return;
     const uint state = state_among(id, batch, &rule, triangles, darts, dart_heads, states);
     if (state == UNDECIDED)
         atomic_inc(undecided);
     else
-        states[id] = state;
+        atomic_xchg(&states[id], state);
 }
 
 kernel void clear_darts(struct SurfaceBatch batch, Rule rule, global const Point* darts, global const uint* states,
