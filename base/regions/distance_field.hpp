@@ -65,7 +65,7 @@ public:
 
     std::uint32_t least() const { return bounds_.back(); }
 
-    // What kernels read: kernels/common/darts/distance_field.clh.
+    // Kernels read these: kernels/common/darts/distance_field.clh.
     std::uint32_t columns() const { return columns_; }
     std::uint32_t rows() const { return rows_; }
     std::span<const std::uint32_t> nodes() const { return nodes_; }

@@ -114,9 +114,9 @@ std::uint32_t least_distance_in(const VariedDartRequest& request, const OpenCell
     return request.field->least_in(box.low, cell.bits);
 }
 
-/// Of two places at a distance t that are too near to each other, t is below the smaller of their distances a and b, or
-/// below their mean, and these differ by no more than slope * t: so b is at most (1 + slope) a, or
-/// (1 + slope / 2) / (1 - slope / 2) a, and as much the other way round.
+/// The rule follows from two places that are too near to each other: their distance t is below the smaller of their
+/// distances a and b, or below their mean, and these differ by no more than slope * t: so b is at most (1 + slope) a,
+/// or (1 + slope / 2) / (1 - slope / 2) a, and as much the other way round.
 contract::varied_darts::DistanceRule distance_rule(const VariedDartRequest& request)
 {
     const double half = request.slope / 2;

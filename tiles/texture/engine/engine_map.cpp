@@ -16,7 +16,7 @@
 namespace poissonlab {
 namespace {
 
-/// What each 16-bit number of sRGB is of light, as whole 2^-40: no last bit of a power decides anything.
+/// The light of each 16-bit number of sRGB, as whole 2^-40: no last bit of a power decides anything.
 const std::vector<double>& light_of_words()
 {
     static const std::vector<double> all = [] {

@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// What a map's numbers are, which decides what a mean of them is.
+/// The meaning of a map's numbers, which decides how they are averaged.
 enum class MapMeaning
 {
     colors,     ///< integers are sRGB: means are of light

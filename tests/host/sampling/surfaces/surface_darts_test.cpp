@@ -205,7 +205,7 @@ TEST(SurfaceDarts, FallUniformlyIntoATriangle)
     mesh.vertices = {{0, 0, 0}, {4, 0, 1}, {0, 3, 2}};
     mesh.triangles = {{0, 1, 2}};
     const FixedSurface surface = fixed_surface(mesh);
-    // Of 8 x 8 small triangles of equal areas, by shares.
+    // Each of 8 x 8 small triangles has the same area, and its number follows from shares.
     std::vector<std::uint64_t> counts(64);
     for (const SurfacePoint& place : places_on(surface, 100'000)) {
         const std::uint32_t a = place.shares[0] >> 28, b = place.shares[1] >> 28;
