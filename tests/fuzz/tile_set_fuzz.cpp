@@ -49,10 +49,15 @@ std::size_t mended(unsigned char* data, std::size_t size, std::size_t max_size)
     if (size < header_size || std::memcmp(data, "PTILES", 6) != 0) return size;
     const std::uint64_t points = std::uint64_t{word_at(data, 28)} * word_at(data, 32);
     const std::uint64_t dimension = word_at(data, 20) % 4;
-    const bool has_chains = word_at(data, 8) == 2 && word_at(data, 88) == 1;
+    const std::uint32_t version = word_at(data, 8);
+    const bool has_chains = version == 2 && word_at(data, 88) == 1;
     const std::uint64_t lengths = has_chains ? std::uint64_t{2} * word_at(data, 24) * word_at(data, 24) : 0;
-    if (points <= max_size && lengths <= max_size && header_size + (points * dimension + lengths) * 2 <= max_size) {
-        const std::size_t declared = header_size + (points * dimension + lengths) * 2;
+    const std::uint64_t ranks = version > 1 && word_at(data, 108) == 1 ? points : 0;
+    const std::uint64_t classes = version == 3 ? word_at(data, 36) % 33 : 0;
+    const std::uint64_t of_classes =
+        4 * classes + 8 * classes * (classes + 1); // numbers, and two distances of each pair
+    const std::uint64_t declared = header_size + (points * dimension + lengths + ranks) * 2 + of_classes;
+    if (points <= max_size && lengths <= max_size && declared <= max_size) {
         for (std::size_t i = size; i < declared; ++i) data[i] = static_cast<unsigned char>(i * i * 37);
         size = declared;
         if (has_chains) mend_overhang(data, points * dimension);
