@@ -119,7 +119,14 @@ private:
         if (!std::isnan(place(x, y))) return;
         const double at_x = within_box(x, 0), at_y = within_box(y, 1);
         throw InputError(fmt::format("{} is {:.6g} at {:.6g}, {:.6g}, in or beside the region: must be above 0", name_,
-                                     distance_(at_x, at_y), at_x, at_y));
+                                     distance_(at_x, at_y), shown(at_x, 0), shown(at_y, 1)));
+    }
+
+    /// Places just inside are said to be at the border.
+    double shown(double at, std::size_t k) const
+    {
+        const double low = region_.box().low[k], grain = region_.unit() * (cell_side / 64.0);
+        return low + std::nearbyint((at - low) / grain) * grain;
     }
 
     void raise_nodes()

@@ -96,10 +96,10 @@ VariedRequest varied_request(const RegionPointSettings& settings, const std::sha
         if (!(request.table.packing > 0)) fail_without_room(request.place, place);
         request.scale = asked_scale(settings, request.table, longest);
     }
+    check_slope(request.table, request.scale, place.varying.between);
     if (request.table.most * request.scale > longest)
         throw InputError(fmt::format("is {:.6g} somewhere: must be at most {:.6g}, the extent of the region",
                                      request.table.most * request.scale, longest));
-    check_slope(request.table, request.scale, place.varying.between);
     const double unit = request.place.region->unit();
     if (request.table.least * request.scale < least_positions * unit)
         throw InputError(fmt::format("is {:.3g} somewhere: must be at least {:.3g} in a region of this extent",
