@@ -12,6 +12,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/tiles/smallest_of_group.clh"
 #include "kernels/common/philox.clh"
 #include "kernels/common/tiles/class_tiles.h"
 #include "kernels/common/tiles/tile_torus.clh"
@@ -137,17 +138,6 @@ kernel void throw_class_tile_darts(struct ClassFilling filling, global const uin
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     }
     if (item == 0) counts[torus] = state.points;
-}
-
-/// The smallest value of all work-items. Has a barrier on either side.
-uint smallest_of_group(uint value, local uint* values)
-{
-    values[get_local_id(0)] = value;
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    uint smallest = UINT_MAX;
-    for (uint i = 0; i < get_local_size(0); ++i) smallest = min(smallest, values[i]);
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    return smallest;
 }
 
 /// In whole units, and at most so long.

@@ -11,6 +11,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/tiles/smallest_of_group.clh"
 #include "kernels/common/tiles/tile_torus.clh"
 #if DIMENSION == 2
 #include "kernels/common/voronoi/voronoi_2d.clh"
@@ -61,17 +62,6 @@ uint smallest_lane(uint8 lanes)
 {
     const uint4 four = min(lanes.lo, lanes.hi);
     return min(min(four.x, four.y), min(four.z, four.w));
-}
-
-/// The smallest value of all work-items. Has a barrier on either side.
-uint smallest_of_group(uint value, local uint* values)
-{
-    values[get_local_id(0)] = value;
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    uint smallest = UINT_MAX;
-    for (uint i = 0; i < get_local_size(0); ++i) smallest = min(smallest, values[i]);
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    return smallest;
 }
 
 /// Puts a point into a window.

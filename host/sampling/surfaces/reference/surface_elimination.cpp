@@ -1,24 +1,16 @@
 // Sample elimination on surfaces, plain and sequential: what the kernels must reproduce.
 #include "host/sampling/surfaces/surface_elimination.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
-#include <utility>
 
 namespace poissonlab::reference {
 namespace {
 
 using contract::surface_elimination::Elimination;
-
-/// A point in reach of another, and what the pair weighs.
-struct SurfacePartner
-{
-    std::uint32_t point;
-    std::uint64_t weight;
-};
 
 std::uint64_t pair_weight(const Elimination& e, std::uint64_t squared)
 {
@@ -40,15 +32,15 @@ std::vector<std::uint32_t> numbers_around(const PlainCells& cells, const MeshPla
     return numbers;
 }
 
-std::vector<std::vector<SurfacePartner>> surface_partners(const FixedSurface& surface,
-                                                          const std::vector<SurfacePoint>& points, const Elimination& e)
+std::vector<std::vector<Partner>> surface_partners(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
+                                                   const Elimination& e)
 {
     const auto cell_of = [&](const SurfacePoint& p) {
         return MeshPlace{p.place[0] / e.cell, p.place[1] / e.cell, p.place[2] / e.cell};
     };
     PlainCells cells;
     for (std::uint32_t i = 0; i < points.size(); ++i) cells[cell_of(points[i])].push_back(i);
-    std::vector<std::vector<SurfacePartner>> partners(points.size());
+    std::vector<std::vector<Partner>> partners(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i)
         for (const std::uint32_t j : numbers_around(cells, cell_of(points[i]))) {
             const std::uint64_t squared = squared_distance(place_of(points[i]), place_of(points[j]));
@@ -65,32 +57,8 @@ std::vector<std::vector<SurfacePartner>> surface_partners(const FixedSurface& su
 std::vector<std::uint32_t> surface_removal_order(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
                                                  const SurfaceReach& reach, std::size_t count)
 {
-    const auto partners = surface_partners(surface, points, surface_elimination(surface, reach, points.size()));
-    // The heaviest first; of equal weights, the lower number.
-    using Entry = std::pair<std::uint64_t, std::uint32_t>;
-    const auto heavier = [](const Entry& a, const Entry& b) {
-        return a.first != b.first ? a.first > b.first : a.second < b.second;
-    };
-    std::vector<std::uint64_t> weights;
-    std::set<Entry, decltype(heavier)> heap(heavier);
-    for (const auto& pairs : partners) {
-        std::uint64_t sum = 0;
-        for (const SurfacePartner& partner : pairs) sum += partner.weight;
-        heap.emplace(sum, static_cast<std::uint32_t>(weights.size()));
-        weights.push_back(sum);
-    }
-    std::vector<std::uint32_t> order;
-    while (order.size() < count) {
-        const std::uint32_t heaviest = heap.begin()->second;
-        heap.erase(heap.begin());
-        order.push_back(heaviest);
-        for (const SurfacePartner& partner : partners[heaviest]) {
-            if (heap.erase({weights[partner.point], partner.point}) == 0) continue; // removed before
-            weights[partner.point] -= partner.weight;
-            heap.emplace(weights[partner.point], partner.point);
-        }
-    }
-    return order;
+    return heaviest_first(surface_partners(surface, points, surface_elimination(surface, reach, points.size())), count,
+                          {});
 }
 
 }
