@@ -146,7 +146,9 @@ private:
             },
             [&](const MomentTargets& targets, std::uint32_t tile) { return make_exact(targets, tile); },
             [&](const Tiles& failed) { return give_way(failed); },
-            moment_rounds};
+            moment_rounds,
+            pieces_.interiors,
+            [&] { even_insides(pieces_, p_, engines_.joint); }};
         make_moments_equal(p_, tiles, [&](std::size_t done, std::size_t total) {
             if (options_.progress) options_.progress("equal moments", done, total);
         });

@@ -61,6 +61,15 @@ public:
         }
     }
 
+    void even_insides(JointEngine& engine)
+    {
+        store_points(false);
+        displacements_ = evening_displacements(
+            engine, stored_, [this](std::uint32_t tile) { return own_points(tile); }, p_);
+        move_interiors();
+        put_back_where_outside();
+    }
+
 private:
     /// Corner points by colour, chains by direction and number, the insides of tiles. Corner points are always held.
     void store_points(bool chains_move)
@@ -194,6 +203,11 @@ void relax_together(ChainPieces& pieces, const PoissonTileParameters& parameters
                     std::uint32_t iteration, bool chains_move)
 {
     ChainRelaxation(pieces, parameters).run(engine, iteration, chains_move);
+}
+
+void even_insides(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine)
+{
+    ChainRelaxation(pieces, parameters).even_insides(engine);
 }
 
 }

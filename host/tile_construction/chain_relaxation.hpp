@@ -14,6 +14,9 @@ namespace poissonlab {
 void relax_together(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine,
                     std::uint32_t iteration, bool chains_move);
 
+/// Moves insides by nulling alone, so that moments stay nearly as they are.
+void even_insides(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine);
+
 /// Moves chains so that tiles can have equal moments, and mends them: a step of those that iterations make as well.
 void even_out_chains(ChainPieces& pieces, const PoissonTileParameters& parameters);
 

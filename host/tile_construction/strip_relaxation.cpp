@@ -114,7 +114,9 @@ private:
             },
             [&](const MomentTargets& targets, std::uint32_t tile) { return make_exact(targets, tile); },
             [](const Tiles&) { return false; },
-            patient_tile_attempts};
+            patient_tile_attempts,
+            pieces_.interiors,
+            {}};
         make_moments_equal(p_, tiles, [&](std::size_t done, std::size_t total) {
             if (options_.progress) options_.progress("equal moments", done, total);
         });

@@ -7,6 +7,7 @@
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tests/bench/ratio_reporter.hpp"
+#include "tests/support/mean_tile.hpp"
 #include "tests/support/small_tile_sets.hpp"
 
 #include <cmath>
@@ -29,16 +30,19 @@ PoissonTileParameters parameters_of(TileBorder border, std::uint32_t colors, std
     return p;
 }
 
-/// Means over so many tile sets, each of ten tilings of `side` x `side` tiles. The unit of excess is a part in a
-/// hundred of the power.
+/// Means over so many tile sets, each of ten tilings of `side` x `side` tiles: the height of peaks up to the first
+/// ring, their excess, in parts in a hundred of the power, and the power of the mean tile beyond the ring, where peaks
+/// are `side` squared times as high.
 void measure(benchmark::State& state, const PoissonTileParameters& parameters, std::uint32_t side, int sets)
 {
-    double peak = 0, excess = 0;
+    double peak = 0, excess = 0, beyond = 0;
     for (auto _ : state)
         for (int seed = 1; seed <= sets; ++seed) {
             PoissonTileParameters p = parameters;
             p.seed = static_cast<std::uint64_t>(seed);
             const PoissonTileSet set = build_tile_set(p, Engine::opencl, []() -> Device& { return device(); }).set;
+            const double root = std::sqrt(p.points_per_tile);
+            beyond += power_of_mean_tile(set, 1.4 * root, 2 * root) / sets;
             SpectrumEstimate spectrum(2, spectrum_size(std::size_t{side} * side * p.points_per_tile, 2), true);
             for (std::uint32_t tiling = 1; tiling <= tilings; ++tiling)
                 spectrum.add(reference::torus_points(set, tiling, side));
@@ -48,6 +52,7 @@ void measure(benchmark::State& state, const PoissonTileParameters& parameters, s
         }
     state.counters["mean_peak"] = peak;
     state.counters["excess"] = excess;
+    state.counters["beyond"] = beyond;
 }
 
 /// The mean power at frequencies of a range, in cycles a tile, without those of the lattice.
@@ -141,6 +146,8 @@ int main(int argc, char** argv)
         {{"C = 4, N = 64: excess share of strips / of chains", "strips_4/", "chains_4/", 30, "excess"},
          {"C = 3: mean peak of strips / of strips relaxed together", "strips_3/", "strips_together_3/", 2, "mean_peak"},
          {"C = 3, chains: mean peak without / with equal second moments", "chains_3/", "even_3/", 1, "mean_peak"},
+         {"C = 3, chains: peaks from 1.4 to 2 sqrt N, without / with equal second moments", "chains_3/", "even_3/", 1,
+          "beyond"},
          {"equal second moments: power from 0.6 to 1.5 of the tiles' frequency, without / with", "moments_0/",
           "moments_2/", 1 / 1.2, "middle"}},
         {{"C = 3, chains: mean peak", "chains_3/", 1.8, "mean_peak"},

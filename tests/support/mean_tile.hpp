@@ -26,23 +26,28 @@ inline double power_of_mean_tile(const PoissonTileSet& set, const std::array<int
     return std::norm(transform / static_cast<double>(p.tiles)) / p.points_per_tile;
 }
 
-/// Its mean over all frequencies but 0 up to a little beyond the principal frequency.
-inline double power_of_mean_tile(const PoissonTileSet& set)
+/// Its mean over frequencies from `low` up to `high`, but without 0.
+inline double power_of_mean_tile(const PoissonTileSet& set, double low, double high)
 {
-    const PoissonTileParameters& p = set.parameters;
-    const double end = 1.05 * principal_frequency(p.points_per_tile, p.dimension);
-    const int reach = static_cast<int>(end), slices = p.dimension == 3 ? reach : 0;
+    const int reach = static_cast<int>(high), slices = set.parameters.dimension == 3 ? reach : 0;
     double sum = 0;
     int count = 0;
     for (int z = -slices; z <= slices; ++z)
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x) {
                 const int squared = x * x + y * y + z * z;
-                if (squared == 0 || squared > end * end) continue;
+                if (squared == 0 || squared < low * low || squared > high * high) continue;
                 sum += power_of_mean_tile(set, {x, y, z});
                 ++count;
             }
     return sum / count;
+}
+
+/// Its mean up to a little beyond the principal frequency.
+inline double power_of_mean_tile(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    return power_of_mean_tile(set, 0, 1.05 * principal_frequency(p.points_per_tile, p.dimension));
 }
 
 }

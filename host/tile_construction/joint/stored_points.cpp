@@ -65,6 +65,17 @@ void add_nulling(std::vector<Displacement>& displacements, JointEngine& engine,
         for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
 }
 
+/// Adds steps of nulling and then one to equal moments, as far as they are asked for.
+void add_evening(std::vector<Displacement>& displacements, JointEngine& engine, const StoredPoints& points,
+                 const OwnPoints& own_points, const PoissonTileParameters& p)
+{
+    if (p.null_peaks && p.equal_moments == 0) add_nulling(displacements, engine, points.mean_tile(), p, nulling_reach);
+    if (p.null_peaks && p.equal_moments > 0)
+        for (const double reach : {nulling_reach, ring_reach})
+            add_nulling(displacements, engine, moved(points.mean_tile(), displacements), p, reach);
+    if (p.equal_moments > 0) add_moment_step(displacements, points, own_points, p);
+}
+
 }
 
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
@@ -73,11 +84,15 @@ std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredP
 {
     const JointTorus torus = points.torus(p.dimension, joint_side(p), joint_tiling(p, iteration), own_pieces);
     std::vector<Displacement> displacements = engine.mean_displacements(torus, points.count());
-    if (p.null_peaks && p.equal_moments == 0) add_nulling(displacements, engine, points.mean_tile(), p, nulling_reach);
-    if (p.null_peaks && p.equal_moments > 0)
-        for (const double reach : {nulling_reach, ring_reach})
-            add_nulling(displacements, engine, moved(points.mean_tile(), displacements), p, reach);
-    if (p.equal_moments > 0) add_moment_step(displacements, points, own_points, p);
+    add_evening(displacements, engine, points, own_points, p);
+    return displacements;
+}
+
+std::vector<Displacement> evening_displacements(JointEngine& engine, const StoredPoints& points,
+                                                const OwnPoints& own_points, const PoissonTileParameters& p)
+{
+    std::vector<Displacement> displacements(points.count());
+    add_evening(displacements, engine, points, own_points, p);
     return displacements;
 }
 

@@ -59,4 +59,8 @@ std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredP
                                               const OwnPieces& own_pieces, const OwnPoints& own_points,
                                               const PoissonTileParameters& parameters, std::uint32_t iteration);
 
+/// The movements of such an iteration without Lloyd relaxation: steps of nulling, which leave moments as they are.
+std::vector<Displacement> evening_displacements(JointEngine& engine, const StoredPoints& points,
+                                                const OwnPoints& own_points, const PoissonTileParameters& parameters);
+
 }

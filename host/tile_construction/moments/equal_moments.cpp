@@ -11,6 +11,10 @@
 namespace poissonlab {
 namespace {
 
+/// Steps of nulling after moments are equal: making them so moves points, and the mean tile with them. From here on
+/// peaks are lower than without equal moments up to where nulling reaches; twice as many steps take off 4 % more.
+constexpr std::uint32_t nulling_steps = 40;
+
 class MomentMaking
 {
 public:
@@ -30,6 +34,19 @@ public:
             if (progress_) progress_(all.size() - open.size(), all.size());
         }
         return open;
+    }
+
+    /// Steps of nulling that leave moments equal, where they are. Tiles that one does not suit stay as they are.
+    void null_again(const Tiles& all, std::uint32_t order) const
+    {
+        const MomentTargets targets(tiles_.set(), order);
+        const auto equal = tiles_.insides;
+        for (std::uint32_t i = 0; i < nulling_steps; ++i) {
+            const auto before = tiles_.insides;
+            tiles_.null_peaks();
+            for (const std::uint32_t tile : tiles_.settle(targets, all)) tiles_.insides[tile] = before[tile];
+        }
+        for (const std::uint32_t tile : inexact(targets, all, {})) tiles_.insides[tile] = equal[tile];
     }
 
 private:
@@ -61,7 +78,10 @@ void make_moments_equal(const PoissonTileParameters& p, const EvenableTiles& til
     EvenableTiles::Tiles failed;
     do {
         failed = making.without(all, p.equal_moments);
-        if (failed.empty()) return;
+        if (failed.empty()) {
+            if (p.null_peaks && tiles.null_peaks) making.null_again(all, p.equal_moments);
+            return;
+        }
     } while (tiles.give_way(failed));
     std::uint32_t most = p.equal_moments - 1;
     while (most > 0 && !making.without(failed, most).empty()) --most;

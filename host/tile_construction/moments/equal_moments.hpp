@@ -30,6 +30,11 @@ struct EvenableTiles
     std::function<bool(const Tiles& tiles)> give_way;
 
     std::uint32_t rounds = 1; ///< of throwing points anew
+
+    std::vector<std::vector<UnitPosition>>& insides; ///< their points that no other tile has
+
+    /// Moves insides by a step of nulling; empty: they are not nulled after moments are equal.
+    std::function<void()> null_peaks;
 };
 
 /// Brings all tiles to the mean of their moments. Throws InputError where some cannot have them: with the order that
