@@ -7,14 +7,14 @@
 // and then those of darts_in_order.cl or of darts_in_rounds.cl, which settle the darts of the batch among themselves.
 // Lists are filled through atomic counters, so their order may differ from run to run; no result depends on it.
 //
-// With REGION darts fall into a region of the plane, whose coordinates are a quarter of the torus: cells outside are
-// closed, and darts outside are dropped.
+// With REGION darts fall into a region of the plane or of space, whose coordinates are below half of the torus' along
+// each axis: cells outside are closed, and darts outside are dropped.
 //
-// Needs what common/darts/dart_grid.clh needs, and REGION (1 or 0; see common/regions/inside_region.clh).
+// Needs what common/darts/dart_grid.clh needs, and REGION (1 or 0; see common/regions/region.clh).
 
 #include "kernels/common/darts/dart_grid.clh"
 #include "kernels/common/philox.clh"
-#include "kernels/common/regions/inside_region.clh"
+#include "kernels/common/regions/region.clh"
 
 #define CHILDREN (1 << DIMENSION)
 
@@ -125,7 +125,7 @@ bool has_room(const Parent* parent, const Halves* halves, const Near* near, cons
         Position position;
         FOR_EACH_AXIS(k) position.c[k] = halves->low[k][0] + ((corner >> k & 1) ? halves->extent[k][0] : 0u);
         if (!conflicts(&position, parent, near, squared_min_distance) &&
-            is_in_region(region, (uint2)(position.c[0], position.c[1])))
+            is_allowed_position(region, &position))
             return true;
     }
     return false;
@@ -137,9 +137,13 @@ ALWAYS_INLINE void close_outside(Parent* parent, const Halves* halves, const Reg
     parent->crossed = 0;
     for (uint open = parent->open; open != 0; open &= open - 1) {
         const uint c = 31 - clz(open & (0u - open));
-        const uint2 low = {halves->low[0][c & 1], halves->low[1][c >> 1 & 1]};
-        const uint2 extent = {halves->extent[0][c & 1], halves->extent[1][c >> 1 & 1]};
-        const uint side = region_side(region, low, extent);
+        Position low, extent;
+        FOR_EACH_AXIS(k)
+        {
+            low.c[k] = halves->low[k][c >> k & 1];
+            extent.c[k] = halves->extent[k][c >> k & 1];
+        }
+        const uint side = side_of_positions(region, &low, &extent);
         if (side == REGION_OUTSIDE) parent->open &= ~(1u << c);
         if (side == REGION_CROSSED) parent->crossed |= 1u << c;
     }
@@ -274,7 +278,7 @@ ALWAYS_INLINE void draw(Pending* pending, const struct Batch* batch, const Paren
         Position position;
         FOR_EACH_AXIS(k) position.c[k] = places[k][i];
         if (conflicts(&position, parent, near, batch->squared_min_distance)) continue;
-        if (parent->crossed != 0 && !is_in_region(region, (uint2)(position.c[0], position.c[1]))) continue;
+        if (parent->crossed != 0 && !is_allowed_position(region, &position)) continue;
         uint dart[DART_WORDS];
         FOR_EACH_AXIS(k) dart[k] = position.c[k];
         dart[TIME_WORD] = times[i];
@@ -385,18 +389,13 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 ///
 /// `parent_cells` DIMENSION words each, of the torus; in batches 0 and 1 not used: all cells of the grid. Batch 0 also clears their
 /// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
-/// for DART_WORDS each, group for GROUP_WORDS. Without REGION `region` and what follows are not there.
+/// for DART_WORDS each, group for GROUP_WORDS.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
                         global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
-                        local uint* group
-#if REGION
-                        ,
-                        struct RegionGrid region, global const uint* region_cells, global const uint* region_edges,
-                        global const uint* region_filled
-#endif
-)
+                        local uint* group REGION_PARAMETERS)
 {
+    REGION_OF_PARAMETERS
     const Lists lists = {
         {staged_cells, batch.staged_capacity, &group[0], open_cells, batch.open_capacity, &counters[OPEN_CELLS],
          DIMENSION},
@@ -406,11 +405,7 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
 
     const uint first = min((uint)get_global_id(0) * THROW_RUN, batch.parents);
     const uint count = min((uint)THROW_RUN, batch.parents - first);
-#if REGION
-    const Grid grid = {masks, positions, {region, region_cells, region_edges, region_filled}};
-#else
-    const Grid grid = {masks, positions, {0}};
-#endif
+    const Grid grid = {masks, positions, region};
     Parent parents[THROW_RUN];
     Near near;
     uint near_end = 0;

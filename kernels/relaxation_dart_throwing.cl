@@ -24,34 +24,24 @@
 // distance within which one point has all of the part. That does not depend on the radius, so the table holds
 // until the host makes the grids finer.
 //
-// With REGION darts fall into the least box around a region of the plane, whose coordinates are a quarter of the torus:
-// parts of the table outside count as covered, and darts outside fail.
+// With REGION darts fall into the least box around a region of the plane or of space, whose coordinates are below half of
+// the torus' along each axis: parts of the table outside count as covered, and darts outside fail.
 //
-// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (1 or 0; see common/regions/inside_region.clh).
+// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (1 or 0; see common/regions/region.clh).
 
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/relaxing_grid.clh"
 #include "kernels/common/philox.clh"
-#include "kernels/common/regions/inside_region.clh"
+#include "kernels/common/regions/region.clh"
 
 // Arguments of kernels, and what becomes of them.
 #if REGION
 #define BOX_PARAMETER , struct DartBox box
-#define REGION_PARAMETERS                                                                                              \
-    , struct RegionGrid region_grid, global const uint *region_cells, global const uint *region_edges,                 \
-        global const uint *region_filled
-#define REGION_OF_PARAMETERS const Region region = {region_grid, region_cells, region_edges, region_filled};
-#define IS_ALLOWED(position) is_in_region(&region, (uint2)((position).c[0], (position).c[1]))
-#define BOX_LOW(k) ((k) == 0 ? box.low_x : box.low_y)
-#define BOX_SIZE(k) ((k) == 0 ? box.width : box.height)
 // The coordinate that a random word stands for; of lanes of 64 bits as well.
-#define PLACED(k, word) (BOX_LOW(k) + (((word)&0xffffffffu) * BOX_SIZE(k) >> 32))
+#define PLACED(k, word) (box.low[k] + (((word)&0xffffffffu) * box.size[k] >> 32))
 #define PLACE_IN_BOX(position) FOR_EACH_AXIS(k)(position).c[k] = (uint)PLACED(k, (ulong)(position).c[k])
 #else
 #define BOX_PARAMETER
-#define REGION_PARAMETERS
-#define REGION_OF_PARAMETERS
-#define IS_ALLOWED(position) true
 #define PLACED(k, word) (word)
 #define PLACE_IN_BOX(position)
 #endif
@@ -163,7 +153,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, heads, points, grid_bits, threshold) && IS_ALLOWED(position)) word |= 1ul << dart;
+            if (is_free(&position, heads, points, grid_bits, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
         }
     }
     candidates[id] = word;
@@ -275,7 +265,7 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
             PLACE_IN_BOX(position);
-            if (is_free(&position, heads, points, settling.grid_bits, threshold) && IS_ALLOWED(position)) {
+            if (is_free(&position, heads, points, settling.grid_bits, threshold) && is_allowed_position(&region, &position)) {
                 insert_point(&position, count, heads, points, settling.grid_bits);
                 ++count;
                 failures = 0;
@@ -394,8 +384,13 @@ kernel void clear_cells(global ushort* table, uint row_count, global uint* heads
     REGION_OF_PARAMETERS
     const uint bits = grid_bits + COVER_BITS;
     for (uint part = id * COVER_PARTS; id < row_count && part < (id + 1) * COVER_PARTS; ++part) {
-        const uint2 low = (uint2)(part & ((1u << bits) - 1), part >> bits) << (32 - bits);
-        if (region_side(&region, low, (uint2)((1u << (32 - bits)) - 1)) == REGION_OUTSIDE) table[part] = 0;
+        Position low, extent;
+        FOR_EACH_AXIS(k)
+        {
+            low.c[k] = (part >> k * bits & ((1u << bits) - 1)) << (32 - bits);
+            extent.c[k] = (1u << (32 - bits)) - 1;
+        }
+        if (side_of_positions(&region, &low, &extent) == REGION_OUTSIDE) table[part] = 0;
     }
 #endif
     if (id < cell_count) heads[id] = 0;

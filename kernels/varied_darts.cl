@@ -23,9 +23,6 @@
 #include "kernels/common/darts/distance_field.clh"
 #include "kernels/common/regions/inside_region.clh"
 
-#define REGION_PARAMETERS                                                                                              \
-    , struct RegionGrid region_grid, global const uint *region_cells, global const uint *region_edges,                 \
-        global const uint *region_filled
 #define REGION_VALUES(region)                                                                                          \
     Region region;                                                                                                     \
     region.grid = region_grid;                                                                                         \

@@ -1,10 +1,14 @@
-// A sweep along rows: from each point to both sides, until others are too far away along one axis to matter.
+// Points are sorted by the powers of two below their distances. For each of these a sweep along rows goes from a point
+// to both sides, until others are too far away along one axis to matter: how far that is follows from the largest
+// distance of the class, so that a few large ones cost what few points do.
 #include "analysis/regions/kept_distances.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,20 +17,66 @@ namespace {
 
 constexpr double points_a_row = 0.7; ///< to the root of all: rows of squares with half a point each
 
+/// The points whose distances have a number of bits in common, in rows, by x.
+class DistanceClass
+{
+public:
+    DistanceClass(std::span<const TorusPoint<2>> points, std::span<const std::uint32_t> distances,
+                  const std::vector<std::uint32_t>& members)
+    {
+        std::uint32_t highest = 0;
+        lowest_ = std::numeric_limits<std::uint32_t>::max();
+        for (const std::uint32_t i : members) {
+            highest = std::max(highest, points[i][1]);
+            lowest_ = std::min(lowest_, points[i][1]);
+            most_ = std::max(most_, distances[i]);
+        }
+        const double rows = std::max(1.0, points_a_row * std::sqrt(static_cast<double>(members.size())));
+        height_ = static_cast<std::uint32_t>((highest - lowest_) / rows) + 1;
+        rows_.resize((highest - lowest_) / height_ + 1);
+        for (const std::uint32_t i : members) rows_[(points[i][1] - lowest_) / height_].push_back(i);
+        for (auto& row : rows_) std::ranges::sort(row, {}, [&](std::uint32_t i) { return points[i][0]; });
+    }
+
+    std::uint32_t most() const { return most_; }
+
+    /// Calls visit(row) for rows from that of a height on to both sides, while may_matter(gap) of the gap along y.
+    template <typename Visit, typename MayMatter>
+    void for_each_row_from(std::uint32_t y, const Visit& visit, const MayMatter& may_matter) const
+    {
+        const double at = (double{1} * y - lowest_) / height_;
+        const auto count = static_cast<std::int64_t>(rows_.size());
+        const std::int64_t row = std::clamp(static_cast<std::int64_t>(std::floor(at)), std::int64_t{0}, count - 1);
+        const auto visit_if_near = [&](std::int64_t other) {
+            const double below = static_cast<double>(other) * height_ + lowest_, above = below + height_;
+            const double gap = std::max({0.0, below - y, y - above});
+            if (!may_matter(gap)) return false;
+            visit(rows_[static_cast<std::size_t>(other)]);
+            return true;
+        };
+        bool goes_down = true, goes_up = true;
+        for (std::int64_t away = 0; goes_down || goes_up; ++away) {
+            goes_down = goes_down && row - away >= 0 && visit_if_near(row - away);
+            goes_up = goes_up && row + away < count && (away == 0 || visit_if_near(row + away));
+        }
+    }
+
+private:
+    std::uint32_t lowest_ = 0, height_ = 1, most_ = 0;
+    std::vector<std::vector<std::uint32_t>> rows_;
+};
+
 class KeptSweep
 {
 public:
     KeptSweep(std::span<const TorusPoint<2>> points, std::span<const std::uint32_t> distances, bool is_mean)
         : points_(points), distances_(distances), is_mean_(is_mean)
     {
-        std::uint32_t highest = 0;
-        for (const TorusPoint<2>& point : points) highest = std::max(highest, point[1]);
-        most_ = distances.empty() ? 0 : std::ranges::max(distances);
-        const double rows = std::max(1.0, points_a_row * std::sqrt(static_cast<double>(points.size())));
-        height_ = static_cast<std::uint32_t>(highest / rows) + 1;
-        rows_.resize(highest / height_ + 1);
-        for (std::uint32_t i = 0; i < points.size(); ++i) rows_[points[i][1] / height_].push_back(i);
-        for (auto& row : rows_) std::ranges::sort(row, {}, [&](std::uint32_t i) { return points_[i][0]; });
+        std::array<std::vector<std::uint32_t>, 33> members;
+        for (std::uint32_t i = 0; i < points.size(); ++i)
+            members[static_cast<std::size_t>(std::bit_width(distances[i]))].push_back(i);
+        for (const std::vector<std::uint32_t>& some : members)
+            if (!some.empty()) classes_.emplace_back(points, distances, some);
     }
 
     KeptDistances run()
@@ -45,17 +95,16 @@ private:
     /// Returns whether all distances are kept; `nearest` is the least one over what is to be kept.
     bool look_from(std::uint32_t i, double& nearest) const
     {
-        // No pair of the point keeps more than this.
-        const double own = is_mean_ ? (double{1} * distances_[i] + most_) / 2 : distances_[i];
         bool are_kept = true;
-        const auto row = static_cast<std::int64_t>(points_[i][1] / height_);
-        for (std::int64_t away = 0;; ++away) {
-            const double gap = std::max<double>(0, static_cast<double>(away - 1) * height_);
+        for (const DistanceClass& others : classes_) {
+            // No pair of the point and one of these keeps more than this.
+            const double own =
+                is_mean_ ? (double{1} * distances_[i] + others.most()) / 2 : std::min(distances_[i], others.most());
             // Pairs that are not kept lie within `own`; `nearest` may be less than 1 by then.
-            if (gap > own * std::max(1.0, nearest) || (row - away < 0 && row + away >= row_count())) break;
-            if (row - away >= 0) are_kept &= look_along(rows_[static_cast<std::size_t>(row - away)], i, own, nearest);
-            if (away > 0 && row + away < row_count())
-                are_kept &= look_along(rows_[static_cast<std::size_t>(row + away)], i, own, nearest);
+            others.for_each_row_from(
+                points_[i][1],
+                [&](const std::vector<std::uint32_t>& row) { are_kept &= look_along(row, i, own, nearest); },
+                [&](double gap) { return gap <= own * std::max(1.0, nearest); });
         }
         return are_kept;
     }
@@ -84,14 +133,10 @@ private:
         return squared >= std::uint64_t{1} << 62 || 4 * squared >= twice * twice;
     }
 
-    std::int64_t row_count() const { return static_cast<std::int64_t>(rows_.size()); }
-
     std::span<const TorusPoint<2>> points_;
     std::span<const std::uint32_t> distances_;
     bool is_mean_;
-    double most_ = 0;
-    std::uint32_t height_ = 1;
-    std::vector<std::vector<std::uint32_t>> rows_; ///< of points, by x
+    std::vector<DistanceClass> classes_; ///< from the smallest distances on
 };
 
 }

@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// The parser knows assignments, which would change x and y: an equals sign that is no part of a comparison.
+/// The parser knows assignments, which would change the coordinates: an equals sign that is no part of a comparison.
 bool has_assignment(const std::string& formula)
 {
     for (std::size_t i = 0; i < formula.size(); ++i) {
@@ -26,19 +26,20 @@ bool has_assignment(const std::string& formula)
 
 }
 
-struct PlaneFormula::Parser
+struct SpaceFormula::Parser
 {
     mu::Parser parser;
-    double x = 0, y = 0;
+    double x = 0, y = 0, z = 0;
 };
 
-PlaneFormula::PlaneFormula(const std::string& name_or_text)
+SpaceFormula::SpaceFormula(const std::string& name_or_text, int axes)
     : parser_(std::make_unique<Parser>()), name_(fmt::format("formula \"{}\"", shortened(name_or_text)))
 {
     if (has_assignment(name_or_text)) throw InputError(name_ + ": has an assignment; == compares");
     try {
         parser_->parser.DefineVar("x", &parser_->x);
         parser_->parser.DefineVar("y", &parser_->y);
+        if (axes == 3) parser_->parser.DefineVar("z", &parser_->z);
         parser_->parser.DefineConst("pi", std::numbers::pi);
         parser_->parser.DefineConst("e", std::numbers::e);
         parser_->parser.SetExpr(formula_of(name_or_text));
@@ -47,12 +48,13 @@ PlaneFormula::PlaneFormula(const std::string& name_or_text)
     }
 }
 
-PlaneFormula::~PlaneFormula() = default;
+SpaceFormula::~SpaceFormula() = default;
 
-double PlaneFormula::at(double x, double y)
+double SpaceFormula::at(double x, double y, double z)
 {
     parser_->x = x;
     parser_->y = y;
+    parser_->z = z;
     try {
         return parser_->parser.Eval();
     } catch (const mu::Parser::exception_type& error) {

@@ -1,4 +1,4 @@
-// Formulas in x and y, of densities and of regions.
+// Formulas in x and y, and in x, y and z, of densities and of regions.
 #pragma once
 
 #include <memory>
@@ -6,26 +6,39 @@
 
 namespace poissonlab {
 
-class PlaneFormula
+class SpaceFormula
 {
 public:
     /// The formula of a name or a text, see formula_of(). Throws InputError, one line with the text, where it assigns
-    /// something: that would change x and y.
-    explicit PlaneFormula(const std::string& name_or_text);
-    ~PlaneFormula();
-    PlaneFormula(const PlaneFormula&) = delete;
-    PlaneFormula& operator=(const PlaneFormula&) = delete;
+    /// something: that would change x, y and z.
+    explicit SpaceFormula(const std::string& name_or_text) : SpaceFormula(name_or_text, 3) {}
+    ~SpaceFormula();
+    SpaceFormula(const SpaceFormula&) = delete;
+    SpaceFormula& operator=(const SpaceFormula&) = delete;
 
     /// The value at a place. Throws InputError, one line with the text, where the formula cannot be understood.
-    double at(double x, double y);
+    double at(double x, double y, double z);
 
     /// The text as messages call it.
     const std::string& name() const { return name_; }
+
+protected:
+    SpaceFormula(const std::string& name_or_text, int axes);
 
 private:
     struct Parser;
     std::unique_ptr<Parser> parser_;
     std::string name_;
+};
+
+/// The same in x and y alone.
+class PlaneFormula : SpaceFormula
+{
+public:
+    explicit PlaneFormula(const std::string& name_or_text) : SpaceFormula(name_or_text, 2) {}
+
+    double at(double x, double y) { return SpaceFormula::at(x, y, 0); }
+    using SpaceFormula::name;
 };
 
 }

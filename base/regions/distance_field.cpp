@@ -1,6 +1,7 @@
 #include "base/regions/distance_field.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/regions/region_shares.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::uint32_t cell_side = 1u << DistanceTable::shift;
 
-/// Places of a cell along each axis by which one tells how much of it lies in the region.
+/// Places of a cell along each axis by which one tells how much of it margins take.
 constexpr std::uint32_t share_places = 8;
+
+/// Cells that are crossed count, however little of them is inside.
+constexpr double least_share = 1e-9;
 
 /// Nodes are raised by this times what bilinear interpolation lacks in the middles of cells and of their sides.
 constexpr double raised = 1.25;
@@ -58,25 +62,32 @@ private:
 
     void find_shares()
     {
-        table_.share.assign(std::size_t{table_.columns} * table_.rows, 0);
+        table_.share = region_shares(region_, table_.columns, table_.rows, DistanceTable::shift);
         for (std::uint32_t row = 0; row < table_.rows; ++row)
             for (std::uint32_t column = 0; column < table_.columns; ++column) {
                 const TorusPoint<2> low{column * cell_side, row * cell_side};
                 const RegionSide side = region_.side_of({low, {low[0] + cell_side - 1, low[1] + cell_side - 1}});
-                if (side != RegionSide::outside)
-                    table_.share[cell_at(column, row)] = side == RegionSide::inside ? 1 : share_of(low);
+                double& share = table_.share[cell_at(column, row)];
+                if (side == RegionSide::outside)
+                    share = 0;
+                else
+                    share = std::max(share * part_left(low), least_share);
             }
     }
 
-    /// Cells that are crossed count, however little of them is inside.
-    double share_of(const TorusPoint<2>& low) const
+    /// The part of what a cell has of the region that margins leave, by places.
+    double part_left(const TorusPoint<2>& low) const
     {
+        if (region_.squared_margins() == std::array<std::uint64_t, 3>{}) return 1;
         constexpr std::uint32_t step = cell_side / share_places;
-        double inside = 0;
+        double inside = 0, left = 0;
         for (std::uint32_t y = 0; y < share_places; ++y)
-            for (std::uint32_t x = 0; x < share_places; ++x)
-                inside += region_.contains({low[0] + x * step + step / 2, low[1] + y * step + step / 2});
-        return std::max(inside / (share_places * share_places), 1e-9);
+            for (std::uint32_t x = 0; x < share_places; ++x) {
+                const TorusPoint<2> place{low[0] + x * step + step / 2, low[1] + y * step + step / 2};
+                inside += region_.contains_moved(place);
+                left += region_.contains(place);
+            }
+        return inside > 0 ? left / inside : 1;
     }
 
     /// Places twice as near as nodes.

@@ -103,50 +103,12 @@ private:
     std::vector<RegionRing> rings_;
 };
 
-bool encloses(const RegionRing& ring, const std::array<double, 2>& place)
-{
-    bool is_inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        if ((a[1] <= place[1]) == (b[1] <= place[1])) continue;
-        is_inside ^= (turn_of(a, b, place) > 0) == (b[1] > a[1]);
-    }
-    return is_inside;
-}
-
 struct OutlineOfRaster
 {
     std::size_t polygon;
     RegionBox box;
     double area;
 };
-
-/// Puts each hole into the smallest outline around it.
-PlaneRegion nested(std::vector<RegionRing> rings)
-{
-    PlaneRegion region;
-    std::vector<OutlineOfRaster> outlines;
-    for (RegionRing& ring : rings) {
-        const double area = signed_area_of(ring);
-        if (area <= 0) continue;
-        outlines.push_back({region.polygons.size(), box_of({{{ring}}}), area});
-        region.polygons.push_back({std::move(ring)});
-        ring.clear();
-    }
-    std::ranges::sort(outlines, {}, &OutlineOfRaster::area);
-    for (RegionRing& ring : rings) {
-        if (ring.empty()) continue;
-        // No outline goes through the middle of a hole's edge.
-        const std::array<double, 2> middle{(ring[0][0] + ring[1][0]) / 2, (ring[0][1] + ring[1][1]) / 2};
-        const auto found = std::ranges::find_if(outlines, [&](const OutlineOfRaster& outline) {
-            return outline.box.low[0] <= middle[0] && middle[0] <= outline.box.high[0] &&
-                   outline.box.low[1] <= middle[1] && middle[1] <= outline.box.high[1] &&
-                   encloses(region.polygons[outline.polygon].outline, middle);
-        });
-        if (found != outlines.end()) region.polygons[found->polygon].holes.push_back(std::move(ring));
-    }
-    return region;
-}
 
 /// The values of a formula at the nodes of a lattice, row by row from below, with a border of -1 around them.
 struct FormulaLattice
@@ -210,9 +172,46 @@ double crossing(double from, double to) { return std::clamp(from / (from - to), 
 
 }
 
+bool encloses(const RegionRing& ring, const std::array<double, 2>& place)
+{
+    bool is_inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        if ((a[1] <= place[1]) == (b[1] <= place[1])) continue;
+        is_inside ^= (turn_of(a, b, place) > 0) == (b[1] > a[1]);
+    }
+    return is_inside;
+}
+
+PlaneRegion region_of_rings(std::vector<RegionRing> rings)
+{
+    PlaneRegion region;
+    std::vector<OutlineOfRaster> outlines;
+    for (RegionRing& ring : rings) {
+        const double area = signed_area_of(ring);
+        if (area <= 0) continue;
+        outlines.push_back({region.polygons.size(), box_of({{{ring}}}), area});
+        region.polygons.push_back({std::move(ring)});
+        ring.clear();
+    }
+    std::ranges::sort(outlines, {}, &OutlineOfRaster::area);
+    for (RegionRing& ring : rings) {
+        if (ring.empty()) continue;
+        // No outline goes through the middle of a hole's edge.
+        const std::array<double, 2> middle{(ring[0][0] + ring[1][0]) / 2, (ring[0][1] + ring[1][1]) / 2};
+        const auto found = std::ranges::find_if(outlines, [&](const OutlineOfRaster& outline) {
+            return outline.box.low[0] <= middle[0] && middle[0] <= outline.box.high[0] &&
+                   outline.box.low[1] <= middle[1] && middle[1] <= outline.box.high[1] &&
+                   encloses(region.polygons[outline.polygon].outline, middle);
+        });
+        if (found != outlines.end()) region.polygons[found->polygon].holes.push_back(std::move(ring));
+    }
+    return region;
+}
+
 PlaneRegion region_of_pieces(const std::vector<BoundaryPiece>& pieces, const std::vector<std::array<double, 2>>& places)
 {
-    return nested(RingJoiner(pieces, places).run());
+    return region_of_rings(RingJoiner(pieces, places).run());
 }
 
 PlaneRegion region_of_picture(const std::string& file)

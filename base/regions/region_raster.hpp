@@ -23,6 +23,13 @@ PlaneRegion region_of_picture(const std::string& file);
 PlaneRegion region_of_formula(const std::string& formula, const std::array<double, 2>& low,
                               const std::array<double, 2>& high);
 
+/// Does the place lie within the ring?
+bool encloses(const RegionRing& ring, const std::array<double, 2>& place);
+
+/// The polygons of rings that do not cross: outlines go round to the left, holes to the right and into the smallest
+/// outline around them.
+PlaneRegion region_of_rings(std::vector<RegionRing> rings);
+
 /// A piece of a boundary that has the region on its left; nodes are numbers of places.
 struct BoundaryPiece
 {

@@ -7,6 +7,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_raster.hpp"
+#include "base/regions/space_region.hpp"
 
 #include <fmt/format.h>
 
@@ -165,6 +166,7 @@ PlaneRegion read_wkt(std::string_view text, const std::string& name, bool is_pla
 PlaneRegion shape_of(const std::string& text)
 {
     if (begins_with(text, "formula ")) return formula_region_of(text);
+    if (begins_with(text, "path ")) return region_of_svg_path(text, shortened(printable(text), 40));
     return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
 }
 
@@ -190,8 +192,8 @@ struct TypedRegion
     bool is_known() const { return shape || is_region_text(content); }
 };
 
-constexpr auto no_region = "is neither GeoJSON nor WKT, nor a picture, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS or "
-                           "formula X0 Y0 X1 Y1 EXPRESSION";
+constexpr auto no_region = "is neither GeoJSON nor WKT, nor a picture, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
+                           "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
 
 /// The points of a file in one of the formats of points.
 std::vector<std::array<double, 2>> points_of_file(const std::string& file)
@@ -207,6 +209,12 @@ std::vector<std::array<double, 2>> points_of_file(const std::string& file)
         throw InputError(fmt::format("{}: {}, nor a file of points: {}", printable(file), no_region, error.what()));
     }
     return points;
+}
+
+void refuse_space(const std::string& text)
+{
+    if (is_space_region_text(text))
+        throw InputError(shortened(printable(text)) + ": is a region of space; this takes regions of the plane");
 }
 
 /// As if lines and points were outlines.
@@ -237,11 +245,12 @@ bool is_region_text(std::string_view text)
 {
     const std::string_view begin = without_blanks_around(text);
     return begin.starts_with('{') || is_wkt(begin) || begins_with(begin, "rectangle ") || begins_with(begin, "disk ") ||
-           begins_with(begin, "formula ");
+           begins_with(begin, "formula ") || begins_with(begin, "path ") || is_space_region_text(begin);
 }
 
 PlaneRegion read_region(const std::string& text, bool is_planar)
 {
+    refuse_space(text);
     const TypedRegion typed(text);
     if (!typed.is_known()) throw InputError(fmt::format("{}: {}", typed.name, no_region));
     if (is_wkt(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
@@ -255,6 +264,7 @@ PlaneRegion read_region(const std::string& text, bool is_planar)
 
 Obstacles read_obstacles(const std::string& text, bool is_planar)
 {
+    refuse_space(text);
     const TypedRegion typed(text);
     Obstacles obstacles;
     std::string degrees; // why coordinates are taken for degrees

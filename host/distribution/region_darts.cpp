@@ -7,6 +7,7 @@
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/space_points.hpp"
 #include "host/distribution/varied_points.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/regions/boundary_points.hpp"
@@ -165,10 +166,10 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
 
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    if (settings.varies()) {
+    if (settings.varies() || settings.is_in_space()) {
         RegionPointSettings points; // by darts
         points.place = settings;
-        return make_varied_points(points, seed, place);
+        return settings.varies() ? make_varied_points(points, seed, place) : make_space_points(points, seed, place);
     }
     RegionDarts darts{region_dart_request(settings, seed, region_land(settings)), {}, false, 0};
     const DartThrowingRequest& request = darts.request.darts;

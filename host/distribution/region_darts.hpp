@@ -11,6 +11,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/fixed_space.hpp"
 #include "base/regions/obstacles.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
@@ -54,6 +55,9 @@ struct RegionDarts
     bool is_saturated = false; ///< no further point fits
     double sure_distance = 0;  ///< that any two points have at least, in the region's units; 0: nothing is said
     std::shared_ptr<const VariedSet> varied{}; ///< where the distance varies
+    std::shared_ptr<const FixedSpace> space{}; ///< the region where it is one of space: see space_points.hpp
+
+    std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }
 };
 
 /// Checks that the distance suits the region. Throws InputError.

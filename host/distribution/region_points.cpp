@@ -4,10 +4,12 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/space_points.hpp"
 #include "host/distribution/varied_points.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
+#include "host/sampling/regions/region_gaussian.hpp"
 #include "host/sampling/regions/region_lloyd.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
@@ -83,6 +85,8 @@ public:
             return made_of(eliminated());
         case RegionMethod::lloyd:
             return made_of(relaxed());
+        case RegionMethod::gaussian:
+            return made_of(gaussian());
         default:
             return made_of(bridson());
         }
@@ -179,8 +183,33 @@ private:
     PointSet relaxed_from(const std::vector<TorusPoint<2>>& start, const CellIntegrals& integrals) const
     {
         const FixedRegion land(land_for_cells(points_.request), 0, {{}, {}, 0, 0, points_.request.kept.box});
-        const std::vector<TorusPoint<2>> sites = relax_in_region(region_, land, start, settings_.iterations, integrals);
+        const std::vector<TorusPoint<2>> sites =
+            relax_in_region(region_, land, start, settings_.iterations.value_or(usual_lloyd_steps), integrals);
         return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
+    }
+
+    /// From darts, which are even at long distances already.
+    PointSet gaussian()
+    {
+        const PointSet darts = relaxed_darts();
+        points_.sure_distance = 0;
+        std::vector<TorusPoint<2>> start;
+        for (std::size_t i = 0; i < darts.size(); ++i)
+            start.push_back(
+                {static_cast<std::uint32_t>(darts[i][0] * 0x1p32), static_cast<std::uint32_t>(darts[i][1] * 0x1p32)});
+        const RegionGaussian gaussians(region_, start.size());
+        if (!is_reference())
+            check_fits(
+                "Gaussian blue noise",
+                GaussianBlueNoise::memory(gaussian_field_shape(gaussians.density(), 1, start.size()), start.size()),
+                place_.device().info());
+        const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
+            return is_reference() ? reference::descend(points, request).points
+                                  : GaussianBlueNoise(place_.device()).descend(points, request).points;
+        };
+        const std::vector<TorusPoint<2>> places =
+            gaussians.descend(start, settings_.iterations.value_or(usual_gaussian_steps), descent);
+        return to_point_set<2>(std::span<const TorusPoint<2>>(places));
     }
 
     PointSet bridson()
@@ -193,6 +222,7 @@ private:
 
     static constexpr std::size_t least_candidates = 10'000; ///< that tell a share
     static constexpr std::uint32_t usual_attempts = 1000;
+    static constexpr std::uint32_t usual_lloyd_steps = 50, usual_gaussian_steps = 100;
     static constexpr std::uint32_t usual_bridson_attempts = 30;
 
     const RegionPointSettings& settings_;
@@ -207,6 +237,7 @@ private:
 RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
     if (settings.place.varies()) return make_varied_points(settings, seed, place);
+    if (settings.place.is_in_space()) return make_space_points(settings, seed, place);
     if (settings.method == RegionMethod::darts) return throw_region_darts(settings.place, seed, place);
     return RegionPointWork(settings, seed, place).run();
 }

@@ -44,6 +44,29 @@ void check_slope(const DistanceTable& table, double scale, KeptDistance between)
                                  between == KeptDistance::mean ? "the mean" : "the smaller", advice));
 }
 
+/// Distances of more than so many times the least one: darts would not tell them apart.
+constexpr double most_ratio = 1 << 15;
+
+/// With the mean of both, a place with a distance of so many times another one's is held against all squares of that
+/// size that lie within half of its distance: a quarter of this squared.
+constexpr double most_mean_ratio = 512;
+
+/// By what factor distances differ, and with the mean by what factor those of places that can be too near to each other
+/// do: see distance_rule().
+void check_ratio(const DistanceTable& table, double slope, KeptDistance between)
+{
+    const double ratio = table.most / table.least;
+    const std::string extent =
+        fmt::format("goes from {:.4g} to {:.4g}, {:.4g} times as much", table.least, table.most, ratio);
+    if (ratio > most_ratio) throw InputError(fmt::format("{}: at most {:g} times", extent, most_ratio));
+    if (between == KeptDistance::smaller) return;
+    const double half = slope / 2, near = half < 1 ? std::min(ratio, (1 + half) / (1 - half)) : ratio;
+    if (near > most_mean_ratio)
+        throw InputError(fmt::format("{}: with the mean of both, at most {:g} times where it grows as steeply; the "
+                                     "smaller of both has at most {:g}",
+                                     extent, most_mean_ratio, most_ratio));
+}
+
 DistanceAt distance_of(const DartSettings& settings, const PlaneRegion& whole)
 {
     const VaryingDistance& varying = settings.varying;
@@ -109,6 +132,7 @@ VariedRequest varied_request(const RegionPointSettings& settings, const std::sha
     darts.field = std::make_shared<const DistanceField>(request.table, *darts.region, request.scale);
     darts.is_mean = place.varying.between == KeptDistance::mean;
     darts.slope = request.table.slope_of_box * request.scale;
+    check_ratio(request.table, darts.slope, place.varying.between);
     darts.points = place.points;
     const double full = full_part * request.table.packing / (request.scale * request.scale);
     if (full > static_cast<double>(max_points))

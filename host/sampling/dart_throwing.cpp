@@ -61,12 +61,12 @@ public:
              DartSettling settling)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
           torus_(request.min_distance, D, request.block),
-          throw_(device.kernel(throwing_program(torus_, request.region != nullptr), "throw_darts")),
+          throw_(device.kernel(throwing_program(torus_, has_land(request)), "throw_darts")),
           settler_(make_dart_settler(device, settling, torus_, group_size))
     {
         reserve(device, dart_buffers(buffers, request, settling, device.info().compute_units));
         buffers_.counters.write(std::array<std::uint32_t, COUNTERS>{});
-        if (request.region) buffers_.region.write(*request.region);
+        buffers_.land.write(request);
     }
 
     PointSet run()
@@ -159,15 +159,11 @@ private:
                                                        .open_capacity = u32(b.open.size() / D),
                                                        .dart_capacity = u32(b.darts.size() / dart_words),
                                                        .staged_capacity = u32(staged)};
-            const auto run = [&](const auto&... region) {
+            b.land.run_with(request_, [&](const auto&... region) {
                 throw_.run(items, group_size, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
                            b.darts, b.counters, local_words(staged * D), local_words(staged * dart_words),
                            local_words(contract::dart_throwing::GROUP_WORDS), region...);
-            };
-            if (request_.region)
-                run(region_grid(*request_.region), b.region.cells, b.region.edges, b.region.filled);
-            else
-                run();
+            });
             std::array<std::uint32_t, 2> counts;
             b.counters.read(counts, OPEN_CELLS);
             if (counts[0] <= batch.open_capacity && counts[1] <= batch.dart_capacity) return {counts[0], counts[1]};

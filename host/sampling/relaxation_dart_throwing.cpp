@@ -112,7 +112,7 @@ struct RelaxationDartBuffers
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
     Buffer<std::uint32_t> heads;      ///< a grid cell each
     Buffer<std::uint32_t> points;
-    RegionBuffers region;
+    LandBuffers land;
 
     NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
     {
@@ -125,8 +125,7 @@ struct RelaxationDartBuffers
                               {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
                               {heads, cells},
                               {table, parts}};
-        if (request.region)
-            for (const NeededBuffer& buffer : region.needed(*request.region)) buffers.push_back(buffer);
+        for (const NeededBuffer& buffer : land.needed(request)) buffers.push_back(buffer);
         return buffers;
     }
 };
@@ -142,9 +141,9 @@ public:
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
           is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
     {
-        const KernelProgram program = kernel_program(
-            "relaxation_dart_throwing.cl",
-            {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", request.region != nullptr}});
+        const KernelProgram program =
+            kernel_program("relaxation_dart_throwing.cl",
+                           {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", has_land(request)}});
         throw_ = device.kernel(program, "throw_darts");
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");
@@ -153,7 +152,7 @@ public:
         link_ = device.kernel(program, "link_points");
         throw_in_order_ = device.kernel(program, "throw_in_order");
         reserve(device, buffers_.needed(request, group_size));
-        if (request.region) buffers_.region.write(*request.region);
+        buffers_.land.write(request);
     }
 
     RelaxationDarts run()
@@ -204,21 +203,29 @@ private:
     template <typename Run>
     void with_box(const Run& run) const
     {
-        if (!request_.region) return run();
-        const FixedBox& box = request_.region->extent();
-        run(contract::relaxation_dart_throwing::DartBox{.low_x = box.low[0],
-                                                        .low_y = box.low[1],
-                                                        .width = box.high[0] - box.low[0] + 1,
-                                                        .height = box.high[1] - box.low[1] + 1});
+        const auto run_in = [&](const auto& box) {
+            contract::relaxation_dart_throwing::DartBox darts{};
+            for (std::size_t k = 0; k < box.low.size(); ++k) {
+                darts.low[k] = box.low[k];
+                darts.size[k] = box.high[k] - box.low[k] + 1;
+            }
+            run(darts);
+        };
+        if (request_.region)
+            run_in(request_.region->extent());
+        else if (request_.space)
+            run_in(request_.space->extent());
+        else
+            run();
     }
 
     /// Runs a kernel with that box and the region, if there is one.
     template <typename Run>
     void with_region(const Run& run) const
     {
-        const RegionBuffers& r = buffers_.region;
-        if (!request_.region) return run();
-        with_box([&](const auto&... box) { run(box..., region_grid(*request_.region), r.cells, r.edges, r.filled); });
+        with_box([&](const auto&... box) {
+            buffers_.land.run_with(request_, [&](const auto&... region) { run(box..., region...); });
+        });
     }
 
     /// Ends at the level where grids become finer, and within the table of thresholds.
@@ -289,11 +296,9 @@ private:
         RelaxationDartBuffers& b = buffers_;
         const std::size_t cells = std::size_t{1} << D * bits;
         const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
-        if (request_.region)
-            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits, region_grid(*request_.region),
-                       b.region.cells, b.region.edges, b.region.filled);
-        else
-            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits);
+        b.land.run_with(request_, [&](const auto&... region) {
+            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits, region...);
+        });
         link_.run(std::max<std::size_t>(1, state_[POINTS]), group_size_, b.state, b.heads, b.points, grid_bits_);
         if (!is_in_order_) update_table();
     }

@@ -5,7 +5,8 @@
 // sections 4.2.4.2 and 6.4. A dart becomes a point when no point is nearer than twice the radius. After
 // `attempts` failures in a row (a success starts the count again) the radius is multiplied by `factor`.
 //
-// In a region of the plane darts fall into the least box around it, and those outside the region fail as well.
+// In a region of the plane or of space darts fall into the least box around it, and those outside the region fail as
+// well.
 //
 // Darts are numbered. In 2D darts 2 j and 2 j + 1 are the first and the second two words of Philox at
 // counter j, in 3D dart j is the first three: coordinates in units of 2^-32.
@@ -14,6 +15,7 @@
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/fixed_space.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
@@ -35,6 +37,9 @@ struct RelaxationDartThrowingRequest
     /// In 2D: the points lie in this region, in its fixed-point coordinates; initial_radius is at most 1/4. Empty:
     /// everywhere.
     std::shared_ptr<const FixedRegion> region{};
+
+    /// The same in 3D.
+    std::shared_ptr<const FixedSpace> space{};
 };
 
 /// Keeps counts of failures far from the end of 64 bits.

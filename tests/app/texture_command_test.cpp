@@ -91,6 +91,11 @@ TEST_F(TextureCommand, MapsThePlane)
         "map eight --lookup exact --out e.png",
         "eight: --lookup exact: is for complete sets of corner or Wang tiles, which a hash lays; must be repeated");
     expect_error("map eight --laid 10 --out e.png", "texture map: --laid 10: must be 4, 9, 16, 25, 36, 49 or 64");
+    expect_error("map wang --laid 16 --out e.png",
+                 "wang: --laid 16: is for sets without a hash, which are laid in scanlines; this is a complete set of "
+                 "corner or Wang tiles");
+    expect_error("export wang --relief 4 --out e",
+                 "texture export: --relief: goes with --normals, whose heights it is for");
 }
 
 /// Tiles without a hash are laid in a window first: omega, compact and marked ones; the window repeats.

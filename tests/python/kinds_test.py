@@ -8,6 +8,7 @@ import unittest
 from xml.etree import ElementTree
 
 import numpy
+import scipy.spatial
 
 import poissonlab
 from poissonlab import _poissonlab, distribute, kinds
@@ -74,6 +75,24 @@ class Kinds(unittest.TestCase):
         gaps = numpy.linalg.norm(made.points[:, None] - made.points[None], axis=2)
         self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 2)
         self.assertEqual(made.numbers["points"], len(made.points))
+
+    def test_darts_fill_regions_of_space(self):
+        # SciPy knows the least distance, and corners of Voronoi cells are farther from all points than places around.
+        made = distribute.darts(region="ball 3 0 0 2", min_distance=0.4)
+        tree = scipy.spatial.cKDTree(made.points)
+        self.assertEqual(made.points.shape[1], 3)
+        self.assertLessEqual(numpy.linalg.norm(made.points - [3, 0, 0], axis=1).max(), 2 + 1e-8)
+        self.assertGreaterEqual(tree.query(made.points, k=2)[0][:, 1].min(), 0.4)
+        corners = scipy.spatial.Voronoi(made.points).vertices
+        inside = corners[numpy.linalg.norm(corners - [3, 0, 0], axis=1) <= 2]
+        directions = numpy.random.default_rng(1).normal(size=(20000, 3))
+        surface = [3, 0, 0] + 2 * directions / numpy.linalg.norm(directions, axis=1)[:, None]
+        for places in (inside, surface):
+            self.assertGreater(len(places), 500)
+            self.assertLess(tree.query(places)[0].max(), 0.4 + 1e-7)
+        whole = distribute.points(region="solid -1 -1 -1 1 1 1 1-x*x-y*y-z*z", method="darts", boundary="disks",
+                                  min_distance=0.3, engine="reference").points
+        self.assertLessEqual(numpy.linalg.norm(whole, axis=1).max(), 1 - 0.15)
 
     def test_methods_make_points_in_regions(self):
         for method, keys in (("elimination", {"points": 60, "candidates": 3}), ("lloyd", {"points": 60, "iterations": 5}),

@@ -24,6 +24,11 @@ writes the distance at each point. A region is
   "POLYGON ((...))"            WKT, also MULTIPOLYGON
   PICTURE                      its pixels that are brighter than half, squares of side 1
   "formula X0 Y0 X1 Y1 EXPR"   where an expression in x and y is above 0 in a rectangle
+  "path M..."                  the data of a path of SVG; "path evenodd tolerance 0.1 M..." says how it is filled and
+                               how far curves may be from their lines (1e-4 of the extent)
+or, of space, where points have x, y and z,
+  "box X0 Y0 Z0 X1 Y1 Z1", "ball X Y Z RADIUS",
+  "solid X0 Y0 Z0 X1 Y1 Z1 EXPR"   where an expression in x, y and z is above 0 in a box
 Longitudes and latitudes are refused, as their degrees are no lengths: project them first, or say --planar where
 coordinates only look like them. GeoJSON without a crs is in degrees by its standard.
 Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT, and
@@ -31,6 +36,7 @@ points of CSV, NPY and other point files. They are never in polygons, and nearer
 default than --min-distance to points.
   poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
+  poissonlab distribute darts --region "ball 0 0 0 10" --min-distance 1 --boundary disks --out grains.ply
   poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv
   poissonlab distribute darts --region "rectangle 0 0 1 1" --min-distance "0.01+0.02*x" --out dots.svg --out dots.npy)help";
 
@@ -48,7 +54,7 @@ void throw_darts(const DartOptions& o)
     const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
     const std::string what = words_of(darts);
     o.say_note(what);
-    if (darts.request.land->obstacles.count() > 0 && darts.request.near_obstacles == 0)
+    if (darts.obstacle_count() > 0 && darts.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
     o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
                                     shortened(printable(settings.region)), o.seed(), what));

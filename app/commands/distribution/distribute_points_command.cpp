@@ -19,8 +19,10 @@ constexpr auto distribute_points_notes =
   elimination   --points of --candidates times as many random points, in an order whose every prefix is well spread;
                 neighbours that the boundary cuts off are made up for
   lloyd         --points moved to the centroids of their cells in the region, --iterations times
+  gaussian      --points that Gaussians of a mean distance push apart, from darts on, --iterations times, and that the
+                region itself attracts, so that none crowd at the boundary
   bridson       darts around points, until none finds room at --min-distance
-Elimination and Lloyd's method promise no distance; --json and reports have the one that was found.
+Elimination, Lloyd's method and gaussian promise no distance; --json and reports have the one that was found.
 --min-distance may vary for darts, relaxation and elimination: a formula in the region's x and y, or a picture over its
 box with --distance-range for black and white. Two points keep the smaller of their distances or, with --between mean,
 the mean of both, which is proven of all pairs afterwards. With --points it is a shape, scaled until so many have room.
@@ -43,7 +45,7 @@ void make_points_of_region(const RegionPointOptions& o)
     const RegionDarts made = make_region_points(settings, o.seed(), o.place());
     const std::string what = words_of(made);
     o.say_note(what);
-    if (made.request.land->obstacles.count() > 0 && made.request.near_obstacles == 0)
+    if (made.obstacle_count() > 0 && made.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
     o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in units of "
                                    "the region",

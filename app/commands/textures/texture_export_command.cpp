@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace poissonlab {
 namespace {
@@ -55,12 +57,14 @@ constexpr WordTable<EngineFiles, 8> engine_files{{{{EngineFiles::dds, "dds"},
                                                    {EngineFiles::mtlx, "mtlx"},
                                                    {EngineFiles::page, "page"}}}};
 
+constexpr double usual_relief = 8;
+
 struct TextureExportOptions
 {
     std::filesystem::path folder, out;
     std::vector<std::string> formats;
     std::string normals;
-    double relief = 8;
+    double relief = std::numeric_limits<double>::quiet_NaN(); ///< not given: usual_relief
     bool as_json = false;
     bool quiet = false;
 };
@@ -169,9 +173,11 @@ void print_exported(const EngineExport& all, std::size_t maps)
 void check_export(const TextureExportOptions& o)
 {
     for (const std::string& word : o.formats) value_of_word("texture export", "--formats", word, engine_files);
-    if (!(o.relief > 0 && o.relief <= 10'000))
+    if (!std::isnan(o.relief) && !(o.relief > 0 && o.relief <= 10'000))
         throw InputError(
             fmt::format("texture export: --relief {}: must be a number greater than 0 and at most 10000", o.relief));
+    if (!std::isnan(o.relief) && o.normals.empty())
+        throw InputError("texture export: --relief: goes with --normals, whose heights it is for");
     std::error_code unknown;
     if (std::filesystem::exists(o.out, unknown) && !std::filesystem::is_directory(o.out, unknown))
         throw InputError(fmt::format("texture export: --out {}: is no folder", o.out.string()));
@@ -193,7 +199,7 @@ void export_texture(const TextureExportOptions& o)
     const TextureSet set = read_texture_set(o.folder);
     const std::vector<EngineMap> maps = [&] {
         try {
-            return engine_maps(o.folder, set, o.normals, o.relief);
+            return engine_maps(o.folder, set, o.normals, std::isnan(o.relief) ? usual_relief : o.relief);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({"texture export"});

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poissonlab {
 namespace {
@@ -35,6 +36,9 @@ Averages are of light. The same tiles lie where the program of runtime/texture_t
   poissonlab texture map gravel --size 1024 576 --pitch 12 --out plain.png
   poissonlab texture map gravel --frames 60 --advance 6 --out fly.png)";
 
+constexpr std::uint32_t not_laid = std::numeric_limits<std::uint32_t>::max(); // --laid is not given
+constexpr int usual_laid_root = 5;
+
 struct TextureMapOptions
 {
     std::filesystem::path folder;
@@ -44,7 +48,7 @@ struct TextureMapOptions
     std::uint32_t samples = 1;
     std::string filter = "anisotropic";
     std::string lookup; // empty: the one that is right for the set
-    std::uint32_t laid = 25;
+    std::uint32_t laid = not_laid;
     std::uint32_t frames = 1;
     double advance = 0;
     WorkOptions work;
@@ -94,9 +98,18 @@ TextureCamera checked_camera(const TextureMapOptions& o)
     return camera;
 }
 
+/// Throws InputError for --laid of what is not laid in scanlines.
+void check_is_laid(const TextureMapOptions& o, const char* what)
+{
+    if (o.laid != not_laid)
+        throw InputError(fmt::format("--laid {}: is for sets without a hash, which are laid in scanlines; this is {}",
+                                     o.laid, what));
+}
+
 /// The number of which --laid is the square.
 int checked_laid_root(const TextureMapOptions& o)
 {
+    if (o.laid == not_laid) return usual_laid_root;
     for (int n = 2; n <= most_laid_root; ++n)
         if (o.laid == static_cast<std::uint32_t>(n * n)) return n;
     throw InputError(fmt::format("texture map: --laid {}: must be 4, 9, 16, 25, 36, 49 or 64", o.laid));
@@ -141,10 +154,13 @@ void map_texture_plane(const TextureMapOptions& o)
     TextureLookup lookup = TextureLookup::repeated;
     const TexturePyramid pyramid = [&] {
         try {
-            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
+            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown)) {
+                check_is_laid(o, "a picture");
                 return picture_pyramid(mapped_picture(o));
+            }
             const TextureSet set = read_texture_set(o.folder);
             lookup = lookup_of(o, set);
+            if (has_places(set)) check_is_laid(o, "a complete set of corner or Wang tiles");
             return has_places(set) ? texture_pyramid(set, o.work.seed()) : laid_pyramid(set, o.work.seed(), laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;

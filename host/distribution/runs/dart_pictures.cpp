@@ -1,6 +1,7 @@
 #include "host/distribution/runs/dart_pictures.hpp"
 
 #include "host/distribution/charts/curve_marks.hpp"
+#include "host/distribution/runs/space_pictures.hpp"
 #include "host/distribution/varied_points.hpp"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ MarkGroup equal_dots(const RegionDarts& darts, const PicturePlaces& places, doub
 
 MarkPicture dart_picture(const RegionDarts& darts)
 {
+    if (darts.space) return space_picture(darts);
     const RegionBox& box = darts.request.region->box();
     const PicturePlaces places(box);
     MarkPicture picture = places.picture();

@@ -1,5 +1,5 @@
-// kind = "darts" and "points": points in a region of the plane, by dart throwing and by other methods, and how far
-// apart they are.
+// kind = "darts" and "points": points in a region of the plane or of space, by dart throwing and by other methods, and
+// how far apart they are.
 //
 // Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
 // nothing about a region: distances are what is measured.
@@ -13,11 +13,14 @@
 #include "host/distribution/runs/region_curve_files.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/runs/varied_results.hpp"
+#include "host/distribution/space_points.hpp"
 #include "host/distribution/varied_points.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/sampling/regions/region_gaussian.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +53,22 @@ void distance_keys(Keys& keys, DartSettings& s)
         throw keys.invalid("distance_range", "goes with a picture as " + keys.name_of("min_distance"));
 }
 
+/// Reads the region, and refuses what regions of space do not take.
+void read_land(Keys& keys, DartSettings& s)
+{
+    if (!s.is_in_space()) {
+        if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
+        keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
+        return;
+    }
+    const std::string plane_only = "goes with regions of the plane, and this one is of space";
+    if (s.varies()) throw keys.invalid("min_distance", "varies, which " + plane_only);
+    for (const char* key : {"obstacles", "obstacle_distance", "planar"})
+        if (keys.is_given(key)) throw keys.invalid(key, plane_only);
+    if (s.boundary == RegionBoundary::on) throw keys.invalid("boundary", plane_only);
+    keys.check("region", [&] { s.space = whole_space(s); });
+}
+
 void dart_keys(Keys& keys, DartSettings& s)
 {
     keys.region(s.region);
@@ -72,12 +91,15 @@ void dart_keys(Keys& keys, DartSettings& s)
     if (!keys.is_read()) return;
     if (keys.is_given("obstacle_distance") && s.obstacles.empty())
         throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
-    if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
-    keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
+    read_land(keys, s);
     if (!s.points && !s.min_distance && !s.varies())
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
     if (keys.is_given("relative_radius") && !s.points)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    if (s.is_in_space()) {
+        keys.check(s.min_distance ? "min_distance" : "points", [&] { space_dart_request(s, 0); });
+        return;
+    }
     if (s.varies() && s.boundary != RegionBoundary::inside)
         throw keys.invalid("boundary", fmt::format("goes with a number as {}", keys.name_of("min_distance")));
     if (s.varies() && !s.obstacle_distance && !s.land->obstacles.points.empty())
@@ -112,7 +134,7 @@ constexpr std::size_t most_varied_candidates = std::size_t{1} << 24;
 void check_method_of_varied(const Keys& keys, const RegionPointSettings& s)
 {
     const RegionMethod method = s.method;
-    if (method == RegionMethod::lloyd || method == RegionMethod::bridson)
+    if (method == RegionMethod::lloyd || method == RegionMethod::gaussian || method == RegionMethod::bridson)
         throw keys.invalid("min_distance", fmt::format("varies, which {} does not take: darts, relaxation and "
                                                        "elimination do",
                                                        region_methods[method]));
@@ -127,6 +149,10 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
 {
     keys.word("method", s.method, region_methods, "how points are made: see docs/regions.md");
     dart_keys(keys, s.place);
+    if (keys.is_read() && s.place.is_in_space() &&
+        (s.method == RegionMethod::lloyd || s.method == RegionMethod::gaussian))
+        throw keys.invalid("method", "goes with regions of the plane, and this one is of space: darts, relaxation, "
+                                     "elimination and bridson do");
     const auto is_one_of = [&](auto... methods) { return ((s.method == methods) || ...); };
     using enum RegionMethod;
     keys.integer("attempts", s.attempts, 1, 1'000'000'000,
@@ -137,8 +163,9 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
         .only_if(is_one_of(relaxation), "method = relaxation");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(is_one_of(elimination), "method = elimination");
-    keys.integer("iterations", s.iterations, 0, 1'000'000, "steps to centroids")
-        .only_if(is_one_of(lloyd), "method = lloyd");
+    keys.integer("iterations", s.iterations, 0, 1'000'000, "steps to centroids, or along the forces of Gaussians")
+        .otherwise("50 of lloyd, 100 of gaussian")
+        .only_if(is_one_of(lloyd, gaussian), "method = lloyd or gaussian");
     if (keys.is_read() && s.place.varies()) check_method_of_varied(keys, s);
     check_varied(keys, s, s.place.varying);
     if (!keys.is_read() || is_one_of(darts)) return;
@@ -147,6 +174,11 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
     if (s.place.boundary == RegionBoundary::on)
         throw keys.invalid("boundary", "goes with " + keys.shown("method", "darts"));
     if (s.place.varies()) return;
+    if (is_one_of(gaussian) && s.place.points.value_or(SIZE_MAX) < least_points_of_region_gaussian())
+        throw keys.invalid("points",
+                           fmt::format("must be at least {} for gaussian, so that Gaussians do not meet around "
+                                       "the region",
+                                       least_points_of_region_gaussian()));
     const bool takes_distance = is_one_of(bridson);
     const std::string other = takes_distance ? "points" : "min_distance",
                       needed = takes_distance ? "min_distance" : "points";
@@ -172,25 +204,36 @@ void add_varied_results(const VariedSet& set, DistributionFiles& files, Distribu
                     result);
 }
 
+std::string words_of_region(const RegionDarts& darts)
+{
+    if (!darts.space) {
+        const PlaneRegion& plane = darts.request.land->rest;
+        return fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane));
+    }
+    if (darts.space->shape() == SpaceShape::solid)
+        return fmt::format("a solid by a lattice of {} cells", fmt::join(darts.space->cells(), " x "));
+    return darts.space->shape() == SpaceShape::ball ? "a ball" : "a box";
+}
+
 DistributionResult result_of(const RegionDarts& darts, const DartSettings& settings, const std::string& how,
                              DistributionFiles& files)
 {
-    const PlaneRegion& plane = darts.request.land->rest;
     DistributionResult result;
-    result.facts = {fmt::format("{} points", darts.points.size()), how,
-                    fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane))};
-    if (const std::size_t obstacles = darts.request.land->obstacles.count(); obstacles > 0)
+    result.facts = {fmt::format("{} points", darts.points.size()), how, words_of_region(darts)};
+    if (const std::size_t obstacles = darts.obstacle_count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
-    if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
+    if (settings.boundary == RegionBoundary::disks)
+        result.facts.push_back(fmt::format("{} are inside whole", darts.space ? "balls" : "disks"));
     files.add_marks("points.json", dart_picture(darts),
-                    darts.varied ? "The points in their region, with disks of half their distances."
-                                 : "The points in their region.",
+                    darts.space ? "The points in their region, seen from in front and above: those behind are lighter."
+                    : darts.varied ? "The points in their region, with disks of half their distances."
+                                   : "The points in their region.",
                     result);
     write_points(files.add("points.npy"), darts.points);
     result.files.push_back("points.npy");
     if (darts.varied) add_varied_results(*darts.varied, files, result);
     result.numbers = dart_numbers(darts);
-    if (!darts.varied) add_region_curves(plane, darts.points, files, result);
+    if (!darts.varied && !darts.space) add_region_curves(darts.request.land->rest, darts.points, files, result);
     return result;
 }
 
@@ -212,16 +255,22 @@ DistributionResult make_points(const RegionPointSettings& settings, std::uint64_
 
 DistributionNumbers dart_numbers(const RegionDarts& darts)
 {
-    const double area = darts.request.region->area();
+    const bool is_in_space = darts.space != nullptr;
+    const int dimension = is_in_space ? 3 : 2;
+    const double area = is_in_space ? darts.space->volume() : darts.request.region->area();
     const auto count = static_cast<double>(darts.points.size());
     DistributionNumbers numbers;
     numbers.push_back({"points", "Points", count, "in the region"});
-    numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
+    if (is_in_space)
+        numbers.push_back({"volume", "Volume", area, "of the region, in cubes of its units"});
+    else
+        numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
     if (darts.sure_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", darts.sure_distance,
                            "that points are sure to have, in units of the region"});
     if (darts.points.size() < 2) return numbers;
-    const NearestDistances nearest = nearest_distances(darts.points);
+    const NearestDistances nearest =
+        is_in_space ? nearest_in_space(*darts.space, darts.points) : nearest_distances(darts.points);
     numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
                        "of points from their nearest ones, also beside the boundary, in its units"});
@@ -229,10 +278,12 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
         append_varied_numbers(*darts.varied, numbers);
         return numbers;
     }
-    numbers.push_back({"relative_radius", "Relative radius",
-                       nearest.least / (max_min_distance(darts.points.size(), 2) * std::sqrt(area)),
-                       "least distance over that of the densest packing of as many points in the region's area; "
-                       "points may lie on the boundary, so that few have more than on a torus"});
+    numbers.push_back(
+        {"relative_radius", "Relative radius",
+         nearest.least / (max_min_distance(darts.points.size(), dimension) * std::pow(area, 1.0 / dimension)),
+         fmt::format("least distance over that of the densest packing of as many points in the region's "
+                     "{}; points may lie on the boundary, so that few have more than on a torus",
+                     is_in_space ? "volume" : "area")});
     return numbers;
 }
 

@@ -17,7 +17,7 @@ struct DartBuffers
     Words parents, open;           ///< open cells before and after a batch
     Words darts, states, next;     ///< a dart of the batch each
     Words points, counters;
-    RegionBuffers region;
+    LandBuffers land;
 
     // In order only.
     Words accepted;             ///< a bit of a level 0 cell each

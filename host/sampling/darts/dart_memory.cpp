@@ -54,8 +54,7 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
                           {b.parents, most_open_cells(cells, d) * axes},
                           {b.open, most_open_cells(cells, d) * axes},
                           {b.darts, std::max(cells, most) * DART_WORDS(d)}};
-    if (request.region)
-        for (const NeededBuffer& buffer : b.region.needed(*request.region)) buffers.push_back(buffer);
+    for (const NeededBuffer& buffer : b.land.needed(request)) buffers.push_back(buffer);
     for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
         buffers.push_back(buffer);
     return buffers;

@@ -3,6 +3,7 @@
 
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/fixed_space.hpp"
 #include "host/sampling/darts/dart_block.hpp"
 
 #include <cstddef>
@@ -22,6 +23,9 @@ struct DartThrowingRequest
     /// In 2D: the points lie in this region, in its fixed-point coordinates, which must not meet around the torus:
     /// min_distance is at most 1/2. Empty: everywhere.
     std::shared_ptr<const FixedRegion> region{};
+
+    /// The same in 3D.
+    std::shared_ptr<const FixedSpace> space{};
 
     /// Darts fall into these cells only; empty: into all.
     std::optional<DartBlock> block{};

@@ -2,6 +2,7 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/reference/dart_grid.hpp"
+#include "host/sampling/reference/request_land.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -97,14 +98,16 @@ private:
 
     bool is_outside(const Box<D>& box) const
     {
-        if (!request_.region) return false;
-        const TorusPoint<2> low{box.low[0], box.low[1]};
-        return request_.region->side_of({low, {low[0] + box.extent[0], low[1] + box.extent[1]}}) == RegionSide::outside;
+        TorusPoint<D> high = box.low;
+        for (int k = 0; k < D; ++k) high[k] += box.extent[k];
+        const auto& land = land_of<D>(request_);
+        return land && land->side_of({box.low, high}) == RegionSide::outside;
     }
 
     bool is_allowed(const TorusPoint<D>& position) const
     {
-        return !request_.region || request_.region->contains({position[0], position[1]});
+        const auto& land = land_of<D>(request_);
+        return !land || land->contains(position);
     }
 
     /// Replaces the open cells, or their children, by those that are still open, and draws the darts of the

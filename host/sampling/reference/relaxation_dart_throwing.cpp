@@ -2,6 +2,7 @@
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
 #include "host/sampling/reference/relaxing_grid.hpp"
+#include "host/sampling/reference/request_land.hpp"
 
 #include <vector>
 
@@ -11,15 +12,15 @@ namespace {
 template <int D>
 Darts<D> darts_of(const RelaxationDartThrowingRequest& request)
 {
-    if constexpr (D == 2)
-        if (request.region) return {request.stream, request.region->extent()};
+    if (const auto& land = land_of<D>(request)) return {request.stream, land->extent()};
     return Darts<D>(request.stream);
 }
 
 template <int D>
 bool is_allowed(const RelaxationDartThrowingRequest& request, const TorusPoint<D>& dart)
 {
-    return !request.region || request.region->contains({dart[0], dart[1]});
+    const auto& land = land_of<D>(request);
+    return !land || land->contains(dart);
 }
 
 template <int D>

@@ -3,7 +3,6 @@
 
 #include "base/geometry/torus.hpp"
 #include "base/random/random.hpp"
-#include "base/regions/fixed_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,10 +19,10 @@ class Darts
 public:
     explicit Darts(const StreamKey& stream) : stream_(stream) { size_.fill(std::uint64_t{1} << 32); }
 
-    /// The darts fall into a box.
-    Darts(const StreamKey& stream, const FixedBox& box) : stream_(stream)
+    /// The darts fall into a box: FixedBox or FixedSpaceBox.
+    template <typename Box>
+    Darts(const StreamKey& stream, const Box& box) : stream_(stream)
     {
-        static_assert(D == 2);
         low_ = box.low;
         for (std::size_t k = 0; k < D; ++k) size_[k] = std::uint64_t{box.high[k]} - box.low[k] + 1;
     }

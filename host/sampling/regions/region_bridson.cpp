@@ -4,9 +4,11 @@
 #include "host/sampling/classics/torus_grid.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace poissonlab {
@@ -15,13 +17,16 @@ namespace {
 /// The last word of Philox' counter says what random words are for.
 constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
 
+constexpr double most_cells = 0x1p26; // of the grid
+
+template <typename Region>
 class BridsonInRegion
 {
 public:
-    BridsonInRegion(const FixedRegion& region, const RegionBridsonRequest& request)
+    BridsonInRegion(const Region& region, const RegionBridsonRequest& request)
         : region_(region), request_(request), candidates_(region, request.stream),
           distance_(static_cast<std::uint64_t>(std::ceil(request.min_distance * 0x1p32))),
-          grid_(static_cast<std::size_t>(1 / (request.min_distance * request.min_distance)), 2)
+          grid_(static_cast<std::size_t>(std::min(std::pow(request.min_distance, -D), most_cells)), D)
     {}
 
     PointSet run()
@@ -38,6 +43,8 @@ public:
     }
 
 private:
+    static constexpr int D = std::tuple_size_v<PlaceIn<Region>>;
+
     bool has_room(const TorusPosition& dart) const
     {
         return grid_.size() == 0 || grid_.squared_nearest(dart, distance_ * distance_ - 1) >= distance_ * distance_;
@@ -53,9 +60,10 @@ private:
     bool begin_anew()
     {
         for (std::uint32_t failures = 0; failures < request_.starts; ++failures) {
-            const std::optional<TorusPoint<2>> start = candidates_.next();
+            const std::optional<TorusPoint<D>> start = candidates_.next();
             if (!start) return false;
-            const TorusPosition dart{(*start)[0], (*start)[1], 0};
+            TorusPosition dart{};
+            std::ranges::copy(*start, dart.begin());
             if (!has_room(dart)) continue;
             add(dart);
             return true;
@@ -63,8 +71,8 @@ private:
         return false;
     }
 
-    /// A place in the ring of one to two distances around a point: the first of uniform ones in the square around that.
-    /// There is none where it is so far away that it would come around the torus.
+    /// A place in the ring (the shell) of one to two distances around a point: the first of uniform ones in the square
+    /// (the cube) around that. There is none where it is so far away that it would come around the torus.
     std::optional<TorusPosition> dart_around(const TorusPosition& around, std::uint32_t turn, std::uint32_t& word) const
     {
         __extension__ using Wide = unsigned __int128;
@@ -74,7 +82,7 @@ private:
             TorusPosition dart = around;
             Wide squared = 0;
             bool is_far = false;
-            for (std::size_t k = 0; k < 2; ++k) {
+            for (std::size_t k = 0; k < D; ++k) {
                 const std::int64_t offset =
                     static_cast<std::int64_t>(distance_ * words[k] >> 30) - static_cast<std::int64_t>(2 * distance_);
                 squared += static_cast<Wide>(offset) * static_cast<Wide>(offset);
@@ -94,16 +102,19 @@ private:
         std::uint32_t word = 0;
         for (std::uint32_t attempt = 0; attempt < request_.attempts; ++attempt) {
             const std::optional<TorusPosition> dart = dart_around(around, turn, word);
-            if (!dart || !region_.contains({(*dart)[0], (*dart)[1]}) || !has_room(*dart)) continue;
+            if (!dart) continue;
+            TorusPoint<D> place;
+            std::copy_n(dart->begin(), D, place.begin());
+            if (!region_.contains(place) || !has_room(*dart)) continue;
             add(*dart);
             return true;
         }
         return false;
     }
 
-    const FixedRegion& region_;
+    const Region& region_;
     const RegionBridsonRequest& request_;
-    RegionCandidates candidates_;
+    RegionCandidates<Region> candidates_;
     std::uint64_t distance_; ///< in units of 2^-32
     TorusGrid grid_;
     std::vector<std::uint32_t> active_; ///< points around which darts still fall
@@ -114,6 +125,11 @@ private:
 PointSet throw_bridson_darts(const FixedRegion& region, const RegionBridsonRequest& request)
 {
     return BridsonInRegion(region, request).run();
+}
+
+PointSet throw_bridson_darts(const FixedSpace& space, const RegionBridsonRequest& request)
+{
+    return BridsonInRegion(space, request).run();
 }
 
 }

@@ -1,4 +1,4 @@
-// Bridson's dart throwing in a region of the plane.
+// Bridson's dart throwing in a region of the plane or of space.
 //
 // Bridson, Fast Poisson disk sampling in arbitrary dimensions, 2007. Darts fall around the points that are there, until
 // none of them finds room. What they do not reach from there, other polygons and places behind narrows, is begun anew
@@ -8,6 +8,7 @@
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/fixed_space.hpp"
 
 #include <cstdint>
 
@@ -23,5 +24,6 @@ struct RegionBridsonRequest
 
 /// Points in the order in which they were found, in the region's fixed-point coordinates; none where there is no room.
 PointSet throw_bridson_darts(const FixedRegion& region, const RegionBridsonRequest& request);
+PointSet throw_bridson_darts(const FixedSpace& space, const RegionBridsonRequest& request);
 
 }

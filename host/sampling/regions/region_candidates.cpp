@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
 
 constexpr std::uint64_t most_failures = 10'000'000;
 
-constexpr std::size_t radii = 8, directions = 16;
+constexpr std::size_t radii = 8, directions = 16, directions_in_space = 32;
 
 /// Factors go no further: a point in a corner of 22 degrees has a sixteenth of its disk inside.
 constexpr double most_factor = 16;
@@ -21,8 +22,11 @@ constexpr double most_factor = 16;
 /// The part of the weight (1 - r)^8 over a disk of radius 1 that lies within r.
 double weight_within(double r) { return 1 - std::pow(1 - r, 9) * (1 + 9 * r); }
 
-/// Radii between which equal parts of the weight lie: the middle of each part.
-std::array<double, radii> radii_of_equal_weight()
+/// The same over a ball.
+double weight_within_ball(double r) { return 1 - std::pow(1 - r, 9) * (1 + 9 * r + 45 * r * r); }
+
+/// Radii between which equal parts of a weight lie: the middle of each part.
+std::array<double, radii> radii_of_equal_weight(double (*weight)(double))
 {
     std::array<double, radii> result{};
     for (std::size_t i = 0; i < radii; ++i) {
@@ -30,7 +34,7 @@ std::array<double, radii> radii_of_equal_weight()
         double low = 0, high = 1;
         for (int step = 0; step < 40; ++step) {
             const double middle = (low + high) / 2;
-            (weight_within(middle) < wanted ? low : high) = middle;
+            (weight(middle) < wanted ? low : high) = middle;
         }
         result[i] = low;
     }
@@ -45,7 +49,7 @@ constexpr std::array<double, 4> half_tangents{0.0984914033571642, 0.303346683607
 std::array<std::array<double, 2>, radii * directions> places_in_disk()
 {
     std::array<std::array<double, 2>, radii * directions> places{};
-    const std::array<double, radii> all = radii_of_equal_weight();
+    const std::array<double, radii> all = radii_of_equal_weight(weight_within);
     std::size_t next = 0;
     for (const double r : all)
         for (const double t : half_tangents) {
@@ -56,16 +60,47 @@ std::array<std::array<double, 2>, radii * directions> places_in_disk()
     return places;
 }
 
-TorusPoint<2> fixed_position(std::span<const double> point)
+/// Places in a ball of radius 1, with equal weights: in the directions of the corners of an icosahedron and of the
+/// middles of its faces, a dodecahedron's corners.
+std::array<std::array<double, 3>, radii * directions_in_space> places_in_ball()
 {
-    return {static_cast<std::uint32_t>(point[0] * 0x1p32), static_cast<std::uint32_t>(point[1] * 0x1p32)};
+    const double golden = (1 + std::sqrt(5.0)) / 2;
+    std::vector<std::array<double, 3>> corners;
+    for (const double s : {1.0, -1.0})
+        for (const double t : {1.0, -1.0}) {
+            for (const auto& [a, b] : {std::pair{s, t * golden}, std::pair{s / golden, t * golden}})
+                for (const std::array<double, 3>& corner :
+                     {std::array{0.0, a, b}, std::array{a, b, 0.0}, std::array{b, 0.0, a}})
+                    corners.push_back(corner);
+            for (const double u : {1.0, -1.0}) corners.push_back({s, t, u});
+        }
+    std::array<std::array<double, 3>, radii * directions_in_space> places{};
+    std::size_t next = 0;
+    for (const double r : radii_of_equal_weight(weight_within_ball))
+        for (const auto& [x, y, z] : corners) {
+            const double scale = r / std::sqrt(x * x + y * y + z * z);
+            places[next++] = {x * scale, y * scale, z * scale};
+        }
+    return places;
 }
 
-/// Are all positions so near to one along the axes inside?
-bool is_well_inside(const FixedRegion& region, const TorusPoint<2>& position, double reach)
+template <std::size_t D>
+TorusPoint<D> fixed_position(std::span<const double> point)
 {
-    FixedBox box;
-    for (std::size_t k = 0; k < 2; ++k) {
+    TorusPoint<D> position;
+    for (std::size_t k = 0; k < D; ++k) position[k] = static_cast<std::uint32_t>(point[k] * 0x1p32);
+    return position;
+}
+
+template <typename Region>
+using BoxOf = std::remove_cvref_t<decltype(std::declval<const Region&>().extent())>;
+
+/// Are all positions so near to one along the axes inside?
+template <typename Region>
+bool is_well_inside(const Region& region, const PlaceIn<Region>& position, double reach)
+{
+    BoxOf<Region> box;
+    for (std::size_t k = 0; k < position.size(); ++k) {
         const double low = position[k] - reach, high = position[k] + reach;
         if (low < 0 || high >= 0x1p31) return false;
         box.low[k] = static_cast<std::uint32_t>(low);
@@ -74,17 +109,47 @@ bool is_well_inside(const FixedRegion& region, const TorusPoint<2>& position, do
     return region.side_of(box) == RegionSide::inside;
 }
 
+/// `places` in a disk or ball of radius 1 that have equal weights.
+template <typename Region, typename Places>
+std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSet& points, const Places& places,
+                                             const std::function<double(std::size_t)>& radius_of)
+{
+    using contract::sample_elimination::FACTOR_UNITS;
+    std::vector<std::uint32_t> factors(points.size(), FACTOR_UNITS);
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const double radius = radius_of(i);
+        const auto position = fixed_position<std::tuple_size_v<PlaceIn<Region>>>(points[i]);
+        if (is_well_inside(region, position, radius)) return;
+        std::size_t inside = 0;
+        for (const auto& offset : places) {
+            auto place = position;
+            bool is_position = true;
+            for (std::size_t k = 0; k < place.size(); ++k) {
+                const double at = position[k] + offset[k] * radius;
+                is_position &= at >= 0 && at < 0x1p31;
+                if (is_position) place[k] = static_cast<std::uint32_t>(at);
+            }
+            inside += is_position && region.contains(place);
+        }
+        const double factor = std::min(most_factor, static_cast<double>(places.size()) /
+                                                        static_cast<double>(std::max<std::size_t>(inside, 1)));
+        factors[i] = static_cast<std::uint32_t>(factor * static_cast<double>(FACTOR_UNITS) + 0.5);
+    });
+    return factors;
 }
 
-std::optional<TorusPoint<2>> RegionCandidates::next()
+}
+
+template <typename Region>
+std::optional<PlaceIn<Region>> RegionCandidates<Region>::next()
 {
-    const FixedBox& box = region_.extent();
+    const auto& box = region_.extent();
     for (std::uint64_t failures = 0; failures < most_failures; ++failures) {
         const auto words =
             philox({static_cast<std::uint32_t>(thrown_), static_cast<std::uint32_t>(thrown_ >> 32), 0, 0}, stream_);
         ++thrown_;
-        TorusPoint<2> place;
-        for (std::size_t k = 0; k < 2; ++k) {
+        Place place;
+        for (std::size_t k = 0; k < place.size(); ++k) {
             const std::uint64_t size = std::uint64_t{box.high[k]} - box.low[k] + 1;
             place[k] = box.low[k] + static_cast<std::uint32_t>(words[k] * size >> 32);
         }
@@ -95,17 +160,21 @@ std::optional<TorusPoint<2>> RegionCandidates::next()
     return {};
 }
 
-std::vector<TorusPoint<2>> RegionCandidates::next(std::size_t count)
+template <typename Region>
+std::vector<PlaceIn<Region>> RegionCandidates<Region>::next(std::size_t count)
 {
-    std::vector<TorusPoint<2>> places;
+    std::vector<Place> places;
     places.reserve(count);
     while (places.size() < count) {
-        const std::optional<TorusPoint<2>> place = next();
+        const std::optional<Place> place = next();
         if (!place) break;
         places.push_back(*place);
     }
     return places;
 }
+
+template class RegionCandidates<FixedRegion>;
+template class RegionCandidates<FixedSpace>;
 
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const EliminationReach& reach)
@@ -116,24 +185,15 @@ std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const Poi
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const std::function<double(std::size_t)>& radius_of)
 {
-    using contract::sample_elimination::FACTOR_UNITS;
     static const auto places = places_in_disk();
-    std::vector<std::uint32_t> factors(points.size(), FACTOR_UNITS);
-    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
-        const double radius = radius_of(i);
-        const TorusPoint<2> position = fixed_position(points[i]);
-        if (is_well_inside(region, position, radius)) return;
-        std::size_t inside = 0;
-        for (const auto& [x, y] : places) {
-            const double at_x = position[0] + x * radius, at_y = position[1] + y * radius;
-            if (at_x >= 0 && at_y >= 0 && at_x < 0x1p31 && at_y < 0x1p31)
-                inside += region.contains({static_cast<std::uint32_t>(at_x), static_cast<std::uint32_t>(at_y)});
-        }
-        const double factor = std::min(most_factor, static_cast<double>(places.size()) /
-                                                        static_cast<double>(std::max<std::size_t>(inside, 1)));
-        factors[i] = static_cast<std::uint32_t>(factor * static_cast<double>(FACTOR_UNITS) + 0.5);
-    });
-    return factors;
+    return factors_by_places(region, points, places, radius_of);
+}
+
+std::vector<std::uint32_t> boundary_factors(const FixedSpace& space, const PointSet& points,
+                                            const EliminationReach& reach)
+{
+    static const auto places = places_in_ball();
+    return factors_by_places(space, points, places, [&](std::size_t) { return reach.most * 0x1p32; });
 }
 
 }

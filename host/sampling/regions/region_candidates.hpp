@@ -3,34 +3,44 @@
 
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/fixed_space.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
 
+/// A position of a region's grid.
+template <typename Region>
+using PlaceIn = std::remove_cvref_t<decltype(std::declval<const Region&>().extent().low)>;
+
 /// Independent uniform points: darts into the least box around the region, of which those outside are left out. The
-/// next one: nothing where not one of ten million lies inside.
+/// next one: nothing where not one of ten million lies inside. Of a FixedRegion or a FixedSpace.
+template <typename Region>
 class RegionCandidates
 {
 public:
-    /// The region must outlive this.
-    RegionCandidates(const FixedRegion& region, const StreamKey& stream) : region_(region), stream_(stream) {}
+    using Place = PlaceIn<Region>;
 
-    std::optional<TorusPoint<2>> next();
+    /// The region must outlive this.
+    RegionCandidates(const Region& region, const StreamKey& stream) : region_(region), stream_(stream) {}
+
+    std::optional<Place> next();
 
     /// So many, or as many as are found.
-    std::vector<TorusPoint<2>> next(std::size_t count);
+    std::vector<Place> next(std::size_t count);
 
     /// The part of the box that darts found inside.
     double share() const { return static_cast<double>(found_) / static_cast<double>(thrown_); }
 
 private:
-    const FixedRegion& region_;
+    const Region& region_;
     StreamKey stream_;
     std::uint64_t thrown_ = 0, found_ = 0;
 };
@@ -44,5 +54,9 @@ std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const Poi
 /// The same where disks of weights have a radius of their own each, in positions.
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const std::function<double(std::size_t)>& radius_of);
+
+/// The same in space, by 256 places in a ball.
+std::vector<std::uint32_t> boundary_factors(const FixedSpace& space, const PointSet& points,
+                                            const EliminationReach& reach);
 
 }

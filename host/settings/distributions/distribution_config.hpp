@@ -1,6 +1,7 @@
 // The settings of the kinds of [[distribution]].
 #pragma once
 
+#include "base/regions/space_region.hpp"
 #include "base/word_table.hpp"
 #include "host/settings/keys/choices.hpp"
 
@@ -144,6 +145,9 @@ struct VaryingDistance
 /// See host/distribution/region_darts.hpp.
 struct RegionLand;
 
+/// See base/regions/fixed_space.hpp.
+class FixedSpace;
+
 /// kind = "darts": see host/distribution/region_darts.hpp. Points, a minimum distance, or both.
 struct DartSettings
 {
@@ -158,7 +162,10 @@ struct DartSettings
     std::optional<double> obstacle_distance; ///< of points from them; none: min_distance from points, else 0
     std::shared_ptr<const RegionLand> land;  ///< what both were read as; empty: they are not read yet
 
+    std::shared_ptr<const FixedSpace> space; ///< what a region of space was read as
+
     bool varies() const { return !varying.text.empty(); }
+    bool is_in_space() const { return is_space_region_text(region); }
 };
 
 /// How points are made in a region.
@@ -168,24 +175,26 @@ enum class RegionMethod
     relaxation,
     elimination,
     lloyd,
+    gaussian,
     bridson
 };
 
-inline constexpr WordTable<RegionMethod, 5> region_methods{{{{RegionMethod::darts, "darts"},
+inline constexpr WordTable<RegionMethod, 6> region_methods{{{{RegionMethod::darts, "darts"},
                                                              {RegionMethod::relaxation, "relaxation"},
                                                              {RegionMethod::elimination, "elimination"},
                                                              {RegionMethod::lloyd, "lloyd"},
+                                                             {RegionMethod::gaussian, "gaussian"},
                                                              {RegionMethod::bridson, "bridson"}}}};
 
 /// kind = "points": see host/distribution/region_points.hpp.
 struct RegionPointSettings
 {
     RegionMethod method = RegionMethod::darts;
-    DartSettings place;                    ///< the region, obstacles, how many points or how far apart
-    std::optional<std::uint32_t> attempts; ///< failures before the radius is reduced, or a point given up
-    double factor = 0.99;                  ///< of relaxation, that the radius is multiplied by
-    std::uint32_t candidates = 5;          ///< of elimination, for each point
-    std::uint32_t iterations = 50;         ///< of Lloyd's method
+    DartSettings place;                      ///< the region, obstacles, how many points or how far apart
+    std::optional<std::uint32_t> attempts;   ///< failures before the radius is reduced, or a point given up
+    double factor = 0.99;                    ///< of relaxation, that the radius is multiplied by
+    std::uint32_t candidates = 5;            ///< of elimination, for each point
+    std::optional<std::uint32_t> iterations; ///< of Lloyd's method and of Gaussian blue noise
 };
 
 /// kind = "instances": see host/distribution/instances/instances.hpp.

@@ -43,11 +43,11 @@ struct Settling
     uint grid_bits;
 };
 
-/// The box that darts fall into, with a region; a width of 2^31 at most.
+/// The box that darts fall into, with a region; 2^31 positions along each axis at most.
 struct DartBox
 {
-    uint low_x, low_y;
-    uint width, height;
+    uint low[3];
+    uint size[3];
 };
 
 END_CONTRACT

@@ -41,6 +41,24 @@ TEST(KeptDistances, AreThoseOfAllPairs)
         }
 }
 
+/// One point keeps a million times the distance of the others, which are on a lattice of that: where each pair was looked
+/// at, this would take minutes.
+TEST(KeptDistances, OfAFewLargeOnesTakeNoTime)
+{
+    constexpr std::uint32_t side = 400, gap = 1000, large = 1'000'000'000;
+    std::vector<TorusPoint<2>> points;
+    std::vector<std::uint32_t> distances(side * side, gap);
+    for (std::uint32_t i = 0; i < side * side; ++i) points.push_back({i % side * gap, i / side * gap});
+    points.push_back({2'000'000'000, 0});
+    distances.push_back(large);
+    const KeptDistances kept = kept_distances(points, distances, true);
+    EXPECT_TRUE(kept.are_kept);
+    EXPECT_DOUBLE_EQ(kept.least(), 1);
+    EXPECT_DOUBLE_EQ(kept.nearest.back(), (2'000'000'000.0 - (side - 1) * gap) / ((double{large} + gap) / 2));
+    points.back()[0] = 400'000'000;
+    EXPECT_FALSE(kept_distances(points, distances, true).are_kept);
+}
+
 TEST(KeptDistances, AreExactInTheLastPosition)
 {
     const std::vector<TorusPoint<2>> points{{0, 0}, {3000000000u / 2, 2000000000u}}; // 2500000000 apart

@@ -91,14 +91,14 @@ TEST_P(MethodsInRegions, AreTheSameByKernelInsideAndKeepWhatTheyPromise)
     if (GetParam() == RegionMethod::elimination) {
         EXPECT_GT(least, 0.55 * densest);
     }
-    if (GetParam() == RegionMethod::lloyd) {
+    if (GetParam() == RegionMethod::lloyd || GetParam() == RegionMethod::gaussian) {
         EXPECT_GT(least, 0.55 * densest);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MethodsInRegions,
                          testing::Values(RegionMethod::relaxation, RegionMethod::elimination, RegionMethod::lloyd,
-                                         RegionMethod::bridson),
+                                         RegionMethod::gaussian, RegionMethod::bridson),
                          [](const auto& each) { return std::string(region_methods[each.param]); });
 
 /// The number of points in a strip along the boundary, over that of its area if the set were even.
@@ -111,6 +111,16 @@ double density_beside_boundary(const PointSet& points, double side, double strip
     }
     const double inner = side - 2 * strip;
     return count / static_cast<double>(points.size()) / (1 - inner * inner / (side * side));
+}
+
+/// Points repel each other and the region attracts them: strips beside the boundary have what their area has.
+TEST(GaussiansInRegions, AreAsDenseBesideTheBoundary)
+{
+    const RegionDarts made =
+        make_region_points(region_settings(RegionMethod::gaussian, "rectangle 0 0 100 100", 3000), 1, device_place());
+    const double mean = std::sqrt(100.0 * 100 / 3000);
+    EXPECT_NEAR(density_beside_boundary(made.points, 100, mean), 1, 0.1);
+    EXPECT_NEAR(density_beside_boundary(made.points, 100, 5 * mean), 1, 0.02);
 }
 
 /// Elimination without factors, written anew in Python with SciPy's trees, has 2.1 and 1.037 times as many.

@@ -124,6 +124,17 @@ TEST(VariedPoints, AreAsDenseAsTheirDistancesInEveryPrefix)
     }
 }
 
+/// The scale follows from the area in all distances, however thin the region is.
+TEST(VariedPoints, HaveTheirScaleInThinRegions)
+{
+    for (const char* region : {"rectangle 0 0 20000 1", "POLYGON ((0 0, 12000 16000, 12000.6 16000.8, 0 1, 0 0))"}) {
+        const RegionPointSettings settings = varied_settings(RegionMethod::darts, region, "3", 40);
+        const auto land = region_land(settings.place);
+        const double wanted = min_distance_for(settings.place.relative_radius, 40, 2) * std::sqrt(area_of(land->rest));
+        EXPECT_NEAR(3 * varied_request(settings, land).scale / wanted, 1, 1e-4) << region;
+    }
+}
+
 TEST(VariedPoints, KeepAwayFromObstacles)
 {
     RegionPointSettings settings = varied_settings(RegionMethod::darts, "rectangle 0 0 10 10", "0.2+0.05*x");
@@ -153,6 +164,9 @@ TEST(VariedPoints, RefuseSteepDistancesAndWhatHasNoRoom)
     EXPECT_THAT(refused(RegionMethod::darts, "x > 0.5 ? 0.1 : 0.05", 0), HasSubstr("along a unit of length"));
     EXPECT_THAT(refused(RegionMethod::darts, "1e-7+x/10", 0), HasSubstr("must be at least"));
     EXPECT_THAT(refused(RegionMethod::darts, "-x", 0), HasSubstr("must be above 0"));
+    EXPECT_THAT(refused(RegionMethod::darts, "1e-5+0.5*x", 0), HasSubstr("times as much: at most 32768 times"));
+    EXPECT_THAT(refused(RegionMethod::darts, "1e-4+1.999*x", 0, KeptDistance::mean),
+                HasSubstr("with the mean of both, at most 512 times where it grows as steeply"));
     RegionPointSettings dense = varied_settings(RegionMethod::darts, "rectangle 0 0 1 1", "1+x", 500);
     dense.place.relative_radius = 0.95;
     EXPECT_THAT(message_of([&] { make_region_points(dense, 1, plain_varied); }),

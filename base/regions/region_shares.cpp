@@ -1,0 +1,81 @@
+// The integral of x dy around what a square and the region have in common: an edge counts in its own square by its
+// distance from the left side, and in those to the left of it in the same row by their width.
+#include "base/regions/region_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+class ShareSums
+{
+public:
+    ShareSums(std::uint32_t columns, std::uint32_t rows)
+        : columns_(columns), rows_(rows), shares_(std::size_t{columns} * rows), beyond_(shares_.size())
+    {}
+
+    /// An edge, in squares, with the region on its left.
+    void add(double x0, double y0, double x1, double y1)
+    {
+        const auto [low, high] = std::minmax(y0, y1);
+        const auto at = [&](double y) { return y1 == y0 ? x0 : x0 + (x1 - x0) * (y - y0) / (y1 - y0); };
+        for (std::uint32_t row = row_of(low); row < rows_ && row < high; ++row) {
+            const double from = std::max(low, double{1} * row), to = std::min(high, row + 1.0);
+            if (y1 > y0)
+                add_in_row(row, at(from), at(to), to - from);
+            else
+                add_in_row(row, at(to), at(from), from - to);
+        }
+    }
+
+    std::vector<double> shares()
+    {
+        for (std::uint32_t row = 0; row < rows_; ++row) {
+            double right = 0;
+            for (std::uint32_t column = columns_; column-- > 0;) {
+                const std::size_t at = std::size_t{row} * columns_ + column;
+                shares_[at] = std::clamp(shares_[at] + right, 0.0, 1.0);
+                right += beyond_[at];
+            }
+        }
+        return std::move(shares_);
+    }
+
+private:
+    std::uint32_t row_of(double y) const { return static_cast<std::uint32_t>(std::max(0.0, y)); }
+    std::uint32_t column_of(double x) const
+    {
+        return std::min(static_cast<std::uint32_t>(std::max(0.0, x)), columns_ - 1);
+    }
+
+    /// A piece that rises by `rise` in a row, cut at the sides of squares.
+    void add_in_row(std::uint32_t row, double x0, double x1, double rise)
+    {
+        const auto [low, high] = std::minmax(x0, x1);
+        for (std::uint32_t column = column_of(low); column <= column_of(high); ++column) {
+            const double from = std::max(low, double{1} * column);
+            const double to = column == columns_ - 1 ? high : std::min(high, column + 1.0);
+            const double part = high > low ? (to - from) / (high - low) * rise : rise;
+            const std::size_t at = std::size_t{row} * columns_ + column;
+            shares_[at] += ((from + to) / 2 - column) * part;
+            beyond_[at] += part;
+        }
+    }
+
+    std::uint32_t columns_, rows_;
+    std::vector<double> shares_, beyond_; ///< beyond: what edges in a square add to those on its left
+};
+
+}
+
+std::vector<double> region_shares(const FixedRegion& region, std::uint32_t columns, std::uint32_t rows,
+                                  std::uint32_t shift)
+{
+    ShareSums sums(columns, rows);
+    const double side = std::ldexp(1.0, static_cast<int>(shift));
+    for (const FixedEdge& e : region.directed_boundary()) sums.add(e[0] / side, e[1] / side, e[2] / side, e[3] / side);
+    return sums.shares();
+}
+
+}

@@ -1,0 +1,221 @@
+// Paths of SVG as regions: lib2geom reads them, and tells places on elliptic arcs.
+//
+// A chord of a curve is off by at most |second derivative| / 8 times the square of its share of the curve (Bezier
+// curves: n (n - 1) times the largest second difference of control points), that of an arc by r (1 - cos of half its
+// angle) where r is the larger radius: so many equal pieces keep the tolerance.
+#include "base/errors/errors.hpp"
+#include "base/files/text_lines.hpp"
+#include "base/points/point_file.hpp"
+#include "base/regions/region_raster.hpp"
+#include "base/regions/region_text.hpp"
+
+#include <2geom/elliptical-arc.h>
+#include <2geom/path-sink.h>
+#include <2geom/svg-path-parser.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+/// Of the longest side of the box around ends and control points.
+constexpr double usual_tolerance = 1e-4;
+
+constexpr double most_pieces = 1e5; ///< of a curve
+
+/// A curve from where the one before ended: places on it from 0 to 1, and how many pieces keep a tolerance.
+struct PathCurve
+{
+    std::function<Geom::Point(double)> at;
+    std::function<double(double tolerance)> pieces;
+};
+
+/// Keeps what paths consist of, so that their extent is known before curves become lines.
+class PathRings : public Geom::PathSink
+{
+public:
+    void moveTo(const Geom::Point& p) override
+    {
+        begin_ = end_ = p;
+        is_closed_ = true;
+        add(p, {});
+    }
+    void lineTo(const Geom::Point& p) override { add(p, {}); }
+    void quadTo(const Geom::Point& c, const Geom::Point& p) override
+    {
+        extend(c);
+        const Geom::Point a = end_;
+        add(p, {[=](double t) { return (1 - t) * ((1 - t) * a + t * c) + t * ((1 - t) * c + t * p); },
+                [=](double tolerance) { return std::sqrt(2 * (a - 2 * c + p).length() / (8 * tolerance)); }});
+    }
+    void curveTo(const Geom::Point& c, const Geom::Point& d, const Geom::Point& p) override
+    {
+        extend(c);
+        extend(d);
+        const Geom::Point a = end_;
+        const double bend = std::max((a - 2 * c + d).length(), (c - 2 * d + p).length());
+        add(p, {[=](double t) {
+                    const double s = 1 - t;
+                    return s * s * s * a + 3 * s * s * t * c + 3 * s * t * t * d + t * t * t * p;
+                },
+                [=](double tolerance) { return std::sqrt(6 * bend / (8 * tolerance)); }});
+    }
+    void arcTo(double rx, double ry, double angle, bool is_large, bool sweeps, const Geom::Point& p) override
+    {
+        const Geom::EllipticalArc arc(end_, rx, ry, angle, is_large, sweeps, p);
+        if (arc.isChord()) return lineTo(p);
+        const double radius = std::max(arc.rays()[0], arc.rays()[1]), turn = std::abs(arc.sweepAngle());
+        extend(arc.center());
+        add(p, {[=](double t) { return arc.pointAt(t); },
+                [=](double tolerance) {
+                    return turn / (2 * std::acos(std::clamp(1 - tolerance / radius, 0.0, 1 - 1e-15)));
+                }});
+    }
+    void closePath() override
+    {
+        end_ = begin_;
+        is_closed_ = true;
+    }
+    void flush() override {}
+
+    double longest() const { return box_.longest(); }
+
+    /// Throws InputError where that takes too many lines.
+    std::vector<RegionRing> rings(double tolerance, const std::string& name) const
+    {
+        std::vector<RegionRing> rings;
+        for (const auto& path : paths_) {
+            RegionRing ring;
+            for (const auto& [end, curve] : path) {
+                const double pieces = curve.at ? std::max(1.0, std::ceil(curve.pieces(tolerance))) : 1;
+                if (!(pieces <= most_pieces))
+                    throw InputError(fmt::format("{}: a tolerance of {:.3g} is too small: a curve would have more than "
+                                                 "{:g} pieces",
+                                                 name, tolerance, most_pieces));
+                for (double piece = 1; piece < pieces; ++piece) append(ring, curve.at(piece / pieces));
+                append(ring, end);
+            }
+            while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+            if (ring.size() > 2) rings.push_back(std::move(ring));
+        }
+        return rings;
+    }
+
+private:
+    static void append(RegionRing& ring, const Geom::Point& p)
+    {
+        const std::array corner{p[0], p[1]};
+        if (ring.empty() || ring.back() != corner) ring.push_back(corner);
+    }
+
+    void add(const Geom::Point& end, PathCurve curve)
+    {
+        // After a path was closed, the next one begins where that did, unless it moves.
+        if (is_closed_) paths_.push_back({{begin_, {}}});
+        is_closed_ = false;
+        paths_.back().emplace_back(end, std::move(curve));
+        extend(end);
+        end_ = end;
+    }
+
+    void extend(const Geom::Point& p)
+    {
+        for (unsigned k = 0; k < 2; ++k) {
+            box_.low[k] = is_empty_ ? p[k] : std::min(box_.low[k], p[k]);
+            box_.high[k] = is_empty_ ? p[k] : std::max(box_.high[k], p[k]);
+        }
+        is_empty_ = false;
+    }
+
+    std::vector<std::vector<std::pair<Geom::Point, PathCurve>>> paths_;
+    Geom::Point begin_, end_;
+    RegionBox box_;
+    bool is_empty_ = true, is_closed_ = true;
+};
+
+/// What stands before the path's data.
+struct PathOptions
+{
+    bool is_even_odd = false;
+    double tolerance = 0; ///< 0: the usual one
+    std::string data;
+};
+
+PathOptions path_options(const std::string& text, const std::string& name)
+{
+    PathOptions options;
+    WordReader words(text);
+    words.next();
+    bool has_data = words.next();
+    for (; has_data; has_data = words.next()) {
+        if (words.word() == "evenodd" || words.word() == "nonzero") {
+            options.is_even_odd = words.word() == "evenodd";
+        } else if (words.word() == "tolerance") {
+            if (!words.next() || !parse_number(words.word(), options.tolerance) || !(options.tolerance > 0))
+                throw InputError(name + ": tolerance: must be followed by a number above 0");
+        } else {
+            break;
+        }
+    }
+    if (has_data) options.data = text.substr(static_cast<std::size_t>(words.word().data() - text.data()));
+    return options;
+}
+
+/// How often each ring goes round a place just inside it, and just outside. Rings do not cross.
+struct RingWinding
+{
+    int outside = 0, inside = 0;
+};
+
+std::vector<RingWinding> windings_of(const std::vector<RegionRing>& rings)
+{
+    std::vector<RingWinding> windings(rings.size());
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const std::array<double, 2> middle{(rings[i][0][0] + rings[i][1][0]) / 2,
+                                           (rings[i][0][1] + rings[i][1][1]) / 2};
+        for (std::size_t j = 0; j < rings.size(); ++j)
+            if (j != i && encloses(rings[j], middle)) windings[i].outside += signed_area_of(rings[j]) > 0 ? 1 : -1;
+        windings[i].inside = windings[i].outside + (signed_area_of(rings[i]) > 0 ? 1 : -1);
+    }
+    return windings;
+}
+
+/// The rings between what is filled and what is not, outlines to the left and holes to the right.
+std::vector<RegionRing> filled_rings(std::vector<RegionRing> rings, bool is_even_odd)
+{
+    const std::vector<RingWinding> windings = windings_of(rings);
+    const auto is_filled = [&](int winding) { return is_even_odd ? winding % 2 != 0 : winding != 0; };
+    std::vector<RegionRing> kept;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const bool is_outline = is_filled(windings[i].inside);
+        if (is_outline == is_filled(windings[i].outside)) continue;
+        if ((signed_area_of(rings[i]) > 0) != is_outline) std::ranges::reverse(rings[i]);
+        kept.push_back(std::move(rings[i]));
+    }
+    return kept;
+}
+
+}
+
+PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
+{
+    const PathOptions options = path_options(text, name);
+    PathRings path;
+    try {
+        Geom::parse_svg_path(options.data.c_str(), path);
+    } catch (const std::exception& error) {
+        throw InputError(fmt::format("{}: is no path of SVG: {}", name, printable(error.what())));
+    }
+    const double tolerance = options.tolerance > 0 ? options.tolerance : usual_tolerance * path.longest();
+    std::vector<RegionRing> rings = path.rings(tolerance, name);
+    if (rings.empty()) throw InputError(name + ": has no closed path: must be path M... of SVG, with an area");
+    // What crosses or is no number is said as of other regions.
+    for (const RegionRing& ring : rings) check_region({{{ring}}}, name);
+    return region_of_rings(filled_rings(std::move(rings), options.is_even_odd));
+}
+
+}

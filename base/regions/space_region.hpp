@@ -1,0 +1,48 @@
+// Regions of space in units of their own: a box, a ball, or where a formula is positive.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace poissonlab {
+
+enum class SpaceShape
+{
+    box,
+    ball,
+    solid ///< where a formula in x, y and z is above 0 in a box
+};
+
+/// From the lowest corner to the highest.
+struct SpaceBox
+{
+    std::array<double, 3> low{};
+    std::array<double, 3> high{};
+
+    double extent(std::size_t k) const { return high[k] - low[k]; }
+    double longest() const;
+};
+
+struct SpaceRegion
+{
+    SpaceShape shape = SpaceShape::box;
+    SpaceBox box;          ///< the least one around a ball; that of a solid as it was typed
+    std::string formula{}; ///< of a solid
+};
+
+/// Does the text begin as those of read_space_region() do? Any other text is a region of the plane.
+bool is_space_region_text(std::string_view text);
+
+/// The region that a text describes:
+///   box X0 Y0 Z0 X1 Y1 Z1
+///   ball X Y Z RADIUS
+///   solid X0 Y0 Z0 X1 Y1 Z1 EXPRESSION
+/// Throws InputError, a line that begins with the text.
+SpaceRegion read_space_region(const std::string& text);
+
+/// As for the plane: see plane_region.hpp.
+double distance_rounding(double distance, const SpaceBox& box);
+
+}

@@ -1,0 +1,265 @@
+#include "host/distribution/space_points.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "base/geometry/torus.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/classics/torus_grid.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
+#include "host/sampling/regions/region_bridson.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// The attempt in whose place regions of space stand among streams.
+constexpr std::uint32_t space_attempt = 2;
+
+constexpr std::size_t least_space_candidates = 10'000; ///< that tell a share
+constexpr std::uint32_t usual_failures = 1000, usual_darts_around = 30;
+
+[[noreturn]] void fail_without_space(const SpaceDartRequest& request, const DartSettings& settings)
+{
+    throw InputError(settings.boundary == RegionBoundary::disks
+                         ? fmt::format("the region has no room for a ball of diameter {:.6g}", request.min_distance)
+                         : "the region has no room for a point");
+}
+
+/// The cells of level 0 that the region lies in, where these are fewer than all.
+std::optional<DartBlock> block_of(double min_distance)
+{
+    const CellHierarchy cells = cell_hierarchy(min_distance, 3);
+    const std::uint32_t size = cells.cell_of((1u << FixedSpace::coordinate_bits) - 1) + 1;
+    if (size + static_cast<std::uint32_t>(cells.reach) > cells.size) return {};
+    return DartBlock{{}, size};
+}
+
+class SpacePointWork
+{
+public:
+    SpacePointWork(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+        : settings_(settings), seed_(seed), place_(place), request_(space_dart_request(settings.place, seed)),
+          space_(*request_.space)
+    {}
+
+    RegionDarts run()
+    {
+        RegionDarts made;
+        made.space = request_.space;
+        made.request.min_distance = request_.min_distance;
+        const PointSet fixed = points_for(made);
+        if (fixed.size() == 0) fail_without_space(request_, settings_.place);
+        check_count(fixed.size());
+        made.points = PointSet{3, {}};
+        made.points.coordinates.reserve(fixed.coordinates.size());
+        for (std::size_t i = 0; i < fixed.size(); ++i) {
+            TorusPoint<3> position;
+            for (std::size_t k = 0; k < 3; ++k) position[k] = static_cast<std::uint32_t>(fixed[i][k] * 0x1p32);
+            std::ranges::copy(space_.own(position), std::back_inserter(made.points.coordinates));
+        }
+        return made;
+    }
+
+private:
+    StreamKey stream(Purpose purpose) const { return stream_key(seed_, purpose, 0, space_attempt); }
+    bool is_reference() const { return place_.engine == Engine::reference; }
+    std::size_t wanted() const { return settings_.place.points.value_or(0); }
+
+    PointSet points_for(RegionDarts& made)
+    {
+        switch (settings_.method) {
+        case RegionMethod::relaxation:
+            return relaxed_darts(made);
+        case RegionMethod::elimination:
+            return eliminated();
+        case RegionMethod::bridson:
+            made.sure_distance = request_.min_distance;
+            return throw_bridson_darts(space_, {.min_distance = request_.darts.min_distance,
+                                                .attempts = settings_.attempts.value_or(usual_darts_around),
+                                                .stream = stream(Purpose::bridson)});
+        default:
+            made.sure_distance = request_.min_distance;
+            made.is_saturated = !settings_.place.points;
+            return thrown();
+        }
+    }
+
+    PointSet thrown()
+    {
+        if (is_reference()) return reference::throw_darts(request_.darts);
+        Device& device = place_.device();
+        check_fits("dart throwing", DartThrower::memory(request_.darts, device.info()), device.info());
+        return DartThrower(device).throw_darts(request_.darts);
+    }
+
+    /// Random points, all of which are allowed, and the part of the box around the region that is.
+    std::vector<TorusPoint<3>> candidates(std::size_t count, Purpose purpose, double& share) const
+    {
+        RegionCandidates found(space_, stream(purpose));
+        std::vector<TorusPoint<3>> places = found.next(count);
+        if (places.size() < count) fail_without_space(request_, settings_.place);
+        share = found.share();
+        return places;
+    }
+
+    /// The volume of the box around the region, on the torus.
+    double box_volume() const
+    {
+        double volume = 1;
+        for (std::size_t k = 0; k < 3; ++k)
+            volume *= (space_.extent().high[k] - space_.extent().low[k] + 1.0) * 0x1p-32;
+        return volume;
+    }
+
+    PointSet relaxed_darts(RegionDarts& made)
+    {
+        double share = 0;
+        candidates(least_space_candidates, Purpose::random_points, share);
+        RelaxationDartThrowingRequest request;
+        request.dimension = 3;
+        request.points = wanted();
+        request.factor = settings_.factor;
+        request.initial_radius =
+            std::min(0.25, max_min_distance(request.points, 3) * std::cbrt(box_volume() * share) / 2);
+        // Darts outside the region fail as well.
+        const double attempts = settings_.attempts.value_or(usual_failures) / share;
+        request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
+        request.stream = stream(Purpose::relaxation_dart_throwing);
+        request.space = request_.space;
+        RelaxationDarts darts;
+        if (is_reference()) {
+            darts = reference::throw_relaxation_darts(request);
+        } else {
+            check_fits("relaxation dart throwing", RelaxationDartThrower::memory(request), place_.device().info());
+            darts = RelaxationDartThrower(place_.device()).throw_darts(request);
+        }
+        const double distance = 2 * darts.radius * space_.unit() * 0x1p32;
+        made.sure_distance = std::max(0.0, distance - 2 * distance_rounding(distance, space_.box()));
+        return darts.points;
+    }
+
+    PointSet eliminated() const
+    {
+        double share = 0;
+        const std::vector<TorusPoint<3>> places =
+            candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
+        const PointSet all = to_point_set<3>(std::span<const TorusPoint<3>>(places));
+        std::optional<SampleElimination> elimination;
+        if (!is_reference()) {
+            check_fits("sample elimination", SampleElimination::memory(3, all.size(), wanted()),
+                       place_.device().info());
+            elimination.emplace(place_.device());
+        }
+        const RemovalOrder order = [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
+            const std::vector<std::uint32_t> factors = boundary_factors(space_, points, reach);
+            return elimination ? elimination->removal_order(points, reach, count, factors)
+                               : reference::factored_removal_order(points, reach, count, factors);
+        };
+        return eliminate(all, wanted(), order, box_volume() * share);
+    }
+
+    void check_count(std::size_t points) const
+    {
+        if (points >= wanted()) return;
+        const double share = std::cbrt(static_cast<double>(points) / static_cast<double>(wanted()));
+        const std::string less =
+            settings_.place.min_distance
+                ? fmt::format("a minimum distance of about {:.4g}", request_.min_distance * share)
+                : fmt::format("a relative radius of about {:.4f}", settings_.place.relative_radius * share);
+        throw InputError(fmt::format("the region is saturated with {} of {} points: no further one fits; {} can be "
+                                     "reached",
+                                     points, wanted(), less));
+    }
+
+    const RegionPointSettings& settings_;
+    std::uint64_t seed_;
+    const DistributionPlace& place_;
+    SpaceDartRequest request_;
+    const FixedSpace& space_;
+};
+
+}
+
+std::shared_ptr<const FixedSpace> whole_space(const DartSettings& settings)
+{
+    return settings.space ? settings.space : std::make_shared<const FixedSpace>(read_space_region(settings.region));
+}
+
+SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t seed)
+{
+    SpaceDartRequest request{whole_space(settings), 0, {}};
+    const FixedSpace& whole = *request.space;
+    const double longest = whole.box().longest();
+    request.min_distance = settings.min_distance ? *settings.min_distance
+                                                 : min_distance_for(settings.relative_radius, *settings.points, 3) *
+                                                       std::cbrt(whole.volume());
+    if (settings.min_distance && request.min_distance > longest)
+        throw InputError(
+            fmt::format("{:.6g} is more than the region's longest side, {:.6g}: there is room for few points",
+                        request.min_distance, longest));
+    const double side = FixedSpace::torus_side(whole.box());
+    const double distance =
+        std::min(request.min_distance + distance_rounding(request.min_distance, whole.box()), side / 2);
+    // An eighth of the cells is looked at.
+    if (level_0_cells(distance / side, 3) > 8 * max_level_0_cells)
+        throw InputError(
+            fmt::format("a minimum distance of {:.3g} needs a finer grid than memory has room for; at least "
+                        "{:.3g} in a region of this extent",
+                        request.min_distance, std::sqrt(3.0) / std::cbrt(8 * max_level_0_cells) * 1.01 * side));
+    request.darts.dimension = 3;
+    request.darts.min_distance = distance / side;
+    request.darts.points = settings.points;
+    request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, space_attempt);
+    request.darts.block = block_of(request.darts.min_distance);
+    if (settings.boundary == RegionBoundary::disks)
+        request.space =
+            std::make_shared<const FixedSpace>(read_space_region(settings.region), request.darts.min_distance / 2);
+    request.darts.space = request.space;
+    return request;
+}
+
+RegionDarts make_space_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+{
+    return SpacePointWork(settings, seed, place).run();
+}
+
+NearestDistances nearest_in_space(const FixedSpace& space, const PointSet& points)
+{
+    TorusGrid grid(8 * points.size(), 3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        TorusPosition position;
+        for (std::size_t k = 0; k < 3; ++k)
+            position[k] = static_cast<std::uint32_t>((points[i][k] - space.box().low[k]) / space.unit());
+        grid.add(position);
+    }
+    const double begin = 0x1p32 * max_min_distance(8 * points.size(), 3);
+    std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
+    const auto look_at = [&](std::size_t i, std::size_t j) {
+        const double gap =
+            std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1], points[i][2] - points[j][2]);
+        if (j != i) nearest[i] = std::min(nearest[i], gap);
+    };
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        // Positions are rounded down: a few units farther than the distance that was looked at.
+        double reach = begin;
+        for (; reach < 0x1p31 && !(nearest[i] < (reach - 4) * space.unit()); reach *= 2)
+            for (const std::size_t j : grid.within(grid[i], reach)) look_at(i, j);
+        if (reach < 0x1p31) return;
+        for (std::size_t j = 0; j < points.size(); ++j) look_at(i, j); // a few points far from each other
+    });
+    NearestDistances distances{std::ranges::min(nearest), 0};
+    for (const double distance : nearest) distances.mean += distance / static_cast<double>(nearest.size());
+    return distances;
+}
+
+}

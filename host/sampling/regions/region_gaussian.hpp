@@ -1,0 +1,49 @@
+// Gaussian blue noise in a region of the plane.
+//
+// Ahmed, Ren, Wonka, Gaussian blue noise, 2022: see host/sampling/optimized/gaussian_field.hpp. The density that points
+// follow is the region itself, in a square that is wider than the region by what Gaussians reach: it pulls points that
+// the boundary would have no neighbours to push back, so that none crowd beside it, and points do not move to where
+// there is none of it. The density knows the boundary to a part of a mean distance; points that lie outside in the end
+// are moved to the nearest allowed place of those that are looked at.
+#pragma once
+
+#include "base/regions/fixed_region.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// The fewest points that Gaussians do not reach around the torus of.
+std::size_t least_points_of_region_gaussian();
+
+/// What descends: the reference or the kernel.
+using GaussianDescent = std::function<PointSet(const PointSet&, const GaussianRequest&)>;
+
+/// A region's density for so many points, in a square of the region's grid.
+class RegionGaussian
+{
+public:
+    /// `count` is least_points_of_region_gaussian() or more.
+    RegionGaussian(const FixedRegion& region, std::size_t count);
+
+    const Density& density() const { return density_; }
+
+    /// The points after so many steps, all of them allowed. `start` has `count` points, in the region.
+    std::vector<TorusPoint<2>> descend(const std::vector<TorusPoint<2>>& start, std::size_t iterations,
+                                       const GaussianDescent& descent) const;
+
+private:
+    void read_density(std::uint32_t size);
+    std::uint64_t weight_of(std::uint32_t column, std::uint32_t row, std::uint32_t size) const;
+    TorusPoint<2> position_of(double x, double y) const;
+    TorusPoint<2> allowed_near(const TorusPoint<2>& place, const TorusPoint<2>& start) const;
+
+    const FixedRegion& region_;
+    double side_ = 1; ///< of the square, in positions, from the lowest corner of the region's extent on
+    Density density_;
+};
+
+}

@@ -1,0 +1,173 @@
+// Points in regions of space by each method, in the regions' own units, and what is refused.
+#include "host/distribution/region_points.hpp"
+#include "host/distribution/space_points.hpp"
+
+#include "tests/support/errors.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+const DistributionPlace by_plain_code{.engine = Engine::reference, .device = {}};
+const DistributionPlace by_kernels{.engine = Engine::opencl, .device = []() -> Device& {
+                                       static Device opened = Device::open();
+                                       return opened;
+                                   }};
+
+RegionPointSettings space_settings(const std::string& region, RegionMethod method)
+{
+    RegionPointSettings settings;
+    settings.method = method;
+    settings.place.region = region;
+    return settings;
+}
+
+double space_gap(const PointSet& points, std::size_t i, std::size_t j)
+{
+    return std::sqrt(std::pow(points[i][0] - points[j][0], 2) + std::pow(points[i][1] - points[j][1], 2) +
+                     std::pow(points[i][2] - points[j][2], 2));
+}
+
+/// As a user would compute it.
+NearestDistances by_all_pairs_in_space(const PointSet& points)
+{
+    NearestDistances distances{HUGE_VAL, 0};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double nearest = HUGE_VAL;
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (j != i) nearest = std::min(nearest, space_gap(points, i, j));
+        distances.least = std::min(distances.least, nearest);
+        distances.mean += nearest / static_cast<double>(points.size());
+    }
+    return distances;
+}
+
+double from_origin(const PointSet& points, std::size_t i)
+{
+    return std::hypot(points[i][0], points[i][1], points[i][2]);
+}
+
+TEST(SpacePoints, AreAsFarApartAsIsAsked)
+{
+    for (const char* region : {"box 500000 5640000 7 500060 5640040 27", "ball -7 1e-3 500 15",
+                               "solid -20 -20 -20 20 20 20 200-x*x-y*y-z*z"}) {
+        RegionPointSettings settings = space_settings(region, RegionMethod::darts);
+        settings.place.min_distance = 4.5;
+        const RegionDarts darts = make_region_points(settings, 3, by_plain_code);
+        EXPECT_TRUE(darts.is_saturated);
+        const NearestDistances found = by_all_pairs_in_space(darts.points),
+                               told = nearest_in_space(*darts.space, darts.points);
+        EXPECT_GE(found.least, 4.5) << region;
+        EXPECT_LT(found.least, 4.5 * 1.05) << region;
+        EXPECT_DOUBLE_EQ(told.least, found.least);
+        EXPECT_NEAR(told.mean, found.mean, 1e-9);
+    }
+}
+
+/// Points that are few, and farther apart than half of the torus.
+TEST(SpacePoints, AreMeasuredWhereTheyAreFew)
+{
+    RegionPointSettings settings = space_settings("box 0 0 0 1 1 1", RegionMethod::bridson);
+    settings.place.min_distance = 0.9;
+    const RegionDarts darts = make_region_points(settings, 3, by_plain_code);
+    ASSERT_GE(darts.points.size(), 2U);
+    EXPECT_NEAR(nearest_in_space(*darts.space, darts.points).mean, by_all_pairs_in_space(darts.points).mean, 1e-12);
+}
+
+/// Zhang and Torquato 2013: saturated spheres of half the distance fill 0.3841 of space. In a box they can reach half a
+/// distance beyond it.
+TEST(SpacePoints, AreAsManyAsRandomSequentialAdditionHas)
+{
+    RegionPointSettings settings = space_settings("box 0 0 0 20 20 20", RegionMethod::darts);
+    settings.place.min_distance = 1;
+    const auto count = static_cast<double>(make_region_points(settings, 1, by_kernels).points.size());
+    const double density = 0.3841 / (M_PI / 6);
+    EXPECT_GT(count, density * 20 * 20 * 20);
+    EXPECT_LT(count, density * 21 * 21 * 21);
+}
+
+TEST(SpacePoints, StopAtANumberByEachMethod)
+{
+    using enum RegionMethod;
+    for (const RegionMethod method : {darts, relaxation, elimination}) {
+        RegionPointSettings settings = space_settings("ball 0 0 0 3", method);
+        settings.place.points = 300;
+        const RegionDarts made = make_region_points(settings, 1, by_plain_code);
+        ASSERT_EQ(made.points.size(), 300U);
+        EXPECT_EQ(make_region_points(settings, 1, by_kernels).points, made.points) << region_methods[method];
+        EXPECT_NE(make_region_points(settings, 2, by_plain_code).points, made.points);
+        for (std::size_t i = 0; i < made.points.size(); ++i) EXPECT_LE(from_origin(made.points, i), 3 + 1e-9);
+        const double least = by_all_pairs_in_space(made.points).least;
+        EXPECT_GE(least, made.sure_distance) << region_methods[method];
+        // Random points have less than a tenth of the densest packing's distance.
+        EXPECT_GT(least, 0.4 * std::cbrt(std::sqrt(2.0) * 36 * M_PI / 300)) << region_methods[method];
+    }
+}
+
+/// The part of points that lie in the outer part of a ball, over what its volume has, is near 1 with the correction of
+/// weights at the boundary, and well above without.
+TEST(SpacePoints, AreNoDenserBesideTheBoundaryByElimination)
+{
+    RegionPointSettings settings = space_settings("ball 0 0 0 1", RegionMethod::elimination);
+    settings.place.points = 4000;
+    const PointSet points = make_region_points(settings, 1, by_kernels).points;
+    int outer = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) outer += from_origin(points, i) > 0.85;
+    EXPECT_NEAR(outer / 4000.0 / (1 - std::pow(0.85, 3)), 1, 0.06);
+}
+
+TEST(SpacePoints, OfBridsonFillTheRegion)
+{
+    RegionPointSettings settings = space_settings("ball 0 0 0 1", RegionMethod::bridson);
+    settings.place.min_distance = 0.2;
+    const PointSet points = make_region_points(settings, 1, by_plain_code).points;
+    EXPECT_GE(by_all_pairs_in_space(points).least, 0.2);
+    settings.method = RegionMethod::darts;
+    const std::size_t saturated = make_region_points(settings, 1, by_plain_code).points.size();
+    EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(saturated),
+                0.12 * static_cast<double>(saturated));
+}
+
+TEST(SpacePoints, HaveWholeBallsInside)
+{
+    for (const char* region : {"ball 0 0 0 1", "solid -1 -1 -1 1 1 1 1-x*x-y*y-z*z"}) {
+        RegionPointSettings settings = space_settings(region, RegionMethod::darts);
+        settings.place.min_distance = 0.25;
+        settings.place.boundary = RegionBoundary::disks;
+        const PointSet points = make_region_points(settings, 1, by_plain_code).points;
+        double farthest = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) farthest = std::max(farthest, from_origin(points, i));
+        EXPECT_LE(farthest, 1 - 0.125 + 1e-9);
+        EXPECT_GT(farthest, 1 - 0.125 - 0.03);
+    }
+}
+
+TEST(SpacePoints, AreRefusedWhereThereIsNoRoom)
+{
+    RegionPointSettings settings = space_settings("box 0 0 0 30 20 10", RegionMethod::darts);
+    const auto told = [&] { return message_of([&] { make_region_points(settings, 1, by_plain_code); }); };
+    settings.place.min_distance = 31;
+    EXPECT_THAT(told(), HasSubstr("31 is more than the region's longest side, 30: there is room for few points"));
+    settings.place.min_distance = 1e-3;
+    EXPECT_THAT(told(),
+                HasSubstr("a minimum distance of 0.001 needs a finer grid than memory has room for; at least "));
+    settings.place.min_distance = 15;
+    settings.place.boundary = RegionBoundary::disks;
+    EXPECT_THAT(told(), HasSubstr("the region has no room for a ball of diameter 15"));
+    settings.place.boundary = RegionBoundary::inside;
+    settings.place.min_distance = 8;
+    settings.place.points = 500;
+    EXPECT_THAT(told(), ContainsRegex("the region is saturated with [1-4][0-9] of 500 points: no further one fits; a "
+                                      "minimum distance of about [2-5]\\.[0-9]+ can be reached"));
+}
+
+}
+}
