@@ -8,7 +8,7 @@
 //
 // With a margin positions that are nearer than it to the surface are outside as well: boxes and balls are smaller by
 // it. Nodes of solids have the distance from the surface, less the margin, then. Distances that are linear between
-// nodes are too large, by what space_distances.hpp says, and the margin is enlarged by that: whole balls are inside for
+// nodes are too large, by what solid_lattice.hpp says, and the margin is enlarged by that: whole balls are inside for
 // sure, but one may be left out that would touch the surface.
 //
 // kernels/common/regions/inside_space.clh does the same.
@@ -57,10 +57,10 @@ public:
     double volume() const { return volume_; }    ///< in cubes of its own units, margins aside
     const SpaceBox& box() const { return box_; } ///< in its own units
 
-    /// What is added to the margin of a solid, in its own units.
+    /// This much is added to the margin of a solid, in its own units.
     double spare_margin() const { return spare_; }
 
-    // What kernels are told.
+    // Kernels are told this.
     SpaceShape shape() const { return shape_; }
     const FixedSpaceBox& limits() const { return limits_; }              ///< empty where low is above high
     std::uint64_t squared_radius() const { return squared_radius_; }     ///< of a ball, in halves of positions

@@ -22,7 +22,7 @@
 namespace poissonlab {
 namespace {
 
-/// Of the longest side of the box around ends and control points.
+/// The usual tolerance is this part of the longest side of the box around ends and control points.
 constexpr double usual_tolerance = 1e-4;
 
 constexpr double most_pieces = 1e5; ///< of a curve
@@ -137,7 +137,7 @@ private:
     bool is_empty_ = true, is_closed_ = true;
 };
 
-/// What stands before the path's data.
+/// The words before the path's data.
 struct PathOptions
 {
     bool is_even_odd = false;
@@ -213,7 +213,7 @@ PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
     const double tolerance = options.tolerance > 0 ? options.tolerance : usual_tolerance * path.longest();
     std::vector<RegionRing> rings = path.rings(tolerance, name);
     if (rings.empty()) throw InputError(name + ": has no closed path: must be path M... of SVG, with an area");
-    // What crosses or is no number is said as of other regions.
+    // Lines that cross, and coordinates that are no numbers, are said as of other regions.
     for (const RegionRing& ring : rings) check_region({{{ring}}}, name);
     return region_of_rings(filled_rings(std::move(rings), options.is_even_odd));
 }

@@ -149,6 +149,8 @@ double spare_distance(double distance)
 
 double part_inside(const std::array<std::int64_t, 8>& corners)
 {
+    const auto [least, most] = std::ranges::minmax(corners);
+    if (most <= 0 || least > 0) return most > 0 ? 1 : 0;
     double part = 0;
     for (const auto& order : axis_orders) {
         std::array<double, 4> values{};

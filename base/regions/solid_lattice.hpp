@@ -38,7 +38,7 @@ inline constexpr std::array<std::array<std::size_t, 3>, 6> axis_orders{
 SolidLattice solid_of_formula(const std::string& formula, const std::array<double, 3>& low, double step,
                               const std::array<std::uint32_t, 3>& cells);
 
-/// What is added to a distance from the surface, in cells, so that nothing nearer than that is taken for inside. Let d
+/// The distance, in cells, that is added to one from the surface so that nothing nearer is taken for inside. Let d
 /// be the distance of a place p from what is outside. It is the least of |p - q| over places q outside, and, as
 /// |v - q| <= |p - q| + u . (v - p) + |v - p|^2 / (2 |p - q|) with u the direction from q to p, the mean of the
 /// distances of a tetrahedron's corners v with p's weights exceeds d by the mean of |v - p|^2 / (2 d) at most; and by

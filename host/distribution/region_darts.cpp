@@ -156,12 +156,21 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
                         request.min_distance, std::sqrt(2.0 / max_level_0_cells) * 1.001 * side));
     request.darts.min_distance = distance / side;
     request.darts.points = settings.points;
+    request.darts.block = block_of_regions(request.darts.min_distance, 2);
     request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, region_stream);
     request.region = std::make_shared<const FixedRegion>(
         plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0, kept);
     request.darts.region = request.region;
     request.kept = std::move(kept);
     return request;
+}
+
+std::optional<DartBlock> block_of_regions(double min_distance, int dimension)
+{
+    const CellHierarchy cells = cell_hierarchy(min_distance, dimension);
+    const std::uint32_t size = cells.cell_of((1u << FixedRegion::coordinate_bits) - 1) + 1;
+    if (size + static_cast<std::uint32_t>(cells.reach) > cells.size) return {};
+    return DartBlock{{}, size};
 }
 
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place)

@@ -18,6 +18,7 @@
 #include "host/settings/distributions/distribution_config.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace poissonlab {
 
@@ -63,6 +64,10 @@ struct RegionDarts
 /// Checks that the distance suits the region. Throws InputError.
 RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
                                       std::shared_ptr<const RegionLand> land);
+
+/// The cells of level 0 in which regions lie, a quarter of the torus or an eighth, where these are fewer than all:
+/// darts fall into no others.
+std::optional<DartBlock> block_of_regions(double min_distance, int dimension);
 
 /// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.

@@ -35,15 +35,6 @@ constexpr std::uint32_t usual_failures = 1000, usual_darts_around = 30;
                          : "the region has no room for a point");
 }
 
-/// The cells of level 0 that the region lies in, where these are fewer than all.
-std::optional<DartBlock> block_of(double min_distance)
-{
-    const CellHierarchy cells = cell_hierarchy(min_distance, 3);
-    const std::uint32_t size = cells.cell_of((1u << FixedSpace::coordinate_bits) - 1) + 1;
-    if (size + static_cast<std::uint32_t>(cells.reach) > cells.size) return {};
-    return DartBlock{{}, size};
-}
-
 class SpacePointWork
 {
 public:
@@ -195,7 +186,7 @@ std::shared_ptr<const FixedSpace> whole_space(const DartSettings& settings)
     return settings.space ? settings.space : std::make_shared<const FixedSpace>(read_space_region(settings.region));
 }
 
-SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t seed)
+SpaceDartRequest space_distance_request(const DartSettings& settings, std::uint64_t seed)
 {
     SpaceDartRequest request{whole_space(settings), 0, {}};
     const FixedSpace& whole = *request.space;
@@ -220,7 +211,14 @@ SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t 
     request.darts.min_distance = distance / side;
     request.darts.points = settings.points;
     request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, space_attempt);
-    request.darts.block = block_of(request.darts.min_distance);
+    request.darts.block = block_of_regions(request.darts.min_distance, 3);
+    request.darts.space = request.space;
+    return request;
+}
+
+SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t seed)
+{
+    SpaceDartRequest request = space_distance_request(settings, seed);
     if (settings.boundary == RegionBoundary::disks)
         request.space =
             std::make_shared<const FixedSpace>(read_space_region(settings.region), request.darts.min_distance / 2);

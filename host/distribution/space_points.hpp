@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// What is asked for, in units of the torus and in those of the region.
+/// The request for points, in units of the torus and in those of the region.
 struct SpaceDartRequest
 {
     std::shared_ptr<const FixedSpace> space; ///< with what the boundary takes from it
@@ -23,7 +23,10 @@ struct SpaceDartRequest
 /// The region by itself, unless the settings have it. Throws InputError.
 std::shared_ptr<const FixedSpace> whole_space(const DartSettings& settings);
 
-/// Checks that the distance suits the region. Throws InputError.
+/// Checks that the distance suits the region, from which the boundary takes nothing yet. Throws InputError.
+SpaceDartRequest space_distance_request(const DartSettings& settings, std::uint64_t seed);
+
+/// The same request in what the boundary leaves, which takes some time for a solid.
 SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t seed);
 
 /// Makes the points: RegionDarts::space is theirs. Throws InputError where there is no room, or no memory.

@@ -97,7 +97,7 @@ void dart_keys(Keys& keys, DartSettings& s)
     if (keys.is_given("relative_radius") && !s.points)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
     if (s.is_in_space()) {
-        keys.check(s.min_distance ? "min_distance" : "points", [&] { space_dart_request(s, 0); });
+        keys.check(s.min_distance ? "min_distance" : "points", [&] { space_distance_request(s, 0); });
         return;
     }
     if (s.varies() && s.boundary != RegionBoundary::inside)

@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// Of the plane.
+/// The buffers of a region of the plane.
 struct RegionBuffers
 {
     Buffer<std::uint32_t> cells, edges, filled;
@@ -22,7 +22,7 @@ struct RegionBuffers
 
 contract::regions::RegionGrid region_grid(const FixedRegion& region);
 
-/// Of space: boxes and balls have no lattice, and buffers of one element.
+/// The buffers of a region of space: boxes and balls have no lattice, and buffers of one element.
 struct SpaceBuffers
 {
     Buffer<std::int32_t> values;
@@ -34,7 +34,8 @@ struct SpaceBuffers
 
 contract::spaces::SpaceGrid space_grid(const FixedSpace& space);
 
-/// Of a request whose points lie in `region`, of the plane, or in `space`, or anywhere where it has neither.
+/// The buffers of a request whose points lie in `region`, of the plane, or in `space`, or anywhere where it has
+/// neither.
 struct LandBuffers
 {
     RegionBuffers region;

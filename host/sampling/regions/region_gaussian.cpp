@@ -78,7 +78,7 @@ std::uint64_t RegionGaussian::weight_of(std::uint32_t column, std::uint32_t row,
     return inside * (full_weight / (places_a_side * places_a_side));
 }
 
-/// Of a place in the square. The square goes on beyond positions of regions, which end at half of the torus.
+/// The position of a place in the square, which goes on beyond those of regions: they end at half of the torus.
 TorusPoint<2> RegionGaussian::position_of(double x, double y) const
 {
     const FixedBox& box = region_.extent();

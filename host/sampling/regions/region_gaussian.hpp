@@ -19,7 +19,7 @@ namespace poissonlab {
 /// The fewest points that Gaussians do not reach around the torus of.
 std::size_t least_points_of_region_gaussian();
 
-/// What descends: the reference or the kernel.
+/// The reference or the kernel, which descends.
 using GaussianDescent = std::function<PointSet(const PointSet&, const GaussianRequest&)>;
 
 /// A region's density for so many points, in a square of the region's grid.

@@ -48,7 +48,7 @@ TEST(SvgPathRegions, AreAsNearToCurvesAsIsAsked)
         EXPECT_LE(farthest, asked * (1 + 1e-6));
         EXPECT_GT(farthest, asked / 4);
     }
-    // Of a curve whose bend varies, by many places on it.
+    // A curve whose bend varies is looked at in many places.
     const PlaneRegion region = read_region("path tolerance 0.01 M0 0 C0 30 1 -20 10 0 L10 -30 0 -30z");
     double farthest = 0;
     for (int i = 0; i <= 5000; ++i) {

@@ -132,21 +132,22 @@ TEST(SpacePoints, OfBridsonFillTheRegion)
     EXPECT_GE(by_all_pairs_in_space(points).least, 0.2);
     settings.method = RegionMethod::darts;
     const std::size_t saturated = make_region_points(settings, 1, by_plain_code).points.size();
-    EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(saturated),
-                0.12 * static_cast<double>(saturated));
+    // Darts around points leave gaps that all darts would find: a quarter of the points, as in the plane.
+    EXPECT_GT(static_cast<double>(points.size()), 0.65 * static_cast<double>(saturated));
+    EXPECT_LT(points.size(), saturated);
 }
 
 TEST(SpacePoints, HaveWholeBallsInside)
 {
     for (const char* region : {"ball 0 0 0 1", "solid -1 -1 -1 1 1 1 1-x*x-y*y-z*z"}) {
         RegionPointSettings settings = space_settings(region, RegionMethod::darts);
-        settings.place.min_distance = 0.25;
+        settings.place.min_distance = 0.12;
         settings.place.boundary = RegionBoundary::disks;
         const PointSet points = make_region_points(settings, 1, by_plain_code).points;
         double farthest = 0;
         for (std::size_t i = 0; i < points.size(); ++i) farthest = std::max(farthest, from_origin(points, i));
-        EXPECT_LE(farthest, 1 - 0.125 + 1e-9);
-        EXPECT_GT(farthest, 1 - 0.125 - 0.03);
+        EXPECT_LE(farthest, 1 - 0.06 + 1e-9);
+        EXPECT_GT(farthest, 1 - 0.06 - 0.01);
     }
 }
 

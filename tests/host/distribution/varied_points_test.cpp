@@ -165,7 +165,7 @@ TEST(VariedPoints, RefuseSteepDistancesAndWhatHasNoRoom)
     EXPECT_THAT(refused(RegionMethod::darts, "1e-7+x/10", 0), HasSubstr("must be at least"));
     EXPECT_THAT(refused(RegionMethod::darts, "-x", 0), HasSubstr("must be above 0"));
     EXPECT_THAT(refused(RegionMethod::darts, "1e-5+0.5*x", 0), HasSubstr("times as much: at most 32768 times"));
-    EXPECT_THAT(refused(RegionMethod::darts, "1e-4+1.999*x", 0, KeptDistance::mean),
+    EXPECT_THAT(refused(RegionMethod::darts, "1e-4+1.997*abs(x-0.5)", 0, KeptDistance::mean),
                 HasSubstr("with the mean of both, at most 512 times where it grows as steeply"));
     RegionPointSettings dense = varied_settings(RegionMethod::darts, "rectangle 0 0 1 1", "1+x", 500);
     dense.place.relative_radius = 0.95;
