@@ -1,0 +1,71 @@
+"""Builds the Python package as a wheel. Its module of C++ is built by CMake, in build/wheel-..., one folder a Python.
+
+POISSONLAB_BUILD names a build folder whose module is packed as it is, and nothing is built: that of `./lab test` is
+build/release, for Debian's Python.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+SOURCE = pathlib.Path(__file__).resolve().parent
+TARGETS = ["poissonlab_python", "poissonlab_pictures", "poissonlab_stubs"]
+HOW_TO_BUILD = "the compiler, CMake and libraries that it needs: see docs/install.md, or run ./lab test once"
+
+
+def version():
+    """The version of project() in CMakeLists.txt."""
+    return re.search(r"project\(poissonlab VERSION ([0-9.]+)", (SOURCE / "CMakeLists.txt").read_text())[1]
+
+
+def run(*command):
+    """Runs a command, with its output where pip shows it. Ends in one line where it fails."""
+    try:
+        subprocess.run(list(map(str, command)), check=True, cwd=SOURCE)
+    except FileNotFoundError:
+        raise SystemExit(f"poissonlab: there is no {command[0]}. Building needs {HOW_TO_BUILD}") from None
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(f"poissonlab: {command[0]} failed with status {error.returncode}. Building needs "
+                         f"{HOW_TO_BUILD}") from None
+
+
+class CMakeModule(build_ext):
+    """Puts the module, the module of pictures that it loads, and the types that the build wrote beside the package."""
+
+    def run(self):
+        named = os.environ.get("POISSONLAB_BUILD")
+        folder = SOURCE / named if named else self.built()
+        built = folder / "python/poissonlab"
+        files = [built / self.get_ext_filename("_poissonlab"), built / "samplers.pyi",
+                 folder / "libpoissonlab_pictures.so"]
+        missing = [file for file in files if not file.is_file()]
+        if missing:
+            raise SystemExit(f"poissonlab: POISSONLAB_BUILD={named or folder}: there is no {missing[0]}: must be a build "
+                             f"folder with the Python package for {sys.executable}")
+        package = pathlib.Path(self.build_lib) / "poissonlab"
+        package.mkdir(parents=True, exist_ok=True)
+        for file in files:
+            shutil.copy2(file, package)
+
+    def built(self):
+        """The folder of a build for the Python that runs this, which takes minutes the first time."""
+        folder = SOURCE / "build" / f"wheel-{sys.implementation.cache_tag}"
+        run("cmake", "-S", SOURCE, "--preset", "release", "-B", folder, "-DPOISSONLAB_PYTHON=ON",
+            f"-DPython_EXECUTABLE={sys.executable}")
+        run("cmake", "--build", folder, "--target", *TARGETS)
+        return folder
+
+
+# What setuptools writes on the way is gone afterwards: a file that was taken out of the package would stay in the wheel.
+with tempfile.TemporaryDirectory() as work:
+    setup(version=version(),
+          ext_modules=[Extension("poissonlab._poissonlab", sources=[])],
+          cmdclass={"build_ext": CMakeModule},
+          options={"build": {"build_base": work}, "egg_info": {"egg_base": work}})
