@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# An engine's way: the header, the example and a tile set that ships, copied out of the tree and compiled by themselves, as
-# C++ and, but for the example's file reading, as C99.
+# An engine's way: the headers, the example and a tile set that ships, copied out of the tree and compiled by themselves, as
+# C++ and, but for what reads files, as C99.
 #
 # Usage: use_alone.sh RUNTIME C_COMPILER CXX_COMPILER
 set -euo pipefail
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cp "$1/poisson_tiles.h" "$1/example.cpp" "$1/tile_sets/corner-c4-n64-r075.ptiles" "$folder"
+cp "$1/poisson_tiles.h" "$1/point_distribution.hpp" "$1/example.cpp" "$1/tile_sets/corner-c4-n64-r075.ptiles" "$folder"
 cd "$folder"
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic example.cpp -o example
 lines() { ./example corner-c4-n64-r075.ptiles -3 2 40 25 "$@" | grep -vc '^#'; }
@@ -37,3 +37,22 @@ END
 squared=$(./ten_lines)
 echo "squared distance $squared"
 awk -v d="$squared" 'BEGIN { exit !(d >= 0 && d < 0.015) }' # of the largest empty circle: 0.11 tiles
+
+cat >scatter.cpp <<'END'
+#include "point_distribution.hpp"
+#include <cstdio>
+struct Position { float x, y; };
+struct Box { Position min, max; };
+int main()
+{
+    int all = 0, few = 0;
+    const ptiles::PointDistribution distribution("corner-c4-n64-r075.ptiles");
+    distribution(Box{{-3, 2}, {37, 27}}, 50, [&](const Position&, float threshold) { ++all, few += threshold <= 0.25f; });
+    std::printf("%d %d\n", all, few);
+    return 0;
+}
+END
+"$3" -std=c++11 -Wall -Wextra -Werror -pedantic scatter.cpp -o scatter
+read -r all few <<<"$(./scatter)"
+echo "$all points of 50,000, $few at a quarter of the density"
+((all > 49700 && all < 50300 && few > 12300 && few < 12700))
