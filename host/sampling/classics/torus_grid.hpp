@@ -1,19 +1,15 @@
-// Points on a torus of 2^32 units a side, in a grid of cells, for methods that ask for the nearest point one by one.
+// Points on a torus of 2^32 units a side, in a grid of cells, for methods that add and ask for points one by one.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "host/sampling/classics/torus_cells.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
-
-using TorusPosition = std::array<std::uint32_t, 3>; ///< in units; 2D: z is 0
-
-/// The squared distance in units, exact: at most 3 * 2^62.
-std::uint64_t squared_torus_distance(const TorusPosition& a, const TorusPosition& b);
 
 class TorusGrid
 {
@@ -26,14 +22,17 @@ public:
     std::size_t size() const { return points_.size(); }
     const TorusPosition& operator[](std::size_t i) const { return points_[i].position; }
 
-    /// Asks memory for what squared_nearest() looks at first, in two turns: for the cells of the position, and, once
-    /// these are there, for the first points in them.
-    void ask_for_cells(const TorusPosition& position) const;
-    void ask_for_points(const TorusPosition& position) const;
+    /// The squared distance of the nearest point; UINT64_MAX without points.
+    std::uint64_t squared_nearest(const TorusPosition& position) const;
 
-    /// The squared distance of the nearest point, or any one that is at most `enough` of a point that is as near;
-    /// UINT64_MAX without points.
-    std::uint64_t squared_nearest(const TorusPosition& position, std::uint64_t enough = 0) const;
+    /// That distance or a limit, whichever is less.
+    std::uint64_t squared_nearest_below(const TorusPosition& position, std::uint64_t limit) const;
+
+    /// Is a point nearer to the position than a distance, in units below half the torus' side?
+    bool is_near(const TorusPosition& position, std::uint64_t distance) const;
+
+    /// Asks memory for what is up to a distance away, so that is_near() need not wait for one piece after the other.
+    void ask_around(const TorusPosition& position, std::uint64_t distance) const;
 
     /// The numbers of all points that are less than a distance away, in units below half the torus' side; of one at the
     /// position as well.
@@ -43,25 +42,30 @@ public:
     PointSet point_set() const;
 
 private:
-    void visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position, std::uint64_t& nearest) const;
-    std::size_t cell_number(const std::array<std::int64_t, 3>& cell) const;
-
-    /// Cells beside each other along x are beside each other in memory.
-    std::array<std::int64_t, 3> cell_of(const TorusPosition& position) const;
-
-    /// A point, and the one before it in its cell: one look into memory.
+    /// The last point of a cell, with its number, and a bit if there are more; or any point, with the number of the one
+    /// before it in its cell.
     struct Link
     {
         TorusPosition position;
-        std::uint32_t next;
+        std::uint32_t number;
     };
 
-    static constexpr std::uint32_t none = UINT32_MAX, empty = UINT32_MAX - 1;
+    /// True as soon as is(position, number) is true of a point in a cell, the last one first.
+    template <typename Is>
+    bool any_in(const Link& cell, const Is& is) const;
+
+    /// True as soon as is(position, number) is true of a point in the cells of places up to `reach` away.
+    template <typename Is>
+    bool any_around(const TorusPosition& position, std::uint64_t reach, const Is& is) const;
+
+    static constexpr std::uint32_t none = UINT32_MAX, has_more = std::uint32_t{1} << 31;
     int dimension_;
-    int bits_ = 0; ///< cells along an axis: 2^bits
+    TorusCells cells_;
     std::vector<Link> points_;
-    std::vector<std::uint32_t> heads_; ///< the last point of each cell
-    std::vector<Link> lasts_; ///< the same points themselves: cells in a row, with what is in them, are one look
+    std::vector<Link> lasts_; ///< of cells: a row of them, with what is in nearly all, is one look into memory
 };
+
+/// Positions as coordinates in [0, 1).
+PointSet point_set_of(std::span<const TorusPosition> positions, int dimension);
 
 }

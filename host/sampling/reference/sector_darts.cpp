@@ -178,7 +178,7 @@ private:
         TorusPosition dart = grid_[from];
         dart[0] += rounded(place.distance * direction.x);
         dart[1] += rounded(place.distance * direction.y);
-        if (grid_.squared_nearest(dart, distance_ * distance_ - 1) < distance_ * distance_) return false;
+        if (grid_.is_near(dart, distance_)) return false;
         grid_.add(dart);
         return true;
     }

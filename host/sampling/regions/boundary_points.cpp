@@ -36,7 +36,7 @@ public:
 private:
     bool is_free(const TorusPoint<2>& place) const
     {
-        return grid_.size() == 0 || grid_.squared_nearest({place[0], place[1], 0}, squared_ - 1) >= squared_;
+        return grid_.squared_nearest_below({place[0], place[1], 0}, squared_) >= squared_;
     }
 
     bool add_if_free(const TorusPoint<2>& place)

@@ -45,10 +45,7 @@ public:
 private:
     static constexpr int D = std::tuple_size_v<PlaceIn<Region>>;
 
-    bool has_room(const TorusPosition& dart) const
-    {
-        return grid_.size() == 0 || grid_.squared_nearest(dart, distance_ * distance_ - 1) >= distance_ * distance_;
-    }
+    bool has_room(const TorusPosition& dart) const { return !grid_.is_near(dart, distance_); }
 
     void add(const TorusPosition& dart)
     {
@@ -99,6 +96,7 @@ private:
     /// Adds the first dart around a point that is allowed and not too near to any.
     bool throws_well(TorusPosition around, std::uint32_t turn)
     {
+        grid_.ask_around(around, 3 * distance_);
         std::uint32_t word = 0;
         for (std::uint32_t attempt = 0; attempt < request_.attempts; ++attempt) {
             const std::optional<TorusPosition> dart = dart_around(around, turn, word);

@@ -5,6 +5,7 @@
 #include "host/sampling/classics/candidate_darts.hpp"
 #include "host/sampling/classics/dense_packing.hpp"
 #include "host/sampling/classics/low_discrepancy.hpp"
+#include "host/sampling/classics/sorted_torus.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 #include "tests/support/brute_force.hpp"
 
@@ -118,28 +119,70 @@ TEST(Hexagonal, IsTheDensestPackingThatFits)
     EXPECT_NEAR(relative_radius(test::brute_force_min_distance(cubes), 500, 3), 1, 1e-8);
 }
 
+/// The squared distance of the nearest of some points.
+std::uint64_t brute_force_squared(const std::vector<TorusPosition>& points, const TorusPosition& place)
+{
+    std::uint64_t least = UINT64_MAX;
+    for (const TorusPosition& point : points) least = std::min(least, squared_torus_distance(point, place));
+    return least;
+}
+
 TEST(TorusGrid, FindsTheNearestPoint)
 {
     std::mt19937 random(1);
     for (const int dimension : {2, 3}) {
-        for (const std::size_t points : {1, 2, 7, 300}) {
+        for (const std::size_t points : {0, 1, 2, 7, 30, 300}) {
             TorusGrid grid(points, dimension);
             std::vector<TorusPosition> all;
             const auto word = [&] { return static_cast<std::uint32_t>(random()); };
             const auto anywhere = [&] { return TorusPosition{word(), word(), dimension == 3 ? word() : 0U}; };
-            EXPECT_EQ(grid.squared_nearest(anywhere()), UINT64_MAX);
             for (std::size_t i = 0; i < points; ++i) grid.add(all.emplace_back(anywhere()));
+            const SortedTorus sorted(all, dimension);
             for (int i = 0; i < 200; ++i) {
                 const TorusPosition place = anywhere();
-                std::uint64_t expected = UINT64_MAX;
-                for (const TorusPosition& point : all)
-                    expected = std::min(expected, squared_torus_distance(point, place));
+                const std::uint64_t expected = brute_force_squared(all, place);
                 ASSERT_EQ(grid.squared_nearest(place), expected);
+                ASSERT_EQ(sorted.squared_nearest(place), expected);
+                if (points == 0) continue;
                 const std::uint64_t enough = expected + expected / 8;
-                ASSERT_LE(grid.squared_nearest(place, enough), enough);
-                ASSERT_GE(grid.squared_nearest(place, enough), expected);
+                ASSERT_LE(sorted.squared_nearest(place, enough), enough);
+                ASSERT_GE(sorted.squared_nearest(place, enough), expected);
+                ASSERT_EQ(grid.squared_nearest_below(place, enough), expected);
+                ASSERT_EQ(grid.squared_nearest_below(place, expected / 2), expected / 2);
+                const auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(expected)));
+                ASSERT_FALSE(grid.is_near(place, root - root / 1000));
+                ASSERT_TRUE(grid.is_near(place, root + root / 1000 + 2));
             }
         }
+    }
+}
+
+/// Without grids and rounds: each point is the first of the farthest candidates. The program's rounds have some points
+/// each, or end among the candidates of a point.
+TEST(BestCandidate, IsWhatItSays)
+{
+    using Case = std::tuple<int, std::uint32_t, std::uint32_t, bool>; // dimension, points, candidates, do they grow?
+    for (const auto& [dimension, count, candidates, grows] :
+         {Case{2, 1500, 3, false}, Case{3, 600, 20, false}, Case{2, 150, 5, true}, Case{2, 18, 40'000, true}}) {
+        const PointSet set = create(best_candidate_sampler(), {count, dimension, 3},
+                                    {{"candidates", std::int64_t{candidates}}, {"grows", grows}})
+                                 ->sample(1);
+        const StreamKey stream = stream_key(3, Purpose::best_candidate, 1);
+        std::vector<TorusPosition> points;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            TorusPosition best{};
+            std::uint64_t farthest = 0;
+            for (std::uint32_t k = 0; k < (grows ? std::max(1u, i) : 1u) * candidates; ++k) {
+                const auto words = philox({i, k, 0, 0}, stream);
+                const TorusPosition candidate{words[0], words[1], dimension == 3 ? words[2] : 0};
+                const std::uint64_t nearest = brute_force_squared(points, candidate);
+                if (k > 0 && nearest <= farthest) continue;
+                best = candidate;
+                farthest = nearest;
+            }
+            points.push_back(best);
+        }
+        EXPECT_EQ(set, point_set_of(points, dimension)) << count;
     }
 }
 
@@ -155,32 +198,6 @@ TEST(BestCandidate, GetsBetterWithCandidates)
     EXPECT_LT(radius(1, false), 0.2);
     EXPECT_GT(radius(20, false), radius(1, false));
     EXPECT_GT(radius(2, true), 0.5);
-}
-
-/// Without a grid: each point is the first of the farthest candidates.
-TEST(BestCandidate, IsWhatItSays)
-{
-    const auto sampler = create(best_candidate_sampler(), {40, 2, 3}, {{"candidates", std::int64_t{7}}});
-    const PointSet set = sampler->sample(1);
-    const StreamKey stream = stream_key(3, Purpose::best_candidate, 1);
-    std::vector<TorusPosition> points;
-    for (std::uint32_t i = 0; i < 40; ++i) {
-        TorusPosition best{};
-        std::uint64_t farthest = 0;
-        for (std::uint32_t k = 0; k < 7; ++k) {
-            const auto words = philox({i, k, 0, 0}, stream);
-            const TorusPosition candidate{words[0], words[1], 0};
-            std::uint64_t nearest = UINT64_MAX;
-            for (const TorusPosition& point : points)
-                nearest = std::min(nearest, squared_torus_distance(point, candidate));
-            if (k > 0 && nearest <= farthest) continue;
-            best = candidate;
-            farthest = nearest;
-        }
-        points.push_back(best);
-        ASSERT_EQ(set.coordinates[2 * i], best[0] / 4294967296.0);
-        ASSERT_EQ(set.coordinates[2 * i + 1], best[1] / 4294967296.0);
-    }
 }
 
 TEST(Bridson, KeepsItsDistanceAndIsNearlyFull)

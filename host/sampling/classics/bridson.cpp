@@ -19,68 +19,6 @@ TorusPosition random_position(const std::array<std::uint32_t, 4>& words, int dim
     return {words[0], words[1], dimension == 3 ? words[2] : 0};
 }
 
-class BestCandidateSampler final : public Sampler
-{
-public:
-    BestCandidateSampler(const SampleRequest& request, std::int64_t candidates, bool grows)
-        : request_(request), candidates_(static_cast<std::uint64_t>(candidates)), grows_(grows)
-    {}
-
-    PointSet sample(std::uint32_t realization) override
-    {
-        const StreamKey stream = stream_key(request_.seed, Purpose::best_candidate, realization);
-        std::size_t room = 1;
-        TorusGrid grid(room, request_.dimension);
-        for (std::uint32_t i = 0; i < request_.points; ++i) {
-            if (i == 2 * room) grid = with_room_for(room = 2 * i, grid);
-            grid.add(best_candidate(grid, i, stream));
-        }
-        return grid.point_set();
-    }
-
-private:
-    /// Among few points in a grid for many, the nearest one is many cells away.
-    TorusGrid with_room_for(std::size_t points, const TorusGrid& grid) const
-    {
-        TorusGrid larger(points, request_.dimension);
-        for (std::size_t i = 0; i < grid.size(); ++i) larger.add(grid[i]);
-        return larger;
-    }
-
-    TorusPosition best_candidate(const TorusGrid& grid, std::uint32_t number, const StreamKey& stream) const
-    {
-        const std::uint64_t count = grows_ ? candidates_ * std::max<std::uint32_t>(1, number) : candidates_;
-        TorusPosition best{};
-        std::uint64_t farthest = 0;
-        std::array<TorusPosition, at_once> candidates;
-        for (std::uint64_t first = 0; first < count; first += at_once) {
-            const std::size_t some = std::min<std::uint64_t>(at_once, count - first);
-            for (std::size_t i = 0; i < some; ++i) {
-                const std::uint64_t k = first + i;
-                candidates[i] = random_position(
-                    philox({number, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32), 0}, stream),
-                    request_.dimension);
-                grid.ask_for_cells(candidates[i]);
-            }
-            for (std::size_t i = 0; i < some; ++i) grid.ask_for_points(candidates[i]);
-            for (std::size_t i = 0; i < some; ++i) {
-                const std::uint64_t squared = grid.squared_nearest(candidates[i], farthest);
-                if (first + i > 0 && squared <= farthest) continue;
-                best = candidates[i];
-                farthest = squared;
-            }
-        }
-        return best;
-    }
-
-    /// Candidates whose surroundings memory is asked for together, as each would wait for its own.
-    static constexpr std::size_t at_once = 20;
-
-    SampleRequest request_;
-    std::uint64_t candidates_;
-    bool grows_;
-};
-
 /// The relative radius that sets of 30 attempts have, within a percent: more attempts come nearer to saturation.
 constexpr double usual_radius_2d = 0.730, usual_radius_3d = 0.745;
 
@@ -127,6 +65,7 @@ private:
     /// Adds the first dart around a point that is not too near to any.
     bool throws_well(TorusGrid& grid, const TorusPosition& around, std::uint32_t turn, const StreamKey& stream) const
     {
+        grid.ask_around(around, 3 * distance_);
         std::uint32_t word = 0;
         for (std::uint32_t attempt = 0; attempt < attempts_; ++attempt) {
             TorusPosition dart = around;
@@ -143,7 +82,7 @@ private:
                 if (squared >= distance_ * distance_ && squared < 4 * distance_ * distance_) break;
             }
             ++word;
-            if (grid.squared_nearest(dart, distance_ * distance_ - 1) < distance_ * distance_) continue;
+            if (grid.is_near(dart, distance_)) continue;
             grid.add(dart);
             return true;
         }
@@ -155,29 +94,6 @@ private:
     std::uint64_t distance_; ///< in units of 2^-32
 };
 
-}
-
-SamplerSpec best_candidate_sampler()
-{
-    SamplerSpec spec =
-        plain_spec("best-candidate", "Best candidate",
-                   "each point is the candidate that is farthest from all points so far (Mitchell 1991)", {2, 3},
-                   {{.key = "candidates",
-                     .kind = ParameterSpec::Kind::integer,
-                     .help = "candidates for a point or, if they grow, for each point that is there",
-                     .minimum = 1,
-                     .maximum = 1'000'000,
-                     .symbol = "m",
-                     .otherwise = std::int64_t{20}},
-                    {.key = "grows",
-                     .kind = ParameterSpec::Kind::boolean,
-                     .help = "as many candidates for each point that is there, so that later points are as good",
-                     .otherwise = false}});
-    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
-        return std::make_unique<BestCandidateSampler>(request, parameters.integer("candidates"),
-                                                      parameters.flag("grows"));
-    };
-    return spec;
 }
 
 SamplerSpec bridson_sampler()

@@ -1,0 +1,102 @@
+// The cells of a grid on a torus of 2^32 units a side, and which of them are near a position.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace poissonlab {
+
+using TorusPosition = std::array<std::uint32_t, 3>; ///< in units; 2D: z is 0
+
+/// The squared distance in units, exact: at most 3 * 2^62.
+inline std::uint64_t squared_torus_distance(const TorusPosition& a, const TorusPosition& b)
+{
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t difference = static_cast<std::int32_t>(a[k] - b[k]); // the shorter way round
+        sum += static_cast<std::uint64_t>(difference * difference);
+    }
+    return sum;
+}
+
+/// No two positions are farther apart along an axis.
+inline constexpr std::uint64_t half_torus = std::uint64_t{1} << 31;
+
+/// What points at a squared distance or nearer are within along each axis.
+inline std::uint64_t reach_for(std::uint64_t squared)
+{
+    return std::min(half_torus, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(squared))) + 1);
+}
+
+/// Cells are numbered with x fastest, so that those of a row are beside each other in memory.
+class TorusCells
+{
+public:
+    /// One cell for each of about so many points. Not a power of two: cells would hold up to eight points in 3D, and
+    /// how many would depend on the number of points.
+    TorusCells(std::size_t points, int dimension)
+        : dimension_(dimension),
+          size_(std::max<std::int64_t>(1, std::llround(std::pow(static_cast<double>(points), 1.0 / dimension))))
+    {}
+
+    std::size_t count() const
+    {
+        return static_cast<std::size_t>(dimension_ == 3 ? size_ * size_ * size_ : size_ * size_);
+    }
+
+    /// The width of a cell in units, rounded down.
+    std::uint64_t width() const { return (std::uint64_t{1} << 32) / static_cast<std::uint64_t>(size_); }
+
+    std::size_t number_of(const TorusPosition& position) const
+    {
+        const auto along = [&](std::size_t axis) { return position[axis] * size_ >> 32; };
+        return static_cast<std::size_t>(((dimension_ == 3 ? along(2) * size_ : 0) + along(1)) * size_ + along(0));
+    }
+
+    /// Calls what(first, end), numbers of cells beside each other, until it is true; the cells are those of places up
+    /// to `reach`, at most half the torus, away from a position along each axis. True if it was.
+    template <typename What>
+    bool any_row_around(const TorusPosition& position, std::uint64_t reach, const What& what) const
+    {
+        const auto [x, width] = range(position[0], reach);
+        const auto [first_y, rows] = range(position[1], reach);
+        const auto [first_z, layers] = dimension_ == 3 ? range(position[2], reach) : Range{0, 1};
+        const std::int64_t before_end = std::min(width, size_ - x);
+        for (std::int64_t z = 0; z < layers; ++z)
+            for (std::int64_t y = 0; y < rows; ++y) {
+                const std::int64_t layer = dimension_ == 3 ? wrapped(first_z + z) * size_ : 0;
+                const std::int64_t row = (layer + wrapped(first_y + y)) * size_;
+                if (what(row + x, row + x + before_end)) return true;
+                if (before_end < width && what(row, row + width - before_end)) return true;
+            }
+        return false;
+    }
+
+private:
+    /// Cells along an axis, from one on around the torus.
+    struct Range
+    {
+        std::int64_t first;
+        std::int64_t count;
+    };
+
+    std::int64_t wrapped(std::int64_t along) const
+    {
+        return along < 0 ? along + size_ : along >= size_ ? along - size_ : along;
+    }
+
+    Range range(std::int64_t coordinate, std::uint64_t reach) const
+    {
+        const auto away = static_cast<std::int64_t>(reach);
+        const std::int64_t first = (coordinate - away) * size_ >> 32; // rounded down, also below 0
+        return {wrapped(first), std::min(size_, ((coordinate + away) * size_ >> 32) - first + 1)};
+    }
+
+    int dimension_;
+    std::int64_t size_; ///< cells along each axis
+};
+
+}
