@@ -1,7 +1,6 @@
 #include "host/texture/corner_patches.hpp"
 
 #include "base/random/random.hpp"
-#include "host/texture/salience.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +96,8 @@ int shown_middle(const TextureRequest& request)
     return std::max(2, request.stages == 3 ? request.size / 5 : 3 * request.size / 8);
 }
 
-/// A free window that stands out no more than most_salience of all do, or the plainest of those drawn.
+}
+
 ExemplarWindow plain_window(const UsedWindows& used, const PngPixels& exemplar, ColumnRange columns,
                             const Salience& salience, int size, RandomWords& words)
 {
@@ -112,8 +112,6 @@ ExemplarWindow plain_window(const UsedWindows& used, const PngPixels& exemplar, 
         lowest = rank;
     }
     return plainest;
-}
-
 }
 
 Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request, int distance)

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/texture/corner_texture.hpp"
 #include "host/texture/cross_texture.hpp"
+#include "host/texture/joint/joint_texture.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +56,8 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     set.tiles = requested_tiles(request);
     set.parameters = parameters_of(request);
 
-    const auto make = !request.has_corners() ? make_wang_texture
+    const auto make = request.joint            ? make_joint_texture
+                      : !request.has_corners() ? make_wang_texture
                       : request.stages == 0  ? make_cross_texture
                                              : make_corner_texture;
     TextureSources made = make(exemplar, request, set.tiles, progress);

@@ -85,6 +85,17 @@ void check_range(const std::string& key, int value, int lowest, int highest)
         refuse(key, std::to_string(value), fmt::format("must be an integer from {} to {}", lowest, highest));
 }
 
+/// Joint sets are made in stages of their own, by moves that need a distance of windows.
+void check_joint(const TextureRequest& r)
+{
+    if (!r.joint) return;
+    if (r.split > 0) refuse("joint", "true", "is for sets without marked corners");
+    if (r.stages != 3) refuse("joint", "true", "needs stages = 3");
+    if (r.weight != SeamWeight::plain) refuse("joint", "true", "needs weight = plain");
+    if (r.cut != QuiltingCut::minimum_cut) refuse("joint", "true", "needs cut = min-cut");
+    if (r.smooth) refuse("joint", "true", "does not go with smooth");
+}
+
 bool is_compact(const TextureRequest& r)
 {
     return r.kind == TextureKind::wang && (r.tiles == "compact" || r.tiles == random_marks);
@@ -146,6 +157,7 @@ void check(const TextureRequest& r)
     if (!(r.core_radius() >= 0 && r.core_radius() <= 0.4))
         refuse("core", fmt::format("{}", r.core_radius()), "must be a number from 0 to 0.4");
     check_marks(r);
+    check_joint(r);
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
     const std::size_t pixels =
@@ -170,6 +182,7 @@ std::map<std::string, std::string> parameters_of(const TextureRequest& r)
         {"weight", seam_weights[r.weight]},
         {"attempts", std::to_string(r.attempts)},
         {"diversity", r.diversity ? std::to_string(*r.diversity) : "automatic"},
+        {"joint", r.joint ? "true" : "false"},
         {"seed", std::to_string(r.seed)},
     };
     if (r.kind == TextureKind::wang) {

@@ -130,6 +130,14 @@ ExemplarWindow UsedWindows::draw(const PngPixels& exemplar, ColumnRange range, i
 std::vector<ExemplarWindow> UsedWindows::best(const SquareSums& sums, int size, int count, int apart,
                                               std::span<const ColumnRange> ranges) const
 {
+    std::vector<ExemplarWindow> windows = free_best(sums, size, count, apart, ranges);
+    if (windows.empty()) throw std::logic_error("no window is free");
+    return windows;
+}
+
+std::vector<ExemplarWindow> UsedWindows::free_best(const SquareSums& sums, int size, int count, int apart,
+                                                   std::span<const ColumnRange> ranges) const
+{
     std::vector<std::uint64_t> left = sums.sums;
     if (!ranges.empty()) forbid_outside(left, sums, size, ranges);
     for (const ExemplarWindow& used : windows_) forbid(left, sums, size, used, distance_);
@@ -140,7 +148,6 @@ std::vector<ExemplarWindow> UsedWindows::best(const SquareSums& sums, int size, 
         windows.push_back({x, y, size});
         minima.update(forbid(left, sums, size, windows.back(), apart));
     }
-    if (windows.empty()) throw std::logic_error("no window is free");
     return windows;
 }
 

@@ -50,6 +50,7 @@ public:
     bool is_free(const ExemplarWindow& window) const;
     void add(const ExemplarWindow& window) { windows_.push_back(window); }
     const std::vector<ExemplarWindow>& windows() const { return windows_; }
+    int distance() const { return distance_; }
 
     /// A free window of this size, all of them equally likely as long as many are free.
     ExemplarWindow draw(const PngPixels& exemplar, ColumnRange columns, int size, RandomWords& words) const;
@@ -62,6 +63,10 @@ public:
     /// place. Fewer where there are no more. `ranges`: those that are allowed; none: all.
     std::vector<ExemplarWindow> best(const SquareSums& sums, int size, int count, int apart,
                                      std::span<const ColumnRange> ranges = {}) const;
+
+    /// The same, or none where no window is free.
+    std::vector<ExemplarWindow> free_best(const SquareSums& sums, int size, int count, int apart,
+                                          std::span<const ColumnRange> ranges = {}) const;
 
 private:
     int distance_;

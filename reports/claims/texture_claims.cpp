@@ -16,10 +16,11 @@ namespace {
 using Texture = DistributionResult;
 using TextureOutcome = std::optional<ClaimOutcome>;
 
-/// Smoothing changes what measures of seams cannot tell, and marked corners show a second exemplar.
+/// Smoothing changes what measures of seams cannot tell, marked corners show a second exemplar, and the papers do not
+/// choose all tiles together.
 bool is_plain_texture(const Texture& t)
 {
-    return t.parameter("smooth") == "false" && t.parameter("marked_exemplar").empty();
+    return t.parameter("smooth") == "false" && t.parameter("marked_exemplar").empty() && t.parameter("joint") != "true";
 }
 
 bool is_wang_texture(const Texture& t) { return is_plain_texture(t) && t.parameter("kind") == "wang"; }

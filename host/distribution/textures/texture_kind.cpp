@@ -75,6 +75,8 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
                 "half of the side of a rounded square that the middle of a tile covers, in tiles; with one stage the "
                 "radius of a disk")
         .otherwise("0.36, with one stage 0");
+    keys.flag("joint", r.joint,
+              "choose patches and cuts for all tiles together, in ten times the time; corners of Wang tiles fit by it");
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
 }
 
@@ -129,7 +131,7 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
     };
     if (s.endless)
         refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
-                "cut", "overlap", "core", "smooth", "marked_exemplar", "marks", "also"},
+                "cut", "overlap", "core", "joint", "smooth", "marked_exemplar", "marks", "also"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
     else
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},
@@ -226,6 +228,7 @@ std::string texture_label(const TextureSettings& settings)
     if (request.has_corners() && request.stages == 0) label += ", no new pieces";
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
+    if (request.joint) label += ", chosen together";
     if (request.smooth) label += ", smoothed";
     if (request.weight == SeamWeight::gradient) label += ", gradient weights";
     if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";

@@ -1,0 +1,134 @@
+#include "host/texture/joint/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+/// The sum over channels of differences; places beside the picture are those of its rim.
+int distance_between(const PngPixels& picture, int ax, int ay, int bx, int by)
+{
+    const auto inside = [](int place, int count) { return std::clamp(place, 0, count - 1); };
+    const std::uint8_t* const a = &picture.values[picture.at(inside(ax, picture.width), inside(ay, picture.height), 0)];
+    const std::uint8_t* const b = &picture.values[picture.at(inside(bx, picture.width), inside(by, picture.height), 0)];
+    int sum = 0;
+    for (int c = 0; c < picture.channels; ++c) sum += std::abs(a[c] - b[c]);
+    return sum;
+}
+
+}
+
+Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights)
+    : exemplar_(exemplar), cover_(cover), sources_(cover.pixels())
+{
+    double variance = 0; // sum over channels, from the rounded means
+    const auto channels = static_cast<std::size_t>(exemplar.channels);
+    const auto pixels = static_cast<double>(exemplar.values.size() / channels);
+    for (std::size_t c = 0; c < channels; ++c) {
+        std::int64_t sum = 0, squares = 0;
+        for (std::size_t i = c; i < exemplar.values.size(); i += channels) sum += exemplar.values[i];
+        means_.push_back(static_cast<int>(std::lround(static_cast<double>(sum) / pixels)));
+        for (std::size_t i = c; i < exemplar.values.size(); i += channels)
+            squares += (exemplar.values[i] - means_[c]) * (exemplar.values[i] - means_[c]);
+        variance += static_cast<double>(squares) / pixels;
+    }
+    const double spread = std::sqrt(variance / exemplar.channels);
+    const auto tiles = static_cast<double>(cover.parts().tiles.size());
+    natural_squares_ = tiles * cover.size() * cover.size() * variance;
+    if (spread == 0) return;
+    repetition_ = weights.repetition / (tiles * spread);
+    contrast_ = weights.contrast / (2 * spread * natural_squares_);
+}
+
+std::int64_t Assembly::seam_cost(SourcePixel first, SourcePixel second, Neighbour neighbour) const
+{
+    const int dx = neighbour == Neighbour::east ? 1 : 0, dy = 1 - dx;
+    if (second.x - first.x == dx && second.y - first.y == dy) return 0;
+    return 1 + distance_between(exemplar_, first.x, first.y, second.x - dx, second.y - dy) +
+           distance_between(exemplar_, first.x + dx, first.y + dy, second.x, second.y);
+}
+
+std::int64_t Assembly::seams() const
+{
+    std::int64_t sum = 0;
+    const int size = cover_.size();
+    for (std::size_t tile = 0; tile < cover_.parts().tiles.size(); ++tile)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const SourcePixel here = source(cover_.pixel(tile, x, y));
+                sum += seam_cost(here, source(cover_.pixel(tile, x + 1, y)), Neighbour::east) +
+                       seam_cost(here, source(cover_.pixel(tile, x, y + 1)), Neighbour::south);
+            }
+    return sum;
+}
+
+void Assembly::count_tiles()
+{
+    const int size = cover_.size();
+    sums_.assign(sum_at(0, size), 0);
+    squares_ = 0;
+    for (std::size_t tile = 0; tile < cover_.parts().tiles.size(); ++tile)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                for (int c = 0; c < exemplar_.channels; ++c) {
+                    const int its = deviation(source(cover_.pixel(tile, x, y)), c);
+                    sums_[sum_at(x, y) + static_cast<std::size_t>(c)] += its;
+                    squares_ += its * its;
+                }
+}
+
+double Assembly::contrast_cost(std::int64_t squares) const
+{
+    const double excess = static_cast<double>(squares) - natural_squares_;
+    return contrast_ * excess * excess;
+}
+
+double Assembly::sums_gain(const std::vector<ChangedPixel>& pixels) const
+{
+    std::vector<std::int64_t> changes(sums_.size());
+    std::int64_t squares = squares_, repeated = 0;
+    for (const ChangedPixel& pixel : pixels)
+        for (int c = 0; c < exemplar_.channels; ++c) {
+            const int now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c);
+            changes[sum_at(pixel.tile_x, pixel.tile_y) + static_cast<std::size_t>(c)] += pixel.tiles * (then - now);
+            squares += pixel.tiles * (then * then - now * now);
+        }
+    for (std::size_t i = 0; i < sums_.size(); ++i) repeated -= changes[i] * (2 * sums_[i] + changes[i]);
+    return repetition_ * static_cast<double>(repeated) + contrast_cost(squares_) - contrast_cost(squares);
+}
+
+double Assembly::change_cost(const ChangedPixel& pixel, int layers) const
+{
+    const std::size_t at = sum_at(pixel.tile_x, pixel.tile_y);
+    double repeated = 0, squares = 0;
+    for (int c = 0; c < exemplar_.channels; ++c) {
+        const double now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c), step = then - now;
+        repeated += 2 * static_cast<double>(sums_[at + static_cast<std::size_t>(c)]) * step + layers * step * step;
+        squares += then * then - now * now;
+    }
+    const double excess = static_cast<double>(squares_) - natural_squares_;
+    return pixel.tiles * (repetition_ * repeated + 2 * contrast_ * excess * squares);
+}
+
+void Assembly::change(const std::vector<ChangedPixel>& pixels)
+{
+    for (const ChangedPixel& pixel : pixels) {
+        for (int c = 0; c < exemplar_.channels; ++c) {
+            const int now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c);
+            sums_[sum_at(pixel.tile_x, pixel.tile_y) + static_cast<std::size_t>(c)] += pixel.tiles * (then - now);
+            squares_ += pixel.tiles * (then * then - now * now);
+        }
+        sources_[pixel.pixel] = pixel.source;
+    }
+}
+
+double Assembly::cost() const
+{
+    double repeated = 0;
+    for (const std::int64_t sum : sums_) repeated += static_cast<double>(sum) * static_cast<double>(sum);
+    return static_cast<double>(seams()) + repetition_ * repeated + contrast_cost(squares_);
+}
+
+}

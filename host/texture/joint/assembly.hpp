@@ -1,0 +1,113 @@
+// What every pixel of a set of tiles shows, what its seams cost, and how far its tilings are from the exemplar.
+//
+// A seam between neighbours p and q that show windows A and B costs |A(p) - B(p)| + |A(q) - B(q)|, and 1, as Kwatra and
+// others have it (Graphcut textures, 2003): a distance of windows that obeys the triangle inequality. It counts once
+// for each tile that has the pair.
+//
+// Two sums over all tiles are weighed against seams. Repetition is the power of the mean of all tiles without the
+// exemplar's mean: what a tiling has at whole multiples of 1/T. Contrast is the square of what the variance of all
+// pixels lacks or exceeds: windows without much in them fit everywhere, and nothing else would keep a set from taking
+// them.
+#pragma once
+
+#include "host/texture/joint/set_cover.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// Which neighbour of two the second one is.
+enum class Neighbour : std::uint8_t
+{
+    east,
+    south,
+};
+
+/// A pixel that is to show another source.
+struct ChangedPixel
+{
+    std::size_t pixel = 0; ///< in the cover
+    SourcePixel source;
+    int tile_x = 0; ///< its place in the tiles that show it
+    int tile_y = 0;
+    int tiles = 0; ///< that show it
+};
+
+class Assembly
+{
+public:
+    /// How much sums count against seams. With a repetition of 1, a pixel that is one standard deviation from the mean
+    /// in all tiles costs as much as a step of that height in each; so it does with a contrast of 2 if nothing else
+    /// varies.
+    struct Weights
+    {
+        double repetition = 0.5;
+        double contrast = 2;
+    };
+
+    /// Exemplar and cover must live longer.
+    Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights);
+
+    const SetCover& cover() const { return cover_; }
+    const PngPixels& exemplar() const { return exemplar_; }
+
+    SourcePixel source(std::size_t pixel) const { return sources_[pixel]; }
+
+    /// What is shown from here on; sums over tiles are right after count_tiles().
+    void show(std::size_t pixel, SourcePixel source) { sources_[pixel] = source; }
+
+    /// What a pair of neighbours costs in one tile.
+    std::int64_t seam_cost(SourcePixel first, SourcePixel second, Neighbour neighbour) const;
+
+    /// All seams of all tiles, with those across their eastern and southern borders.
+    std::int64_t seams() const;
+
+    /// Sums over all tiles of a channel's difference from the exemplar's mean, by the place in a tile.
+    const std::vector<std::int64_t>& sums() const { return sums_; }
+    /// The sum over all pixels of all tiles of squares of such differences.
+    std::int64_t squares() const { return squares_; }
+
+    /// Adds up the sums from what is shown.
+    void count_tiles();
+
+    /// By how much the sums cost less if pixels change. They are of one site.
+    double sums_gain(const std::vector<ChangedPixel>& pixels) const;
+
+    /// What it adds to the sums' costs, to first order in all but the sums at its place, that a pixel changes together
+    /// with those of other tiles: so many lie over each other there, in all.
+    double change_cost(const ChangedPixel& pixel, int layers) const;
+
+    /// Changes pixels, and the sums with them.
+    void change(const std::vector<ChangedPixel>& pixels);
+
+    /// Seams and sums.
+    double cost() const;
+
+private:
+    std::size_t sum_at(int x, int y) const
+    {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(cover_.size()) + static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(exemplar_.channels);
+    }
+
+    /// The difference of a channel from the exemplar's mean.
+    int deviation(SourcePixel source, int channel) const
+    {
+        return exemplar_.values[exemplar_.at(source.x, source.y, channel)] - means_[static_cast<std::size_t>(channel)];
+    }
+
+    double contrast_cost(std::int64_t squares) const;
+
+    const PngPixels& exemplar_;
+    const SetCover& cover_;
+    std::vector<int> means_;
+    double repetition_ = 0;      ///< the cost of a square of a sum
+    double contrast_ = 0;        ///< the cost of a square of what squares_ differs by
+    double natural_squares_ = 0; ///< what squares_ would be with the exemplar's variance
+    std::vector<SourcePixel> sources_;
+    std::vector<std::int64_t> sums_;
+    std::int64_t squares_ = 0;
+};
+
+}

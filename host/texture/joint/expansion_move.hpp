@@ -1,0 +1,56 @@
+// One expansion move: every pixel keeps what it shows or takes what is proposed to it, whichever costs least together.
+//
+// Boykov, Veksler and Zabih, Fast Approximate Energy Minimization via Graph Cuts, PAMI 23, 2001, section 5; the graph
+// is that of Kolmogorov and Zabih, What Energy Functions Can Be Minimized via Graph Cuts?, PAMI 26, 2004, section 4.
+// Costs are integers, so that moves are exact; of several least choices it is the one that takes the fewest pixels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// The costs of two neighbouring pixels, by what the first and the second one do. A cut can minimise them where
+/// kept_kept + taken_taken is at most kept_taken + taken_kept, as it is for distances that obey the triangle
+/// inequality.
+struct PairChoice
+{
+    std::int64_t kept_kept = 0, kept_taken = 0, taken_kept = 0, taken_taken = 0;
+};
+
+class ExpansionMove
+{
+public:
+    explicit ExpansionMove(std::size_t pixels) : kept_(pixels), taken_(pixels) {}
+
+    std::size_t pixels() const { return kept_.size(); }
+
+    /// Adds to what a pixel costs by itself.
+    void add_pixel(std::size_t pixel, std::int64_t kept, std::int64_t taken)
+    {
+        kept_[pixel] += kept;
+        taken_[pixel] += taken;
+    }
+
+    /// Throws std::logic_error for costs that no cut can minimise.
+    void add_pair(std::size_t first, std::size_t second, const PairChoice& costs);
+
+    /// What a choice costs: 1 for pixels that take the proposal.
+    std::int64_t cost(const std::vector<std::uint8_t>& choice) const;
+
+    /// The choice that costs least. By libmaxflow; its flow is compared with the cost.
+    std::vector<std::uint8_t> best() const;
+
+private:
+    struct Pair
+    {
+        std::uint32_t first = 0, second = 0;
+        PairChoice costs;
+    };
+
+    std::vector<std::int64_t> kept_, taken_;
+    std::vector<Pair> pairs_;
+};
+
+}

@@ -1,0 +1,281 @@
+#include "host/texture/joint/joint_texture.hpp"
+
+#include "host/texture/joint/dearest_box.hpp"
+#include "host/texture/joint/feature_map.hpp"
+#include "host/texture/joint/joint_patches.hpp"
+#include "host/texture/joint/window_search.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// How often each corner, edge and tile gets a better window, and so many are cut each time.
+constexpr int rounds = 4, windows_a_round = 6;
+
+/// Slopes count half as much as colours where windows are compared.
+constexpr double matched_slopes = 0.5;
+
+/// Moves of so many sites are looked for at a time. What they find depends on what is shown before.
+constexpr std::size_t sites_at_once = 16;
+
+/// A square with round corners around (0, 0).
+bool is_in_rounded_box(double x, double y, double half_width, double half_height)
+{
+    if (half_width <= 0 || half_height <= 0) return false;
+    const double u = x / half_width, v = y / half_height;
+    return u * u * u * u + v * v * v * v < 1;
+}
+
+/// A window that may be laid over a site, and what that comes to.
+struct Candidate
+{
+    ExemplarWindow window;
+    SiteChange change;
+};
+
+/// True for places of a site, pixels east and south of its middle.
+using PlaceTest = std::function<bool(int x, int y)>;
+
+/// First pieces: the box that they lie in, the part that shows them in any case, and that in which they are compared.
+struct FirstPiece
+{
+    SiteBox box;
+    PlaceTest is_taken, is_compared;
+
+    std::vector<std::uint8_t> counts() const
+    {
+        std::vector<std::uint8_t> counts;
+        for (int y = box.y; y < box.y + box.side; ++y)
+            for (int x = box.x; x < box.x + box.side; ++x) counts.push_back(is_compared(x, y) && !is_taken(x, y));
+        return counts;
+    }
+};
+
+/// Over the joint of two patches, as long as three quarters of T.
+FirstPiece edge_piece(const TextureRequest& request, bool is_vertical)
+{
+    const int size = request.size, reach = size / 2 - std::max(size / 8, request.ring_pixels());
+    const double core = request.core_radius() / default_core;
+    const auto is_in = [=](int x, int y, double half_length, double half_width) {
+        return is_in_rounded_box((is_vertical ? y : x) + 0.5, (is_vertical ? x : y) + 0.5, half_length, half_width);
+    };
+    const auto is_taken = [=](int x, int y) {
+        const int along = is_vertical ? y : x, across = is_vertical ? x : y;
+        const bool is_joint = (along == -1 || along == 0) && std::abs(across + 0.5) < size / 8.0 - 1;
+        return is_joint || is_in(x, y, core * 0.8 * reach, core * 0.06 * size);
+    };
+    return {{-reach, -reach, 2 * reach}, is_taken, [=](int x, int y) { return is_in(x, y, reach, size / 5.0); }};
+}
+
+FirstPiece middle_piece(const TextureRequest& request)
+{
+    const int size = request.size;
+    const double core = request.core_radius() * size, reach = size / 2.0 - request.ring_pixels();
+    return {{-size / 2, -size / 2, size},
+            [=](int x, int y) { return is_in_rounded_box(x + 0.5, y + 0.5, core, core); },
+            [=](int x, int y) { return is_in_rounded_box(x + 0.5, y + 0.5, reach, reach); }};
+}
+
+class JointTexture
+{
+public:
+    JointTexture(const PngPixels& exemplar, const TextureRequest& request, const std::vector<TextureTile>& tiles,
+                 const PieceProgress& progress)
+        : exemplar_(exemplar), request_(request), progress_(progress), features_(feature_map(exemplar, matched_slopes)),
+          cover_(set_parts(request, tiles), request.size, request.ring_pixels()), sites_(sites_of(cover_)),
+          tried_(sites_.size()), assembly_(exemplar, cover_, {}), used_(distance())
+    {}
+
+    TextureSources make()
+    {
+        show_patches();
+        lay_first(Site::Kind::vertical_edge, edge_piece(request_, true), sites_.size(), "vertical edges");
+        lay_first(Site::Kind::horizontal_edge, edge_piece(request_, false), sites_.size(), "horizontal edges");
+        lay_first(Site::Kind::tile, middle_piece(request_), sites_at_once, "interiors");
+        const WindowSearch search(features_, request_.size / 4 * 2);
+        for (int round = 1; round <= rounds; ++round) {
+            // The corner of Wang tiles stays one window: its pixels are what all tiles have in common.
+            if (request_.has_corners()) improve(Site::Kind::corner, search);
+            improve(Site::Kind::vertical_edge, search);
+            improve(Site::Kind::horizontal_edge, search);
+            improve(Site::Kind::tile, search);
+            progress_("better pieces", static_cast<std::size_t>(round), rounds);
+        }
+        settle();
+        return finished();
+    }
+
+private:
+    int distance() const
+    {
+        const SetParts& parts = cover_.parts();
+        const std::size_t windows =
+            parts.corners + parts.vertical.size() + parts.horizontal.size() + parts.tiles.size();
+        return window_distance(exemplar_, request_.size, windows, request_.diversity);
+    }
+
+    /// Sites of a kind that some tile shows.
+    std::vector<const Site*> sites_of_kind(Site::Kind kind) const
+    {
+        std::vector<const Site*> found;
+        for (const Site& site : sites_)
+            if (site.kind == kind && !site.tiles.empty()) found.push_back(&site);
+        return found;
+    }
+
+    /// Every tile shows the patches of its corners, a quarter each.
+    void show_patches()
+    {
+        const SetParts& parts = cover_.parts();
+        windows_ = joint_patches(exemplar_, features_, request_, parts, used_.distance());
+        for (const ExemplarWindow& patch : windows_) used_.add(patch);
+        const int size = request_.size, half = size / 2;
+        for (std::size_t tile = 0; tile < parts.tiles.size(); ++tile)
+            for (int y = 0; y <= size; ++y)
+                for (int x = 0; x <= size; ++x) {
+                    const std::size_t corner = (y < half ? 0u : 2u) + (x < half ? 0u : 1u);
+                    const ExemplarWindow& patch = windows_[parts.tiles[tile].corners[corner]];
+                    const int dx = x < half ? x : x - size, dy = y < half ? y : y - size;
+                    assembly_.show(cover_.pixel(tile, x, y), {static_cast<std::uint16_t>(patch.x + half + dx),
+                                                              static_cast<std::uint16_t>(patch.y + half + dy)});
+                }
+        assembly_.count_tiles();
+    }
+
+    /// The moves of the windows that look most like what is in a box, those that gain most first. New windows are not
+    /// near those that are shown there, unless something is taken in any case.
+    std::vector<Candidate> candidates(const Site& site, const SiteBox& box, const WindowSearch& search, int count,
+                                      const PlaceTest& is_taken = {}) const
+    {
+        const SiteMove move(assembly_, site, box);
+        std::vector<ExemplarWindow> shown;
+        if (!is_taken)
+            for (const Overlay& overlay : move.shown())
+                shown.push_back({overlay.x + box.x, overlay.y + box.y, box.side});
+        std::vector<Candidate> found;
+        for (const ExemplarWindow& window : search.best(move.canvas(features_), used_, shown, count))
+            found.push_back({window, move.best({window.x - box.x, window.y - box.y}, is_taken)});
+        std::ranges::stable_sort(found,
+                                 [](const Candidate& a, const Candidate& b) { return a.change.gain > b.change.gain; });
+        return found;
+    }
+
+    /// Lays first pieces over all sites of a kind, moves of so many being looked for at a time; each is as far from all
+    /// others as diversity asks.
+    void lay_first(Site::Kind kind, const FirstPiece& piece, std::size_t at_once, const std::string& stage)
+    {
+        const std::vector<const Site*> sites = sites_of_kind(kind);
+        const WindowSearch search(features_, piece.box.side, piece.counts());
+        const auto look = [&](const Site& site) {
+            return candidates(site, piece.box, search, request_.candidates, piece.is_taken);
+        };
+        for (std::size_t first = 0; first < sites.size(); first += at_once) {
+            std::vector<std::vector<Candidate>> found(std::min(at_once, sites.size() - first));
+            tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = look(*sites[first + i]); });
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                const auto is_free = [&](const Candidate& each) { return used_.is_free(each.window); };
+                if (std::ranges::none_of(found[i], is_free)) found[i] = look(*sites[first + i]);
+                progress_(stage, first + i + 1, sites.size());
+                const auto best = std::ranges::find_if(found[i], is_free);
+                if (best == found[i].end()) continue; // there is no window left: what is there stays
+                assembly_.change(best->change.pixels);
+                used_.add(best->window);
+                windows_.push_back(best->window);
+            }
+        }
+    }
+
+    /// Changes what is shown if that makes everything cheaper, by all costs as they are now.
+    bool take(const SiteChange& change)
+    {
+        if (static_cast<double>(change.seam_gain) + assembly_.sums_gain(change.pixels) <= 0) return false;
+        assembly_.change(change.pixels);
+        return true;
+    }
+
+    /// Lays a window over the dearest box of each site that was not tried before.
+    void improve(Site::Kind kind, const WindowSearch& search)
+    {
+        used_ = UsedWindows(0); // small pieces may be near others
+        const std::vector<const Site*> sites = sites_of_kind(kind);
+        for (std::size_t first = 0; first < sites.size(); first += sites_at_once) {
+            std::vector<std::vector<Candidate>> found(std::min(sites_at_once, sites.size() - first));
+            tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+                const Site& site = *sites[first + i];
+                BoxPlaces& tried = tried_[static_cast<std::size_t>(&site - sites_.data())];
+                const auto box = dearest_box(assembly_, site, search.side(), tried);
+                if (!box) return;
+                tried.insert({box->x, box->y});
+                found[i] = candidates(site, *box, search, windows_a_round);
+            });
+            for (const std::vector<Candidate>& windows : found)
+                for (const Candidate& candidate : windows)
+                    if (take(candidate.change)) {
+                        windows_.push_back(candidate.window);
+                        break;
+                    }
+            progress_("better pieces", 0, rounds);
+        }
+    }
+
+    /// Every window that a tile shows may grow or shrink in it: one cycle of expansion moves over all its labels.
+    void settle()
+    {
+        const std::vector<const Site*> sites = sites_of_kind(Site::Kind::tile);
+        const SiteBox whole{-request_.size / 2, -request_.size / 2, request_.size};
+        for (std::size_t first = 0; first < sites.size(); first += sites_at_once) {
+            const std::size_t count = std::min(sites_at_once, sites.size() - first);
+            std::vector<SiteMove> moves;
+            std::vector<std::vector<Overlay>> shown;
+            std::size_t most = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                moves.emplace_back(assembly_, *sites[first + i], whole);
+                shown.push_back(moves.back().shown());
+                most = std::max(most, shown.back().size());
+            }
+            for (std::size_t k = 0; k < most; ++k) {
+                std::vector<SiteChange> changes(count);
+                tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+                    if (k < shown[i].size()) changes[i] = moves[i].best(shown[i][k]);
+                });
+                for (const SiteChange& change : changes) take(change);
+            }
+            progress_("whole tiles", first + count, sites.size());
+        }
+    }
+
+    TextureSources finished() const
+    {
+        TextureSources result{{}, assembly_.seams(), windows_, {}, {}};
+        for (std::size_t tile = 0; tile < cover_.parts().tiles.size(); ++tile)
+            for (int y = 0; y < request_.size; ++y)
+                for (int x = 0; x < request_.size; ++x)
+                    result.sources.push_back(assembly_.source(cover_.pixel(tile, x, y)));
+        return result;
+    }
+
+    const PngPixels& exemplar_;
+    const TextureRequest& request_;
+    const PieceProgress& progress_;
+    PngPixels features_;
+    SetCover cover_;
+    std::vector<Site> sites_;
+    std::vector<BoxPlaces> tried_; ///< by site
+    Assembly assembly_;
+    UsedWindows used_;
+    std::vector<ExemplarWindow> windows_; ///< that were taken, patches first
+};
+
+}
+
+TextureSources make_joint_texture(const PngPixels& exemplar, const TextureRequest& request,
+                                  const std::vector<TextureTile>& tiles, const PieceProgress& progress)
+{
+    return JointTexture(exemplar, request, tiles, progress).make();
+}
+
+}

@@ -1,0 +1,200 @@
+#include "host/texture/joint/site_move.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace poissonlab {
+
+SiteMove::SiteMove(const Assembly& assembly, const Site& site, const SiteBox& box)
+    : assembly_(assembly), site_(site), box_(box), layers_(layers())
+{
+    add_pairs(add_pixels());
+}
+
+/// The largest number of tiles that lie at the same place.
+int SiteMove::layers() const
+{
+    std::map<std::pair<int, int>, int> counts;
+    int most = 1;
+    for (const PlacedTile& tile : site_.tiles) most = std::max(most, ++counts[{tile.x, tile.y}]);
+    return most;
+}
+
+/// Pixels that are shown elsewhere as well, by other tiles than the site's, stay as they are.
+bool SiteMove::may_change(std::size_t pixel, int x, int y) const
+{
+    const SetCover& cover = assembly_.cover();
+    if (cover.is_own(pixel) || site_.kind == Site::Kind::corner) return true;
+    if (site_.kind == Site::Kind::tile || cover.is_corner(pixel)) return false;
+    const int across = site_.kind == Site::Kind::vertical_edge ? x : y;
+    return across >= -cover.ring() && across < cover.ring();
+}
+
+SiteMove::PixelPlaces SiteMove::add_pixels()
+{
+    PixelPlaces places;
+    const SetCover& cover = assembly_.cover();
+    for (const PlacedTile& tile : site_.tiles)
+        for (int y = std::max(box_.y, tile.y); y < std::min(box_.y + box_.side, tile.y + cover.size()); ++y)
+            for (int x = std::max(box_.x, tile.x); x < std::min(box_.x + box_.side, tile.x + cover.size()); ++x) {
+                const std::size_t pixel = cover.pixel(tile.tile, x - tile.x, y - tile.y);
+                if (!may_change(pixel, x, y)) continue;
+                const auto [place, is_new] = places.insert({pixel, static_cast<int>(pixels_.size())});
+                if (is_new) pixels_.push_back({pixel, x, y, x - tile.x, y - tile.y, 0});
+                ++pixels_[static_cast<std::size_t>(place->second)].tiles;
+            }
+    return places;
+}
+
+void SiteMove::add_pairs(const PixelPlaces& places)
+{
+    const SetCover& cover = assembly_.cover();
+    const int last = cover.size() - 1;
+    std::map<std::tuple<std::size_t, std::size_t, Neighbour>, int> shared; // of pixels that several tiles have
+    const auto place_of = [&](std::size_t pixel) {
+        const auto found = places.find(pixel);
+        return found == places.end() ? -1 : found->second;
+    };
+    const auto add = [&](std::size_t first, std::size_t second, Neighbour neighbour) {
+        if (place_of(first) < 0 && place_of(second) < 0) return;
+        if (cover.is_own(first) || cover.is_own(second))
+            pairs_.push_back({first, second, place_of(first), place_of(second), neighbour, 1});
+        else
+            ++shared[{first, second, neighbour}];
+    };
+    for (const PlacedTile& tile : site_.tiles)
+        for (int y = std::max(0, box_.y - tile.y - 1); y <= std::min(last, box_.y + box_.side - 1 - tile.y); ++y)
+            for (int x = std::max(0, box_.x - tile.x - 1); x <= std::min(last, box_.x + box_.side - 1 - tile.x); ++x) {
+                const std::size_t here = cover.pixel(tile.tile, x, y);
+                add(here, cover.pixel(tile.tile, x + 1, y), Neighbour::east);
+                add(here, cover.pixel(tile.tile, x, y + 1), Neighbour::south);
+            }
+    for (const auto& [pair, tiles] : shared) {
+        const auto& [first, second, neighbour] = pair;
+        pairs_.push_back({first, second, place_of(first), place_of(second), neighbour, tiles});
+    }
+}
+
+PngPixels SiteMove::canvas(const PngPixels& picture) const
+{
+    const SetCover& cover = assembly_.cover();
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const auto places = static_cast<std::size_t>(box_.side) * static_cast<std::size_t>(box_.side);
+    std::vector<int> sums(places * channels), counts(places);
+    for (const PlacedTile& tile : site_.tiles)
+        for (int y = std::max(box_.y, tile.y); y < std::min(box_.y + box_.side, tile.y + cover.size()); ++y)
+            for (int x = std::max(box_.x, tile.x); x < std::min(box_.x + box_.side, tile.x + cover.size()); ++x) {
+                const SourcePixel source = assembly_.source(cover.pixel(tile.tile, x - tile.x, y - tile.y));
+                const auto place = static_cast<std::size_t>((y - box_.y) * box_.side + x - box_.x);
+                ++counts[place];
+                for (std::size_t c = 0; c < channels; ++c)
+                    sums[place * channels + c] += picture.values[picture.at(source.x, source.y, static_cast<int>(c))];
+            }
+    PngPixels mean{box_.side, box_.side, picture.channels, {}};
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const int count = std::max(1, counts[i / channels]);
+        mean.values.push_back(static_cast<std::uint8_t>((sums[i] + count / 2) / count));
+    }
+    return mean;
+}
+
+std::vector<SiteMove::Option> SiteMove::options(const Overlay& overlay,
+                                                const std::function<bool(int x, int y)>& is_taken) const
+{
+    std::vector<Option> options;
+    int nodes = 0;
+    for (const Pixel& pixel : pixels_) {
+        Option& option = options.emplace_back();
+        const int x = overlay.x + pixel.x, y = overlay.y + pixel.y;
+        if (x < 0 || y < 0 || x >= assembly_.exemplar().width || y >= assembly_.exemplar().height) continue;
+        option.taken = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+        option.is_taken = is_taken && is_taken(pixel.x, pixel.y);
+        if (!option.is_taken) option.node = nodes++;
+    }
+    return options;
+}
+
+SiteChange SiteMove::best(const Overlay& overlay, const std::function<bool(int x, int y)>& is_taken) const
+{
+    std::vector<Option> all = options(overlay, is_taken);
+    const auto nodes = std::ranges::count_if(all, [](const Option& option) { return option.node >= 0; });
+    ExpansionMove move(static_cast<std::size_t>(nodes));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].node >= 0)
+            move.add_pixel(static_cast<std::size_t>(all[i].node), 0,
+                           std::llround(assembly_.change_cost(changed(pixels_[i], all[i].taken), layers_)));
+    for (const Pair& pair : pairs_) add_pair(move, pair, all);
+    const std::vector<std::uint8_t> choice = move.best();
+    SiteChange change;
+    const std::vector<std::uint8_t> none(choice.size(), 0);
+    change.gain = static_cast<double>(move.cost(none) - move.cost(choice));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].node >= 0) all[i].is_taken = choice[static_cast<std::size_t>(all[i].node)] != 0;
+        if (all[i].is_taken && all[i].taken != assembly_.source(pixels_[i].number))
+            change.pixels.push_back(changed(pixels_[i], all[i].taken));
+    }
+    change.seam_gain = seam_gain(all);
+    return change;
+}
+
+ChangedPixel SiteMove::changed(const Pixel& pixel, SourcePixel source)
+{
+    return {pixel.number, source, pixel.tile_x, pixel.tile_y, pixel.tiles};
+}
+
+SiteMove::Option SiteMove::option_of(const std::vector<Option>& all, int pixel)
+{
+    return pixel < 0 ? Option{} : all[static_cast<std::size_t>(pixel)];
+}
+
+void SiteMove::add_pair(ExpansionMove& move, const Pair& pair, const std::vector<Option>& all) const
+{
+    const Option first = option_of(all, pair.first_in_pixels), second = option_of(all, pair.second_in_pixels);
+    const SourcePixel first_kept = assembly_.source(pair.first), second_kept = assembly_.source(pair.second);
+    const auto cost = [&](SourcePixel a, SourcePixel b) {
+        return pair.tiles * assembly_.seam_cost(a, b, pair.neighbour);
+    };
+    const SourcePixel first_fixed = first.is_taken ? first.taken : first_kept;
+    const SourcePixel second_fixed = second.is_taken ? second.taken : second_kept;
+    if (first.node >= 0 && second.node >= 0)
+        move.add_pair(static_cast<std::size_t>(first.node), static_cast<std::size_t>(second.node),
+                      {cost(first_kept, second_kept), cost(first_kept, second.taken), cost(first.taken, second_kept),
+                       cost(first.taken, second.taken)});
+    else if (first.node >= 0)
+        move.add_pixel(static_cast<std::size_t>(first.node), cost(first_kept, second_fixed),
+                       cost(first.taken, second_fixed));
+    else if (second.node >= 0)
+        move.add_pixel(static_cast<std::size_t>(second.node), cost(first_fixed, second_kept),
+                       cost(first_fixed, second.taken));
+}
+
+std::int64_t SiteMove::seam_gain(const std::vector<Option>& all) const
+{
+    std::int64_t gain = 0;
+    for (const Pair& pair : pairs_) {
+        const Option first = option_of(all, pair.first_in_pixels), second = option_of(all, pair.second_in_pixels);
+        if (!first.is_taken && !second.is_taken) continue;
+        const SourcePixel first_kept = assembly_.source(pair.first), second_kept = assembly_.source(pair.second);
+        gain += pair.tiles * (assembly_.seam_cost(first_kept, second_kept, pair.neighbour) -
+                              assembly_.seam_cost(first.is_taken ? first.taken : first_kept,
+                                                  second.is_taken ? second.taken : second_kept, pair.neighbour));
+    }
+    return gain;
+}
+
+std::vector<Overlay> SiteMove::shown() const
+{
+    std::map<std::pair<int, int>, int> overlays;
+    for (const Pixel& pixel : pixels_) {
+        const SourcePixel source = assembly_.source(pixel.number);
+        ++overlays[{source.x - pixel.x, source.y - pixel.y}];
+    }
+    std::vector<Overlay> all;
+    for (const auto& [place, count] : overlays) all.push_back({place.first, place.second});
+    return all;
+}
+
+}
