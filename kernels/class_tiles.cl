@@ -16,6 +16,7 @@
 #include "kernels/common/philox.clh"
 #include "kernels/common/tiles/class_tiles.h"
 #include "kernels/common/tiles/tile_torus.clh"
+#include "kernels/common/tiles/limited_movement.clh"
 
 /// The points of a torus: coordinates axis after axis, `capacity` apart, and their classes.
 typedef struct
@@ -140,18 +141,6 @@ kernel void throw_class_tile_darts(struct ClassFilling filling, global const uin
     if (item == 0) counts[torus] = state.points;
 }
 
-/// In whole units, and at most so long.
-Position limited(const double* sum, double limit)
-{
-    double squared = 0;
-    for (int k = 0; k < DIMENSION; ++k) squared += sum[k] * sum[k];
-    const double length = sqrt(squared);
-    const double scale = length > limit ? limit / length : 1;
-    Position movement;
-    for (int k = 0; k < DIMENSION; ++k) movement.c[k] = convert_int_rte(scale * sum[k]);
-    return movement;
-}
-
 /// The points of a torus, of which those from `first` to `end` - 1 move.
 typedef struct
 {
@@ -190,7 +179,7 @@ Position movement_of(const PushedTorus* torus, uint i, uint* part)
         for (int k = 0; k < DIMENSION; ++k)
             sum[k] -= torus_difference_of(other.c[k] - position.c[k]) / length * push;
     }
-    return limited(sum, limit);
+    return limited_movement(sum, limit);
 }
 
 /// Until all distances are kept, or for so many passes; then the best is in `kept`, with the part of the squared distances

@@ -13,6 +13,7 @@
 
 #include "kernels/common/tiles/smallest_of_group.clh"
 #include "kernels/common/tiles/tile_torus.clh"
+#include "kernels/common/tiles/limited_movement.clh"
 #if DIMENSION == 2
 #include "kernels/common/voronoi/voronoi_2d.clh"
 #else
@@ -215,9 +216,6 @@ bool find_centroid(const Window* window, const Position* position, uint site, in
     return true;
 }
 
-/// To the nearest integer, or to the even one of two, for magnitudes below 2^31.
-int rounded(double value) { return convert_int((value + 0x1.8p52) - 0x1.8p52); }
-
 void put_double(global double* doubles, const TorusPoints* points, uint number)
 {
     for (uint entry = number * points->copies; entry < (number + 1) * points->copies; ++entry) {
@@ -313,18 +311,6 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
     }
-}
-
-/// In whole units, and at most as long as `limit`.
-Position limited_movement(const double* sum, double limit)
-{
-    double squared = 0;
-    for (int k = 0; k < DIMENSION; ++k) squared += sum[k] * sum[k];
-    const double length = sqrt(squared);
-    const double scale = length > limit ? limit / length : 1;
-    Position movement;
-    for (int k = 0; k < DIMENSION; ++k) movement.c[k] = rounded(scale * sum[k]);
-    return movement;
 }
 
 #include "kernels/common/tiles/moment_step.clh"

@@ -1,5 +1,6 @@
 // Fills tori with points of several classes one after the other: the plain twin of kernels/class_tiles.cl.
 #include "host/tile_construction/classes/class_filling.hpp"
+#include "host/tile_construction/reference/filling_steps.hpp"
 
 #include "kernels/common/tiles/class_tiles.h"
 
@@ -31,7 +32,8 @@ public:
         for (const std::uint32_t own : settings_.order) {
             for (std::uint32_t placed = 0; placed < problem.active[own];) {
                 if (level == settings_.parts.size() || dart == contract::tile_filling::MAX_DARTS) return false;
-                const TilePosition position = dart_at(stage, {dart++, problem.stream, attempt, stage.number});
+                const TilePosition position = dart_at(
+                    stage.active, dimension(), {dart++, problem.stream, attempt, stage.number}, settings_.stream);
                 if (!is_allowed(zone_, position)) continue;
                 if (part_kept(position, own, points_.size()) >= settings_.parts[level]) {
                     add(position, own);
@@ -77,34 +79,12 @@ public:
     }
 
 private:
-    std::size_t dimension() const { return static_cast<std::size_t>(zone_.regions.dimension); }
+    int dimension() const { return zone_.regions.dimension; }
 
     void add(const TilePosition& position, std::uint32_t of)
     {
         points_.push_back(position);
         classes_.push_back(of);
-    }
-
-    TilePosition dart_at(const FillStage& stage, const std::array<std::uint32_t, 4>& counter) const
-    {
-        const auto words = philox(counter, settings_.stream);
-        TilePosition position{};
-        for (std::size_t k = 0; k < dimension(); ++k) {
-            const auto offset = static_cast<std::int32_t>(std::uint64_t{words[k]} * stage.active.extent >> 32);
-            position[k] = wrapped(stage.active.low + offset);
-        }
-        return position;
-    }
-
-    std::uint32_t squared_between(const TilePosition& a, const TilePosition& b) const
-    {
-        std::uint32_t sum = 0;
-        for (std::size_t k = 0; k < dimension(); ++k) {
-            const std::int64_t length =
-                std::min<std::int64_t>(std::abs(shortest(a[k] - b[k])), contract::tile_filling::FAR_LENGTH);
-            sum += static_cast<std::uint32_t>(length * length);
-        }
-        return sum;
     }
 
     /// The part of the squared distances that a point of a class keeps from all points but the one numbered `self`.
@@ -113,7 +93,7 @@ private:
         std::uint64_t least = contract::class_tiles::MOST_PART;
         for (std::size_t j = 0; j < points_.size(); ++j) {
             if (j == self) continue;
-            const std::uint64_t squared = squared_between(position, points_[j]);
+            const std::uint64_t squared = squared_between(position, points_[j], dimension());
             const std::uint64_t wanted = settings_.wanted[own * settings_.classes() + classes_[j]];
             least = std::min(least, (squared << contract::class_tiles::PART_BITS) / wanted);
         }
@@ -128,7 +108,7 @@ private:
         for (std::size_t j = 0; j < points_.size(); ++j) {
             if (i == j) continue;
             const double distance = settings_.pushed[classes_[i] * settings_.classes() + classes_[j]];
-            const std::uint32_t squared = squared_between(points_[i], points_[j]);
+            const std::uint32_t squared = squared_between(points_[i], points_[j], dimension());
             if (squared > static_cast<std::uint32_t>(distance * distance)) continue;
             limit = std::max(limit, distance);
             const double length = std::sqrt(static_cast<double>(squared));
@@ -137,23 +117,10 @@ private:
                 sum[0] += i < j ? -push : push;
                 continue;
             }
-            for (std::size_t k = 0; k < dimension(); ++k)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(dimension()); ++k)
                 sum[k] -= shortest(points_[j][k] - points_[i][k]) / length * push;
         }
-        return limited(sum, limit);
-    }
-
-    /// In whole units, and at most so long.
-    TilePosition limited(const std::array<double, 3>& sum, double limit) const
-    {
-        double squared = 0;
-        for (std::size_t k = 0; k < dimension(); ++k) squared += sum[k] * sum[k];
-        const double length = std::sqrt(squared);
-        const double scale = length > limit ? limit / length : 1;
-        TilePosition movement{};
-        for (std::size_t k = 0; k < dimension(); ++k)
-            movement[k] = static_cast<std::int32_t>(std::nearbyint(scale * sum[k]));
-        return movement;
+        return limited_movement(sum, limit, dimension());
     }
 
     const ClassFillSettings& settings_;

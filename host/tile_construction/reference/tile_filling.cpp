@@ -3,7 +3,7 @@
 #include "base/geometry/point_set.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/tile_construction/moments/moment_step.hpp"
-#include "kernels/common/tiles/tile_filling.h"
+#include "host/tile_construction/reference/filling_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,8 @@ public:
         std::size_t level = 0;
         std::uint32_t failures = 0;
         for (std::uint32_t dart = 0; points_.size() < target && dart < contract::tile_filling::MAX_DARTS; ++dart) {
-            const TilePosition position = dart_at(darts, {dart, stream, attempt, zone_number});
+            const TilePosition position =
+                dart_at(darts, settings_.dimension, {dart, stream, attempt, zone_number}, settings_.stream);
             if (!is_allowed(zone, position)) continue;
             if (squared_nearest(position, points_.size()) >= settings_.squared_distances[level]) {
                 points_.push_back(position);
@@ -126,34 +127,12 @@ private:
     Zone zone_of(CellSet cells) const { return {stage_.regions, cells, polygon_, stage_.keep_tiles}; }
     std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
 
-    TilePosition dart_at(const DartZone& zone, const std::array<std::uint32_t, 4>& counter) const
-    {
-        const auto words = philox(counter, settings_.stream);
-        TilePosition position{};
-        for (std::size_t k = 0; k < dimension(); ++k) {
-            const auto offset = static_cast<std::int32_t>(std::uint64_t{words[k]} * zone.extent >> 32);
-            position[k] = wrapped(zone.low + offset);
-        }
-        return position;
-    }
-
     TilePosition image_of(const TilePosition& position, std::size_t image) const
     {
         TilePosition result = position;
         for (std::size_t k = 0; k < dimension(); ++k)
             result[k] = wrapped(position[k] + static_cast<std::int32_t>(image >> k & 1) * tile_units);
         return result;
-    }
-
-    std::uint32_t squared_between(const TilePosition& a, const TilePosition& b) const
-    {
-        std::uint32_t sum = 0;
-        for (std::size_t k = 0; k < dimension(); ++k) {
-            const std::int64_t length =
-                std::min<std::int64_t>(std::abs(shortest(a[k] - b[k])), contract::tile_filling::FAR_LENGTH);
-            sum += static_cast<std::uint32_t>(length * length);
-        }
-        return sum;
     }
 
     /// The squared distance from the nearest image of any point; `self`: the point at that position, or the number of
@@ -164,7 +143,8 @@ private:
         for (std::size_t i = 0; i < points_.size(); ++i) {
             for (std::size_t image = 0; image < image_count(); ++image) {
                 if (i == self && image == 0) continue;
-                smallest = std::min(smallest, squared_between(position, image_of(points_[i], image)));
+                smallest =
+                    std::min(smallest, squared_between(position, image_of(points_[i], image), settings_.dimension));
             }
         }
         return smallest;
@@ -230,7 +210,7 @@ private:
             for (std::size_t image = 0; image < image_count(); ++image) {
                 if (i == j && image == 0) continue;
                 const TilePosition other = image_of(points_[j], image);
-                const std::uint32_t squared = squared_between(points_[i], other);
+                const std::uint32_t squared = squared_between(points_[i], other, settings_.dimension);
                 if (squared > limit) continue;
                 const double length = std::sqrt(static_cast<double>(squared));
                 const bool moves = j >= active_begin_ && j < active_end_;
@@ -246,18 +226,10 @@ private:
         return limited(sum);
     }
 
-    /// In whole units, and at most as long as the distance that points are pushed to.
+    /// As long as the distance that points are pushed to, at most.
     TilePosition limited(const std::array<double, 3>& sum) const
     {
-        const double distance = settings_.repulsion_distance;
-        double squared = 0;
-        for (std::size_t k = 0; k < dimension(); ++k) squared += sum[k] * sum[k];
-        const double length = std::sqrt(squared);
-        const double scale = length > distance ? distance / length : 1;
-        TilePosition movement{};
-        for (std::size_t k = 0; k < dimension(); ++k)
-            movement[k] = static_cast<std::int32_t>(std::nearbyint(scale * sum[k]));
-        return movement;
+        return limited_movement(sum, settings_.repulsion_distance, settings_.dimension);
     }
 
     const FillSettings& settings_;
