@@ -77,21 +77,12 @@ void check_places(const StoredObject& root, const Run& run)
     }
 }
 
-void check_format(const StoredObject& root)
-{
-    if (!root.has("format") || root.text("format") != run_format)
-        throw root.error("format", std::string("must be \"") + run_format + "\"; this file is of another kind");
-    if (const auto version = root.integer("format_version", 1); version != run_format_version)
-        throw root.error("format_version", "this program reads version " + std::to_string(run_format_version));
-}
-
 }
 
 std::string run_json(const Run& run)
 {
     const auto write = [&](JsonMembers& root) {
-        root.member("format", run_format);
-        root.member("format_version", run_format_version);
+        root.format(run_format, run_format_version);
         members(root, run);
     };
     return json_text(write, 2) + "\n";
@@ -106,7 +97,7 @@ Run read_run(const std::filesystem::path& folder)
         throw InputError::at({folder.string()}, "has no results.json: must be a folder that `run` or `analyze` wrote");
     const nlohmann::json json = read_json_file(file);
     JsonMembers root(StoredObject(json, file));
-    check_format(root.stored());
+    root.format(run_format, run_format_version);
     Run run;
     run.folder = folder;
     members(root, run);

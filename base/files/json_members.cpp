@@ -17,6 +17,19 @@ void JsonMembers::put_value(const std::string& name, const Value& value)
 
 void JsonMembers::put_json(const std::string& name, const std::string& text) { (*written_)[name] = Json::parse(text); }
 
+void JsonMembers::format(const std::string& name, int version)
+{
+    if (!read_) {
+        put("format", name);
+        put("format_version", version);
+        return;
+    }
+    if (!stored().has("format") || stored().text("format") != name)
+        throw stored().error("format", "must be \"" + name + "\"; this file is of another kind");
+    if (stored().integer("format_version", 1) != version)
+        throw stored().error("format_version", "this program reads version " + std::to_string(version));
+}
+
 void JsonMembers::json(const std::string& name, const std::string& value)
 {
     if (!value.empty()) put_json(name, value);

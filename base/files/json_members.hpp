@@ -79,6 +79,9 @@ public:
         if (!read_) put(name, value);
     }
 
+    /// The members "format" and "format_version" of a file, which one that is read must have as well.
+    void format(const std::string& name, int version);
+
     void folder_name(const std::string& name, const std::string& value) { put(name, value); }
     void folder_name(const std::string& name, std::string& value) { value = stored().folder_name(name); }
     void file_name(const std::string& name, const std::string& value) { put(name, value); }

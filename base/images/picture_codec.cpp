@@ -1,6 +1,8 @@
 // The module poissonlab_pictures: see loaded_codec.cpp.
 #include "base/images/picture_codec.hpp"
 
+#include "base/images/srgb_light.hpp"
+
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -186,13 +188,12 @@ private:
         return is_read ? "" : reason(input->geterror());
     }
 
-    /// Values become linear from sRGB, but for alpha: IEC 61966-2-1.
+    /// Values become linear from sRGB, but for alpha.
     static void make_linear(std::vector<float>& values, const OIIO::ImageSpec& spec)
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (static_cast<int>(i % static_cast<std::size_t>(spec.nchannels)) == spec.alpha_channel) continue;
-            const double v = values[i];
-            values[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+            values[i] = static_cast<float>(light_of_srgb(values[i]));
         }
     }
 

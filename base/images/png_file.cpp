@@ -42,6 +42,12 @@ Pixels read_picture(const fs::path& path, const Read& read)
 
 }
 
+void write_png(const fs::path& path, const PngPixels& pixels)
+{
+    write_png(path, {pixels.width, pixels.height, pixels.channels},
+              [&](int first, int) { return &pixels.values[pixels.at(0, first, 0)]; });
+}
+
 void write_png(const fs::path& path, const PngLayout& layout, const PngRows& rows)
 {
     write_picture(path, [&](const fs::path& temporary) { return loaded_codec().write(temporary, layout, rows); });

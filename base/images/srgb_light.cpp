@@ -7,11 +7,7 @@ namespace poissonlab {
 namespace {
 
 /// The light of a value between two bytes, in 65535ths.
-double light_of(double byte)
-{
-    const double v = byte / 255;
-    return 65535 * (v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-}
+double light_of(double byte) { return 65535 * light_of_srgb(byte / 255); }
 
 }
 

@@ -102,9 +102,7 @@ void add_tiling(const TilingRequest& request, const DiffractionSettings& setting
     const auto lags = std::min<int>(diffraction_lags, static_cast<int>(settings.size) - 1);
     const ColorAutocorrelation autocorrelation = color_autocorrelation(field, lags);
     const auto add_pixels = [&](const std::string& file, std::uint64_t tiles) {
-        const PngPixels pixels = tile_pixels(request, tiles);
-        write_png(files.add(file), {.width = pixels.width, .height = pixels.height, .channels = pixels.channels},
-                  [&](int first, int) { return pixels.values.data() + pixels.at(0, first, 0); });
+        write_png(files.add(file), tile_pixels(request, tiles));
         result.pictures.push_back({file, fmt::format("{0}, {1} x {1} tiles, each a colour.", name, tiles)});
     };
     add_pixels(name + "-small.png", small_picture);

@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/linear_picture.hpp"
+#include "base/images/srgb_light.hpp"
 #include "tiles/texture/texture_set.hpp"
 
 #include <fmt/format.h>
@@ -12,12 +13,10 @@
 namespace poissonlab {
 namespace {
 
-/// The sRGB byte of an amount of light (IEC 61966-2-1); the inverse of what reading made of a byte.
+/// The sRGB byte of an amount of light; the inverse of what reading made of a byte.
 std::uint8_t srgb_byte(double light)
 {
-    const double v = std::clamp(light, 0.0, 1.0);
-    return static_cast<std::uint8_t>(
-        std::lround(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055)));
+    return static_cast<std::uint8_t>(std::lround(255 * srgb_of_light(std::clamp(light, 0.0, 1.0))));
 }
 
 /// The channels that are shown: three colours, or the first one alone.

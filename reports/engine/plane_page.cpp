@@ -31,7 +31,7 @@ std::string render_plane_page(const TextureSet& set, const std::string& name)
     }
     page.set("levels", levels);
     PageData scripts{PageData::type::list};
-    for (const char* script : {"texture_plane_gl.js", "texture_plane.js"})
+    for (const char* script : {"webgl.js", "texture_plane_gl.js", "texture_plane.js"})
         scripts << PageData(std::string(page_template_file("templates/" + std::string(script))));
     page.set("scripts", scripts);
     return render_template("texture_plane", page);

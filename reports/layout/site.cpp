@@ -20,11 +20,12 @@ namespace {
 
 constexpr auto style_sheet = "report.css";
 constexpr std::array assets = {
-    "templates/report.css",         "templates/report.js",         "templates/ranking.js",
-    "templates/matrix.js",          "templates/compare_chart.js",  "templates/compare.js",
-    "templates/compare_hands.js",   "templates/steps.js",          "templates/endless_parts.js",
-    "templates/endless_density.js", "templates/endless_canvas.js", "templates/endless_gl.js",
-    "templates/endless.js",         "templates/endless_hands.js",  "../runtime/poisson_tiles.js"};
+    "templates/report.css",       "templates/report.js",          "templates/ranking.js",
+    "templates/matrix.js",        "templates/compare_chart.js",   "templates/compare.js",
+    "templates/compare_hands.js", "templates/steps.js",           "templates/webgl.js",
+    "templates/endless_parts.js", "templates/endless_density.js", "templates/endless_canvas.js",
+    "templates/endless_gl.js",    "templates/endless.js",         "templates/endless_hands.js",
+    "../runtime/poisson_tiles.js"};
 
 std::string title_of(const std::vector<Run>& runs)
 {

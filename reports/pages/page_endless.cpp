@@ -19,8 +19,8 @@ namespace poissonlab {
 namespace {
 
 /// The scripts of the page, in the order in which they need each other; poisson_tiles.js comes before them.
-constexpr std::array scripts{"endless_parts.js", "endless_density.js", "endless_canvas.js",
-                             "endless_gl.js",    "endless.js",         "endless_hands.js"};
+constexpr std::array scripts{"webgl.js",      "endless_parts.js", "endless_density.js", "endless_canvas.js",
+                             "endless_gl.js", "endless.js",       "endless_hands.js"};
 
 std::string facts_of_set(const PoissonTileSet& set)
 {

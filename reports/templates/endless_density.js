@@ -2,11 +2,7 @@
 // has the grey of a picture's pixel, so that the picture that is saved says the same to `poissonlab tiles points`.
 "use strict";
 
-/** Of sRGB: the light of a grey from 0 to 255, and the grey that is nearest to a light from 0 to 1. */
-const lightOf = Float64Array.from({ length: 256 }, (_, grey) => {
-  const v = grey / 255;
-  return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
-});
+/** Of sRGB: the grey that is nearest to a light from 0 to 1. */
 const greyOf = (light) =>
   Math.max(0, Math.min(255, Math.round(255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055))));
 

@@ -94,27 +94,13 @@ class GlPoints {
     canvas.addEventListener("webglcontextlost", () => (this.isLost = true));
     const words = set.points.length + (set.ranks ? set.ranks.length : 0);
     if (words / 2 > 2048 * gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error("the tile set is too large");
-    this.program = this.link(tilingVertices(set, header, set.ranks ? (set.ranks.byteOffset - set.points.byteOffset) / 2 : 0));
+    const ranksAt = set.ranks ? (set.ranks.byteOffset - set.points.byteOffset) / 2 : 0;
+    this.program = linkedProgram(gl, tilingVertices(set, header, ranksAt), pointFragments);
     gl.useProgram(this.program);
     this.places = new Map();
     this.texture(0, "ptiles_texture", this.fileWords());
     this.texture(1, "order", Uint32Array.from(pointOrder(set)));
     this.texture(2, "limits", new Uint32Array(1));
-  }
-
-  link(vertices) {
-    const { gl } = this;
-    const program = gl.createProgram();
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, pointFragments]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    return program;
   }
 
   /** The numbers of the tile set file from its points on, two a word. */

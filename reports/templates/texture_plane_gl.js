@@ -4,6 +4,9 @@
 
 const looks = { packed: 0, exact: 1, layered: 2 };
 
+const planeVertices = `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
+
 const planeFragments = (lookUp) => `#version 300 es
 precision highp float; precision highp int; precision highp sampler2D; precision highp sampler2DArray;
 uniform sampler2D atlas;
@@ -62,7 +65,7 @@ class GlPlane {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false });
     if (!gl) throw new Error("no WebGL2");
     Object.assign(this, { gl, canvas, colors, size, places: new Map() });
-    this.program = this.link(planeFragments(lookUp));
+    this.program = linkedProgram(gl, planeVertices, planeFragments(lookUp));
     gl.useProgram(this.program);
     const texels = levels.map((bytes) => GlPlane.opaque(bytes, channels));
     this.atlas = this.texture(gl.TEXTURE_2D, 0, texels);
@@ -80,10 +83,7 @@ class GlPlane {
 
   static meanLight(bytes, channels, channel) {
     let sum = 0;
-    for (let i = channel; i < bytes.length; i += channels) {
-      const value = bytes[i] / 255;
-      sum += value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-    }
+    for (let i = channel; i < bytes.length; i += channels) sum += lightOf[bytes[i]];
     return (sum * channels) / bytes.length;
   }
 
@@ -117,22 +117,6 @@ class GlPlane {
     const anisotropic = gl.getExtension("EXT_texture_filter_anisotropic");
     if (anisotropic) gl.texParameterf(target, anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, gl.getParameter(anisotropic.MAX_TEXTURE_MAX_ANISOTROPY_EXT));
     return made;
-  }
-
-  link(fragments) {
-    const { gl } = this, program = gl.createProgram();
-    const vertices = `#version 300 es
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    return program;
   }
 
   uniform(name) {

@@ -117,6 +117,7 @@ void panel(JsonMembers& m, Stored<ScenePanel> auto& panel, int dimension)
 
 void describe(JsonMembers& m, Stored<Scene> auto& scene)
 {
+    m.format(scene_format, scene_format_version);
     m.member("dimension", scene.dimension, 2);
     m.check([&](const StoredObject& root) {
         if (scene.dimension > 3) throw root.error("dimension", "must be 2 or 3");
@@ -142,23 +143,13 @@ void check(const StoredObject& root, const Scene& scene)
 
 std::string scene_json(const Scene& scene)
 {
-    const auto write = [&](JsonMembers& root) {
-        root.member("format", scene_format);
-        root.member("format_version", scene_format_version);
-        describe(root, scene);
-    };
-    return json_text(write) + "\n";
+    return json_text([&](JsonMembers& root) { describe(root, scene); }) + "\n";
 }
 
 Scene read_scene(const std::filesystem::path& file)
 {
     const nlohmann::json json = read_json_file(file);
     JsonMembers root(StoredObject(json, file));
-    if (!root.stored().has("format") || root.stored().text("format") != scene_format)
-        throw root.stored().error("format",
-                                  std::string("must be \"") + scene_format + "\"; this file is of another kind");
-    if (root.stored().integer("format_version", 1) != scene_format_version)
-        throw root.stored().error("format_version", "this program reads version 1");
     Scene scene;
     describe(root, scene);
     check(root.stored(), scene);

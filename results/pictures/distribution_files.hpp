@@ -27,6 +27,13 @@ public:
         return place_(name);
     }
 
+    /// The same of a file that the result lists for readers.
+    std::filesystem::path add(const std::string& name, DistributionResult& result)
+    {
+        result.files.push_back(name);
+        return add(name);
+    }
+
     /// Writes a picture of marks, and lists it in the result.
     void add_marks(const std::string& name, const MarkPicture& picture, const std::string& caption,
                    DistributionResult& result);

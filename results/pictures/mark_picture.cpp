@@ -86,6 +86,7 @@ void describe_words(JsonMembers& m, Stored<MarkWords> auto& words)
 
 void describe_marks(JsonMembers& m, Stored<MarkPicture> auto& picture)
 {
+    m.format(mark_format, mark_format_version);
     m.member("width", picture.width);
     m.member("height", picture.height);
     m.member("pixels", picture.pixels, 1);
@@ -104,22 +105,13 @@ void describe_marks(JsonMembers& m, Stored<MarkPicture> auto& picture)
 
 std::string mark_picture_json(const MarkPicture& picture)
 {
-    const auto write = [&](JsonMembers& root) {
-        root.member("format", mark_format);
-        root.member("format_version", mark_format_version);
-        describe_marks(root, picture);
-    };
-    return json_text(write) + "\n";
+    return json_text([&](JsonMembers& root) { describe_marks(root, picture); }) + "\n";
 }
 
 MarkPicture read_mark_picture(const std::filesystem::path& file)
 {
     const nlohmann::json json = read_json_file(file);
     JsonMembers root(StoredObject(json, file));
-    if (!root.stored().has("format") || root.stored().text("format") != mark_format)
-        throw root.stored().error("format", fmt::format("must be \"{}\"; this file is of another kind", mark_format));
-    if (root.stored().integer("format_version", 1) != mark_format_version)
-        throw root.stored().error("format_version", fmt::format("this program reads version {}", mark_format_version));
     MarkPicture picture;
     describe_marks(root, picture);
     return picture;

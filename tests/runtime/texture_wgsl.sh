@@ -6,25 +6,12 @@
 # Usage: texture_wgsl.sh SOURCE_FOLDER
 set -euo pipefail
 
-command -v node >/dev/null && command -v chromium >/dev/null || { echo 'needs node and Chromium'; exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "$0")/in_chromium.sh"
 node - "$1" >"$folder/page.html" <<'END'
 const read = (name) => String(require("fs").readFileSync(`${process.argv[2]}/${name}`));
 console.log(`<!doctype html><meta charset="utf-8"><body><script>const library = ${JSON.stringify(read("runtime/texture_look_up.wgsl"))};
 </script><script>${read("tests/runtime/texture_wgsl_test.js")}</script>`);
 END
-chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --remote-debugging-port=0 \
-    --enable-logging=stderr --enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-features=Vulkan \
-    "file://$folder/page.html" 2>"$folder/log" &
-browser=$!
-for ((tenths = 0; tenths < 3000; ++tenths)); do
-    said=$(grep -o '\[\[\(different\|failed\|no\).*\]\]' "$folder/log" || true)
-    [ -z "$said" ] || break
-    sleep 0.1
-done
-kill "$browser"
-wait "$browser" || true
+open_page
 echo "$said"
-[ "$said" != '[[no WebGPU]]' ] || exit 77
 [ "$said" = '[[different: 0 0 0 0 0 0 0]]' ]

@@ -118,12 +118,6 @@ DeepPixels source_picture(const TextureSet& set, const AtlasLayout& layout)
     return picture;
 }
 
-void write_pixels(const fs::path& file, const PngPixels& pixels)
-{
-    write_png(file, {pixels.width, pixels.height, pixels.channels},
-              [&](int first, int) { return &pixels.values[pixels.at(0, first, 0)]; });
-}
-
 /// Throws InputError where the pixels are not those that the JSON file was written for.
 template <class Pixels>
 void check_pixels(const fs::path& file, const Pixels& pixels, int width, int height, int channels,
@@ -252,8 +246,8 @@ void write_texture_files(const std::function<fs::path(const std::string& name)>&
         stored.set.companions.push_back({map.picture_file, map.atlas_file, map.is_original, map.hash, {}});
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         stored.tiles.push_back({set.tiles[i], layout.places[i].first, layout.places[i].second});
-    write_pixels(place(exemplar_name), set.exemplar);
-    write_pixels(place(atlas_name), atlas);
+    write_png(place(exemplar_name), set.exemplar);
+    write_png(place(atlas_name), atlas);
     write_deep_png(place(sources_name), sources);
     write_companions(place, set);
     const auto& written = stored;

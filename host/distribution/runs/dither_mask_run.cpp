@@ -52,8 +52,7 @@ DistributionResult make_dither_mask(const DitherMaskSettings& settings, std::uin
     for (std::uint32_t i = 1; i <= measured_thresholds; ++i) measures.push_back(threshold_measures(mask, i));
     files.add_marks("power.json", dither_curves(measures), "Radially averaged power of the pixels below thresholds.",
                     result);
-    write_dither_mask(files.add("mask.npy"), mask);
-    result.files.emplace_back("mask.npy");
+    write_dither_mask(files.add("mask.npy", result), mask);
     result.numbers = dither_numbers(measures);
     result.tables.push_back(dither_table(measures));
     return result;

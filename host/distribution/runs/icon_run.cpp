@@ -52,8 +52,7 @@ DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, 
     if (icons.holes > 0) result.facts.push_back(fmt::format("{} points in holes", icons.holes));
     files.add_marks("icons.json", icon_picture(icons, field), "Arrows, each in its disk; vectors too short are dots.",
                     result);
-    write_whole_file(files.add("icons.csv"), icons_csv(icons));
-    result.files.push_back("icons.csv");
+    write_whole_file(files.add("icons.csv", result), icons_csv(icons));
     result.numbers = icon_numbers(icons, field, points.size() / 2);
     return result;
 }

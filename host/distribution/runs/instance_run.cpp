@@ -82,14 +82,11 @@ DistributionResult make_instances(const InstanceSettings& settings, std::uint64_
     result.facts = {settings.scene, fmt::format("{} instances of {} models", instances.size(), settings.models),
                     fmt::format("{} x {} units", settings.window[2], settings.window[3])};
     if (!settings.terrain.empty()) result.facts.emplace_back("on a terrain, whose slopes stretch distances");
-    const PngPixels view = view_from_above(instances, settings, radius);
-    write_png(files.add("above.png"), {view.width, view.height, 3},
-              [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+    write_png(files.add("above.png"), view_from_above(instances, settings, radius));
     result.pictures.push_back({"above.png", "From above: simple bodies that show model, turn, scale and tilt."});
-    write_whole_file(files.add("instances.csv"), instances_csv(instances));
-    write_whole_file(files.add("instances.ply"), instances_ply(instances));
-    write_whole_file(files.add("instances.usda"), instances_usda(instances, settings, radius));
-    for (const char* name : {"instances.csv", "instances.ply", "instances.usda"}) result.files.emplace_back(name);
+    write_whole_file(files.add("instances.csv", result), instances_csv(instances));
+    write_whole_file(files.add("instances.ply", result), instances_ply(instances));
+    write_whole_file(files.add("instances.usda", result), instances_usda(instances, settings, radius));
     result.numbers = instance_numbers(instances.size(), settings, radius);
     return result;
 }

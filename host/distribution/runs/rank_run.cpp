@@ -149,8 +149,7 @@ void show_ranks(const std::vector<SelfSimilarPoint>& ranked, DistributionFiles& 
         words.words.push_back({{places[i][0], places[i][1] - 0.015}, 0.045, fmt::format("{}", i)});
     files.add_marks("points.json", points, "(a) The points.", result);
     files.add_marks("ranks.json", words, "(b) Their ranks.", result);
-    write_whole_file(files.add("ranks.csv"), ranks_text(ranked));
-    result.files.push_back("ranks.csv");
+    write_whole_file(files.add("ranks.csv", result), ranks_text(ranked));
 }
 
 void show_progression(const std::vector<SelfSimilarPoint>& ranked, DistributionFiles& files, DistributionResult& result)
@@ -217,8 +216,7 @@ void show_search(const SelfSimilarSettings& settings, const DistributionPlace& p
         result.numbers.push_back({fmt::format("radius_{}", different), fmt::format("Radius {}", different), radius,
                                   fmt::format("starts {} and {}", tile.starts.x, tile.starts.y)});
     }
-    write_whole_file(files.add("starts.csv"), text);
-    result.files.push_back("starts.csv");
+    write_whole_file(files.add("starts.csv", result), text);
     result.facts = {fmt::format("{} points", points),
                     fmt::format("{} tiles of a relative radius of {} or more, {} different radii", found.size(),
                                 settings.least_radius, different)};
@@ -273,9 +271,8 @@ DistributionResult make_ranked(const RankSettings& settings, std::uint64_t, cons
     for (const SubdividedPoint& point : points) dots.disks.push_back({point.x, point.y, radius});
     picture.groups.push_back(std::move(dots));
     files.add_marks("points.json", picture, "The points.", result);
-    write_places(files.add("points.npy"), places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
-                 "");
-    result.files.push_back("points.npy");
+    write_places(files.add("points.npy", result), places,
+                 static_cast<std::uint32_t>(std::max(density.width, density.height)), "");
     result.numbers = rank_numbers(settings, density, places);
     return result;
 }

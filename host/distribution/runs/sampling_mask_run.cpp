@@ -64,10 +64,9 @@ DistributionResult make_sampling_mask(const SamplingMaskSettings& settings, std:
     result.pictures.push_back({"mask.png", "Samples are white."});
     files.add_marks("profile.json", mask_profile(mask),
                     "The part of pixels that are samples, by distance from the middle.", result);
-    write_mask(files.add("mask.npy"), mask);
-    write_mask(files.add("mask.cfl"), mask);
-    files.add("mask.hdr");
-    for (const char* name : {"mask.npy", "mask.cfl", "mask.hdr"}) result.files.emplace_back(name);
+    write_mask(files.add("mask.npy", result), mask);
+    write_mask(files.add("mask.cfl", result), mask);
+    files.add("mask.hdr", result);
     result.numbers = mask_numbers(field, mask);
     return result;
 }

@@ -86,9 +86,8 @@ DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t 
     write_coverage(files.add("ink.png"), {picture.ink.width, picture.ink.height, picture.ink.values, 0, 0});
     result.pictures.push_back(
         {"ink.png", "The ink that is asked for, as dark on a screen as the coverage is where both are alike."});
-    write_places(files.add("points.npy"), stippling.places,
+    write_places(files.add("points.npy", result), stippling.places,
                  static_cast<std::uint32_t>(std::max(picture.ink.width, picture.ink.height)), "");
-    result.files.push_back("points.npy");
     result.numbers =
         mark_numbers(picture, settings, stippling, tones_of(picture, settings, stippling, coverage, place));
     return result;

@@ -74,15 +74,12 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     result.facts = {fmt::format("{} points", set.points.size()), surface_fact(set, settings),
                     fmt::format("{} triangles", surface.triangles.size())};
     for (const std::string& note : set.mesh->notes()) result.facts.push_back(note);
-    const PngPixels view = surface_view(surface, set.points, dots_of(set));
-    write_png(files.add("points.png"), {view.width, view.height, 1},
-              [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+    write_png(files.add("points.png"), surface_view(surface, set.points, dots_of(set)));
     result.pictures.push_back(
         {"points.png", "The points on their surface, from the front above and from behind above."});
-    write_surface_points(files.add("points.ply"), surface, set.points, "");
-    write_points(files.add("points.npy"), set.places());
-    write_points(files.add("normals.npy"), normals_of(surface, set.points));
-    for (const char* name : {"points.ply", "points.npy", "normals.npy"}) result.files.emplace_back(name);
+    write_surface_points(files.add("points.ply", result), surface, set.points, "");
+    write_points(files.add("points.npy", result), set.places());
+    write_points(files.add("normals.npy", result), normals_of(surface, set.points));
     result.numbers = surface_numbers(set, seed);
     return result;
 }

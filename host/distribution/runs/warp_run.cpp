@@ -93,21 +93,16 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
                     fmt::format("{} points", places.size() / 2), method_words(settings.method)};
     if (map) result.facts.push_back("seen from " + std::string(seen_from_names[settings.seen_from]));
     if (!density.note.empty()) result.facts.push_back(density.note);
-    const PngPixels ground = ground_of(density);
-    write_png(files.add("density.png"), {ground.width, ground.height, 1},
-              [&](int first, int) { return &ground.values[ground.at(0, first, 0)]; });
+    write_png(files.add("density.png"), ground_of(density));
     result.pictures.push_back({"density.png", map ? "Luminance times solid angle." : "The density."});
     MarkPicture over = dots_of(density, places, "#e02020", map ? 0.25 : 0.2);
     over.ground = "density.png";
     files.add_marks("over.json", over, map ? "Lights over the map." : "Points over the density.", result);
     files.add_marks("points.json", dots_of(density, places, "#000000", 0.4), "The points.", result);
-    write_places(files.add("points.npy"), places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
-                 "");
-    result.files.push_back("points.npy");
-    if (map) {
-        write_whole_file(files.add("lights.csv"), lights_text(sky_lights(*map, places, settings.seen_from)));
-        result.files.push_back("lights.csv");
-    }
+    write_places(files.add("points.npy", result), places,
+                 static_cast<std::uint32_t>(std::max(density.width, density.height)), "");
+    if (map)
+        write_whole_file(files.add("lights.csv", result), lights_text(sky_lights(*map, places, settings.seen_from)));
     result.numbers = warp_numbers(map, density, places, points);
     return result;
 }

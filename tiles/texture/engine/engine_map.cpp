@@ -21,11 +21,8 @@ const std::vector<double>& light_of_words()
 {
     static const std::vector<double> all = [] {
         std::vector<double> light;
-        for (int word = 0; word < 65536; ++word) {
-            const double v = word / 65535.0;
-            light.push_back(std::round((v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4)) * 0x1p40) *
-                            0x1p-40);
-        }
+        for (int word = 0; word < 65536; ++word)
+            light.push_back(std::round(light_of_srgb(word / 65535.0) * 0x1p40) * 0x1p-40);
         return light;
     }();
     return all;
