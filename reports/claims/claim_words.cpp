@@ -131,14 +131,10 @@ std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::v
 /// 0.5 dB is what K = 10 sets and some hundred rings leave open.
 std::optional<ClaimOutcome> has_low_anisotropy(const std::vector<const ReportSeries*>& all)
 {
-    Cases cases;
-    std::vector<Estimate> values;
-    for (const ReportSeries* series : all) {
-        if (series->stored->deterministic) continue;
-        values.push_back(mean_excess_anisotropy(*series));
-        cases.add(is_within(values.back(), -0.5, 0.5));
-    }
-    return cases.outcome(range_words(values, 2) + " dB from it");
+    const auto excess = [](const ReportSeries& series) {
+        return series.stored->deterministic ? std::nullopt : std::optional(mean_excess_anisotropy(series));
+    };
+    return over(all, excess, within(-0.5, 0.5), 2, " dB from it");
 }
 
 Finding compared_plates(double error, double other_error)

@@ -60,6 +60,44 @@ private:
     std::vector<std::string> words_;
 };
 
+// What is_above() and the like say of a limit, for over().
+inline auto above(double limit)
+{
+    return [limit](const Estimate& value) { return is_above(value, limit); };
+}
+inline auto below(double limit)
+{
+    return [limit](const Estimate& value) { return is_below(value, limit); };
+}
+inline auto within(double low, double high)
+{
+    return [low, high](const Estimate& value) { return is_within(value, low, high); };
+}
+
+/// Judges a number of each series, an Estimate or nothing where a series has none, and says their range before `unit`.
+template <class Number, class Judge>
+std::optional<ClaimOutcome> over(const std::vector<const ReportSeries*>& all, const Number& number, const Judge& judge,
+                                 int digits, const std::string& unit = "")
+{
+    Cases cases;
+    std::vector<Estimate> values;
+    for (const ReportSeries* series : all)
+        if (const std::optional<Estimate> value = number(*series)) {
+            values.push_back(*value);
+            cases.add(judge(*value));
+        }
+    return cases.outcome(range_words(values, digits) + unit);
+}
+
+/// A measure of a series by its key, for over().
+inline auto measured(const char* key)
+{
+    return [key](const ReportSeries& series) {
+        const Estimate* found = estimate_of(series, key);
+        return found == nullptr ? std::nullopt : std::optional(*found);
+    };
+}
+
 /// Whether the picture of a series has false plates that noise alone makes once in ten thousand pictures; fails: none
 /// that noise does not make once in a hundred. std::nullopt: there is no picture.
 std::optional<Finding> finds_false_plates(const ClaimSeries& report, const ReportSeries& series);

@@ -26,10 +26,8 @@ std::vector<Estimate> strongest_rings(const ClaimSeries& report, const char* sam
 
 PolyominoOutcome have_no_spikes(const ClaimSeries& report)
 {
-    const std::vector<Estimate> rings = strongest_rings(report, "polyominoes");
-    Cases cases;
-    for (const Estimate& ring : rings) cases.add(is_below(ring, spike_db));
-    return cases.outcome(range_words(rings, 3) + " dB above chance");
+    return over(of_even_density(report, "polyominoes", SeriesQuery::Needs::spectrum), peak_excess_anisotropy,
+                below(spike_db), 3, " dB above chance");
 }
 
 /// Every series of polyominoes beside every Penrose tiling.

@@ -35,8 +35,7 @@ TilingOutcome any_two_wang_tiles(const ClaimSeries& report)
 /// The scanline schemes of this report with compact sets: two choices, and 2 C^2 or 2 C^3 tiles.
 TilingOutcome two_choices(const ClaimSeries& report)
 {
-    Tally tally;
-    std::string words;
+    Cases cases;
     for (const DistributionResult* scheme : report.distributions("scanline")) {
         double tiles = 0, fewest = 0;
         for (const DistributionNumber& number : scheme->numbers) {
@@ -45,11 +44,9 @@ TilingOutcome two_choices(const ClaimSeries& report)
         }
         if (std::ranges::none_of(scheme->facts, [](const std::string& fact) { return fact.ends_with("compact set"); }))
             continue;
-        tally.add(fewest == 2);
-        words = joined_words({words, fmt::format("{} tiles: never fewer than {} fit", tiles, fewest)});
+        cases.add(fewest == 2, fmt::format("{} tiles: never fewer than {} fit", tiles, fewest));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), words};
+    return cases.uncounted();
 }
 
 TilingOutcome evaluations(const ClaimSeries& report, const std::vector<std::pair<std::string, double>>& expected)

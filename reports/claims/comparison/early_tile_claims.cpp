@@ -71,14 +71,7 @@ EarlyOutcome small_radius_across(const ClaimSeries& report)
 /// Points of one tile alone.
 EarlyOutcome large_radius_within(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> radii;
-    for (const ReportSeries* series : averaged_as_in_the_paper(report))
-        if (const Estimate* radius = estimate_of(*series, "relative_radius_within_tiles")) {
-            radii.push_back(*radius);
-            cases.add(is_within(*radius, 0.75, 0.85));
-        }
-    return cases.outcome(range_words(radii, 2));
+    return over(averaged_as_in_the_paper(report), measured("relative_radius_within_tiles"), within(0.75, 0.85), 2);
 }
 
 /// Thirty iterations, as the dissertation has, do not tell whether it settles: longer ones refute it.

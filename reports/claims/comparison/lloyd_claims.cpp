@@ -119,13 +119,8 @@ Outcome fewer_points_higher(const ClaimSeries& report)
 
 Outcome settles_high(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> values;
-    for (const auto* series : long_relaxations(report)) {
-        values.push_back(radius_after(*series, radii(*series).size() - 1));
-        cases.add(is_within(values.back(), 0.75, 0.85));
-    }
-    return cases.outcome(range_words(values, 3));
+    const auto last = [](const ReportSeries& series) { return radius_after(series, radii(series).size() - 1); };
+    return over(long_relaxations(report), last, within(0.75, 0.85), 3);
 }
 
 /// Spectra after i = 0, 1, 2, ... iterations of the same starts.

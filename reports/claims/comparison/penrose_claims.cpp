@@ -32,13 +32,8 @@ PenroseOutcome radius_of_penrose(const ClaimSeries& report)
 
 PenroseOutcome spikes_of_penrose(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> peaks;
-    for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::spectrum)) {
-        peaks.push_back(peak_excess_anisotropy(*series));
-        cases.add(is_above(peaks.back(), 10));
-    }
-    return cases.outcome(range_words(peaks, 3) + " dB above chance");
+    return over(even_penrose(report, SeriesQuery::Needs::spectrum), peak_excess_anisotropy, above(10), 3,
+                " dB above chance");
 }
 
 PenroseOutcome more_anisotropic_than_tiles(const ClaimSeries& report)

@@ -48,25 +48,6 @@ Recommendation shade_beside_others(const ClaimSeries& report)
     return ClaimOutcome{Agreement::shown, joined_words(words)};
 }
 
-/// Pairs of a series of one method and one of another, which differ in a quality.
-class Duel
-{
-public:
-    void add(const ReportSeries& better, const ReportSeries& worse, Finding finding)
-    {
-        tally_.add(flag_.if_several({&better, &worse}, finding));
-    }
-    bool empty() const { return tally_.empty(); }
-    ClaimOutcome outcome(const std::string& words) const
-    {
-        return {tally_.agreement(), joined_words({words, tally_.words(), flag_.words()})};
-    }
-
-private:
-    Tally tally_;
-    TileSetFlag flag_;
-};
-
 Finding is_less_anisotropic(const ReportSeries& better, const ReportSeries& worse)
 {
     return is_below(difference_of(*excess_anisotropy(better), *excess_anisotropy(worse)), 0);
@@ -75,7 +56,8 @@ Finding is_less_anisotropic(const ReportSeries& better, const ReportSeries& wors
 /// Every series of edge tiles against every one of averaged tiles, in radius and in anisotropy.
 Recommendation edges_beat_averaged(const ClaimSeries& report)
 {
-    Duel duel;
+    Cases cases;
+    TileSetFlag flag;
     std::vector<double> radii, other_radii;
     std::vector<Estimate> power, other_power;
     for (const ReportSeries* edge : usual_series(report, "edge-tiles"))
@@ -87,19 +69,20 @@ Recommendation edges_beat_averaged(const ClaimSeries& report)
             other_radii.push_back(other->min);
             power.push_back(*a);
             other_power.push_back(*b);
-            duel.add(*edge, *averaged, finding_if(radius->min > other->min));
-            duel.add(*edge, *averaged, is_less_anisotropic(*edge, *averaged));
+            for (const Finding finding : {finding_if(radius->min > other->min), is_less_anisotropic(*edge, *averaged)})
+                cases.add(flag.if_several({edge, averaged}, finding));
         }
-    if (duel.empty()) return std::nullopt;
-    return duel.outcome(fmt::format("radius {} against {}, anisotropy {} against {} dB above chance",
-                                    range_words(radii, 2), range_words(other_radii, 2), range_words(power, 2),
-                                    range_words(other_power, 2)));
+    return cases.outcome(fmt::format("radius {} against {}, anisotropy {} against {} dB above chance",
+                                     range_words(radii, 2), range_words(other_radii, 2), range_words(power, 2),
+                                     range_words(other_power, 2)),
+                         flag.words());
 }
 
 /// Corner tiles against sets of another kind with at least as many tiles, of as many points a tile.
 Recommendation corners_beat(const ClaimSeries& report, const char* sampler)
 {
-    Duel duel;
+    Cases cases;
+    TileSetFlag flag;
     std::vector<Estimate> own, others;
     for (const ReportSeries* corner : tiling_spectra(report, "corner-tiles"))
         for (const ReportSeries* other : tiling_spectra(report, sampler)) {
@@ -108,10 +91,9 @@ Recommendation corners_beat(const ClaimSeries& report, const char* sampler)
             if (points_per_tile(*corner) != points_per_tile(*other)) continue;
             own.push_back(*a);
             others.push_back(*b);
-            duel.add(*corner, *other, is_less_anisotropic(*corner, *other));
+            cases.add(flag.if_several({corner, other}, is_less_anisotropic(*corner, *other)));
         }
-    if (duel.empty()) return std::nullopt;
-    return duel.outcome(range_words(own, 2) + " against " + range_words(others, 2) + " dB above chance");
+    return cases.outcome(range_words(own, 2) + " against " + range_words(others, 2) + " dB above chance", flag.words());
 }
 
 /// The median over the series of a method.
@@ -131,19 +113,13 @@ Recommendation below_average(const ClaimSeries& report, const char* sampler)
     for (const char* other : {"dart-throwing", "relaxation-dart-throwing", "lloyd", "edge-tiles", "corner-tiles",
                               "template-tiles", "averaged-tiles", "shade-tiles", "sector-darts", "voronoi-darts"})
         if (const auto typical = typical_anisotropy(report, other)) others.push_back(*typical);
-    Tally tally;
-    std::vector<Estimate> own;
-    if (!others.empty())
-        for (const ReportSeries* series : usual_series(report, sampler))
-            if (const auto value = excess_anisotropy(*series)) {
-                own.push_back(*value);
-                tally.add(others.size() < fewest_methods ? Finding::open : is_above(*value, median(others)));
-            }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("{} dB above chance, the middle of {} other methods has {}",
-                                                  range_words(own, 2), others.size(), format_fixed(median(others), 2)),
-                                      tally.words()})};
+    if (others.empty()) return std::nullopt;
+    const auto judge = [&](const Estimate& value) {
+        return others.size() < fewest_methods ? Finding::open : is_above(value, median(others));
+    };
+    return over(usual_series(report, sampler), excess_anisotropy, judge, 2,
+                fmt::format(" dB above chance, the middle of {} other methods has {}", others.size(),
+                            format_fixed(median(others), 2)));
 }
 
 /// The worst realization of each series that draws every point once.

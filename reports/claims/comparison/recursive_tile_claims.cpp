@@ -50,13 +50,8 @@ RecursiveOutcome radius_is_low(const ClaimSeries& report)
 
 RecursiveOutcome is_anisotropic(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> excess;
-    for (const ReportSeries* series : recursive_series(report, "once", SeriesQuery::Needs::spectrum)) {
-        excess.push_back(mean_excess_anisotropy(*series));
-        cases.add(is_above(excess.back(), 1));
-    }
-    return cases.outcome(range_words(excess, 1) + " dB above chance");
+    return over(recursive_series(report, "once", SeriesQuery::Needs::spectrum), mean_excess_anisotropy, above(1), 1,
+                " dB above chance");
 }
 
 RecursiveOutcome has_a_bad_spectrum(const ClaimSeries& report)

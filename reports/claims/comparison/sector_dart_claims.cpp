@@ -83,13 +83,8 @@ DartOutcome larger_peaks(const ClaimSeries& report, const std::string& variant, 
 
 DartOutcome is_skew(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> excess;
-    for (const ReportSeries* linear : sector_darts(report, "linear", DartNeeds::spectrum)) {
-        excess.push_back(mean_excess_anisotropy(*linear));
-        cases.add(is_above(excess.back(), 0.5));
-    }
-    return cases.outcome(range_words(excess, 2) + " dB above chance on average");
+    return over(sector_darts(report, "linear", DartNeeds::spectrum), mean_excess_anisotropy, above(0.5), 2,
+                " dB above chance on average");
 }
 
 /// Ring by ring, how much nearer a curve is to a second one than to a third: the mean, with the scatter of rings.

@@ -49,13 +49,7 @@ TemplateOutcome template_peaks_beside_others(const ClaimSeries& report)
 
 TemplateOutcome peaks_in_anisotropy(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> values;
-    for (SeriesPointer series : tiling_spectra(report, "template-tiles")) {
-        values.push_back(peak_excess_anisotropy(*series));
-        cases.add(is_above(values.back(), 10));
-    }
-    return cases.outcome(range_words(values, 2) + " dB above chance");
+    return over(tiling_spectra(report, "template-tiles"), peak_excess_anisotropy, above(10), 2, " dB above chance");
 }
 
 /// The power of the ring with the first lattice frequencies over that of the rings two and three away.
@@ -79,15 +73,7 @@ std::optional<Estimate> ring_of_lattice(const ReportSeries& series)
 
 TemplateOutcome peaks_in_radial_power(const ClaimSeries& report)
 {
-    Cases cases;
-    std::vector<Estimate> ratios;
-    for (SeriesPointer series : tiling_spectra(report, "template-tiles")) {
-        const auto ratio = ring_of_lattice(*series);
-        if (!ratio) continue;
-        ratios.push_back(*ratio);
-        cases.add(is_above(*ratio, 2));
-    }
-    return cases.outcome(range_words(ratios, 2) + " times the power beside it");
+    return over(tiling_spectra(report, "template-tiles"), ring_of_lattice, above(2), 2, " times the power beside it");
 }
 
 TemplateOutcome plates_improve(const ClaimSeries& report)
