@@ -1,7 +1,6 @@
 #include "experiment/config/analysis_options.hpp"
 
 #include "experiment/config/overrides.hpp"
-#include "host/settings/config_values.hpp"
 
 #include <fmt/format.h>
 
@@ -13,42 +12,37 @@ constexpr int most_frequencies_2d = 8192;
 constexpr int most_frequencies_3d = 512;
 constexpr int most_tiles = 4096;
 
-int read_spectrum_size(const ConfigTable& table, int dimension)
+void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
 {
-    const int most = dimension == 2 ? most_frequencies_2d : most_frequencies_3d;
-    const auto size = static_cast<int>(read_integer(table, "spectrum_size", 4, most, 0));
-    if (size % 2 != 0) throw invalid_node("spectrum_size", *find(table, "spectrum_size"), "must be even");
-    return size;
+    std::string spectrum = "fast";
+    keys.word("spectrum", spectrum, {"fast", "exact", "none"}, "how periodograms are computed");
+    if (spectrum == "exact") o.spectrum = PeriodogramMethod::exact;
+    if (spectrum == "none") o.spectrum = std::nullopt;
+    keys.integer("spectrum_size", o.spectrum_size, 4, dimension == 2 ? most_frequencies_2d : most_frequencies_3d,
+                 "frequencies along each axis")
+        .otherwise("by the number of points");
+    if (o.spectrum_size % 2 != 0) throw keys.invalid("spectrum_size", "must be even");
+    keys.number("bin_width", o.bin_width, {1, 100}, "of radial curves").unit("frequencies");
+    keys.flag("volume", o.volume, "whether the whole spectrum is stored, in 3D");
 }
 
-/// The way to compute periodograms; std::nullopt if there are none, and then keys about them are refused.
-std::optional<PeriodogramMethod> read_periodogram_method(const ConfigTable& table)
+void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension)
 {
-    switch (read_word(table, "spectrum", {"fast", "exact", "none"})) {
-    case 0:
-        return PeriodogramMethod::fast;
-    case 1:
-        return PeriodogramMethod::exact;
-    default:
-        break;
-    }
-    for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles"})
-        if (const ConfigNode* node = find(table, key))
-            throw invalid_node(key, *node, "does not go with spectrum = \"none\"; leave it out");
-    return std::nullopt;
+    if (!o.spectrum)
+        for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles"})
+            if (keys.is_given(key)) throw keys.invalid(key, "does not go with spectrum = \"none\"; leave it out");
+    if (o.volume && dimension != 3)
+        throw keys.invalid("volume", "needs dimension = 3: spectra of 2D sets are stored whole");
+    if (o.zone_plate && dimension != 2)
+        throw keys.invalid("zone_plate", "needs dimension = 2: the zone plate is a function of the plane");
+    if (o.region && o.spectrum_size > largest_region_spectrum)
+        throw keys.invalid("spectrum_size",
+                           fmt::format("must be at most {} for sets in a region", largest_region_spectrum));
 }
 
-/// A flag that only means something in one dimension.
-bool read_flag_for(const ConfigTable& table, const std::string& key, int dimension, int needed, const char* why)
-{
-    const bool flag = read_flag(table, key, false);
-    if (flag && dimension != needed)
-        throw invalid_node(key, *find(table, key), fmt::format("needs dimension = {}: {}", needed, why));
-    return flag;
-}
-
-/// The table [analysis] of `--set` arguments over these entries.
-ConfigTable overridden_table(const std::vector<std::string>& overrides, const ConfigTable& entries)
+/// Reads the table [analysis] of `--set` arguments over these entries by such a function.
+template <class Visit>
+auto overridden(const std::vector<std::string>& overrides, const ConfigTable& entries, const Visit& visit)
 {
     ConfigTable top{{"analysis", {entries, {}, {}}}};
     apply_overrides(top, overrides);
@@ -56,49 +50,40 @@ ConfigTable overridden_table(const std::vector<std::string>& overrides, const Co
     const ConfigNode* analysis = find(top, "analysis");
     const auto* table = analysis->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *analysis, "must be a table: --set analysis.KEY=VALUE");
-    check_keys(*table, analysis_option_keys());
-    return *table;
+    Keys known, keys(*table, {}, "");
+    analysis_keys(known, 2);
+    check_keys(*table, known.names());
+    return visit(keys);
 }
 
 }
 
-const std::vector<std::string>& analysis_option_keys()
+AnalysisOptions analysis_keys(Keys& keys, int dimension)
 {
-    static const std::vector<std::string> keys = {
-        "spectrum", "spectrum_size", "bin_width", "volume", "zone_plate", "tiles",        "window",
-        "measures", "point_files",   "region",    "planar", "density",    "density_from", "envelope"};
-    return keys;
-}
-
-AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension)
-{
-    AnalysisOptions options;
-    options.spectrum = read_periodogram_method(analysis);
-    options.spectrum_size = read_spectrum_size(analysis, dimension);
-    options.bin_width = read_number(analysis, "bin_width", 1, 100, options.bin_width);
-    options.volume = read_flag_for(analysis, "volume", dimension, 3, "spectra of 2D sets are stored whole");
-    options.zone_plate =
-        read_flag_for(analysis, "zone_plate", dimension, 2, "the zone plate is a function of the plane");
-    options.tiles = static_cast<int>(read_integer(analysis, "tiles", 2, most_tiles, 0));
-    options.window = read_flag(analysis, "window", false);
-    options.distances_only = read_word(analysis, "measures", {"all", "distances"}) == 1;
-    options.first_points_only = read_word(analysis, "point_files", {"all", "first"}) == 1;
-    options.region = read_region_options(analysis, dimension);
-    if (options.region && options.spectrum_size > largest_region_spectrum)
-        throw invalid_node("spectrum_size", *find(analysis, "spectrum_size"),
-                           fmt::format("must be at most {} for sets in a region", largest_region_spectrum));
-    return options;
+    AnalysisOptions o;
+    spectrum_keys(keys, o, dimension);
+    keys.flag("zone_plate", o.zone_plate, "whether sets sample the zone plate, in 2D");
+    keys.integer("tiles", o.tiles, 2, most_tiles, "tiles that sets are made of, along each axis")
+        .otherwise("sets have no tiles");
+    keys.flag("window", o.window, "whether sets are windows of the plane, not tori");
+    static constexpr WordTable<bool, 2> measures{{{{false, "all"}, {true, "distances"}}}};
+    static constexpr WordTable<bool, 2> point_files{{{{false, "all"}, {true, "first"}}}};
+    keys.word("measures", o.distances_only, measures, "what is measured");
+    keys.word("point_files", o.first_points_only, point_files, "whose points are stored");
+    o.region = region_keys(keys, dimension);
+    check_analysis(keys, o, dimension);
+    return o;
 }
 
 AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension,
                                     const ConfigTable& entries)
 {
-    return read_analysis_options(overridden_table(overrides, entries), dimension);
+    return overridden(overrides, entries, [&](Keys& keys) { return analysis_keys(keys, dimension); });
 }
 
 std::optional<RegionOptions> overridden_region(const std::vector<std::string>& overrides, const ConfigTable& entries)
 {
-    return read_region_options(overridden_table(overrides, entries), 2);
+    return overridden(overrides, entries, [](Keys& keys) { return region_keys(keys, 2); });
 }
 
 }

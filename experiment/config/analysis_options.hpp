@@ -27,12 +27,8 @@ struct AnalysisOptions
     bool first_points_only = false;      ///< of all realizations, only the points of the first are stored
 };
 
-/// The keys of [analysis] that read_analysis_options() knows.
-const std::vector<std::string>& analysis_option_keys();
-
-/// Reads them from the table [analysis], which may have other keys. `dimension` of the sets decides what is
-/// allowed. Throws InputError with the value's own line.
-AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension);
+/// Visits these keys. `dimension` of the sets decides what is allowed. Throws InputError with the value's own line.
+AnalysisOptions analysis_keys(Keys& keys, int dimension);
 
 /// The options of sets that were not made by a config, from `--set analysis.KEY=VALUE` arguments, and from entries of
 /// [analysis] that other options stand for. Throws InputError.

@@ -4,7 +4,6 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/overrides.hpp"
 #include "experiment/config/plan.hpp"
-#include "host/settings/config_values.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +48,8 @@ public:
 
     Collection read(const fs::path& file, const ConfigTable& top)
     {
-        collection_.title = read_text(top, "title", file.stem().string());
+        collection_.title = file.stem().string();
+        Keys(top, {file.string()}, "").text("title", collection_.title, "of the report");
         add_collection(file, top, "");
         return std::move(collection_);
     }
@@ -59,7 +59,8 @@ private:
     {
         check_collection_keys(top);
         open_.push_back(file);
-        const std::string own_device = read_text(top, "device", device);
+        std::string own_device = device;
+        Keys(top, {file.string()}, "").text("device", own_device, "of all configs");
         for (const ConfigNode* entry : entries_of(*find(top, "include"))) {
             const std::string& path = *entry->get_if<std::string>();
             const auto files = named_files(file.parent_path(), path);

@@ -3,13 +3,29 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/overrides.hpp"
 #include "host/sampling/optimized/ordered_sampler.hpp"
-#include "host/settings/config_values.hpp"
 #include "host/settings/toml_reader.hpp"
-
-#include <limits>
 
 namespace poissonlab {
 namespace {
+
+/// The keys at the top of a config that are not tables.
+void top_keys(Keys& keys, Config& config)
+{
+    keys.text("title", config.title, "of the report");
+    keys.integer("seed", config.seed, 0, any_integer, "which of all results");
+    keys.word("engine", config.engine, engines, "what makes point sets");
+    keys.text("device", config.device, "the OpenCL device: part of its name, or its number");
+}
+
+/// The keys of [analysis].
+void series_keys(Keys& keys, Config& config)
+{
+    keys.integer("points", config.points, 1, max_points, "points in each set");
+    keys.integer("realizations", config.realizations, 1, max_realizations, "sets of each series");
+    keys.integer("dimension", config.dimension, 2, 3, "of the sets");
+    keys.integer("timing_runs", config.timing_runs, 1, max_timing_runs, "how often each series is timed, at least");
+    config.analysis = analysis_keys(keys, config.dimension);
+}
 
 void read_analysis(const ConfigTable& top, Config& config)
 {
@@ -17,16 +33,10 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    std::vector<std::string> keys = {"points", "realizations", "dimension", "timing_runs"};
-    keys.insert(keys.end(), analysis_option_keys().begin(), analysis_option_keys().end());
-    check_keys(*table, keys);
-    config.points = static_cast<std::size_t>(
-        read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
-    config.realizations =
-        static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
-    config.timing_runs = static_cast<int>(read_integer(*table, "timing_runs", 1, max_timing_runs, config.timing_runs));
-    config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
-    config.analysis = read_analysis_options(*table, config.dimension);
+    Keys known, keys(*table, {config.file}, "");
+    series_keys(known, config);
+    check_keys(*table, known.names());
+    series_keys(keys, config);
 }
 
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
@@ -41,7 +51,7 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
     if (const ConfigNode* points = find(*table, "points"))
         method.settings.insert(method.settings.begin(),
                                {&points_parameter(), parameter_choices(points_parameter(), *points)});
-    method.label = read_text(*table, "label", "");
+    Keys(*table, node.location, "").text("label", method.label, "what the report calls the series");
     return method;
 }
 
@@ -70,21 +80,22 @@ Config parse_config(const std::string& text, const std::string& file, const std:
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    std::vector<std::string> known{"title", "seed", "engine", "device", "analysis", "method"};
+    Config config;
+    Keys described, keys(top, {file}, "");
+    top_keys(described, config);
+    std::vector<std::string> known = described.names();
+    for (const char* table : {"analysis", "method"}) known.emplace_back(table);
     known.insert(known.end(), kind_tables().begin(), kind_tables().end());
     known.emplace_back("include");
     check_keys(top, known);
     if (const ConfigNode* include = find(top, "include"))
         throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
-    Config config;
     config.file = file;
     config.text = text;
     config.overrides = overrides;
-    config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
-    config.seed = static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
-    config.engine = read_word(top, "engine", engines, config.engine);
-    config.device = read_text(top, "device", "");
+    config.title = std::filesystem::path(file).stem().string();
+    top_keys(keys, config);
     read_analysis(top, config);
     for (const std::string& name : kind_tables())
         for (const ConfigNode* table : read_tables(top, name)) config.tables.push_back({name, *table});

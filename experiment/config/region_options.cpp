@@ -3,85 +3,60 @@
 #include "base/densities/density_text.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/regions/region_text.hpp"
-#include "host/settings/config_values.hpp"
-#include "host/settings/keys/keys.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace poissonlab {
 namespace {
 
 constexpr std::int64_t most_random_sets = 9999;
 
-/// The file's name from the folder of the config in which it was typed.
-std::string from_folder_of(const ConfigNode& node, const std::string& text)
+void check_region_keys(const Keys& keys, int dimension)
 {
-    if (node.location.is_argument) return text;
-    return (std::filesystem::path(node.location.file).parent_path() / text).string();
-}
-
-/// Does what may throw InputError because of a value, and says where that was typed.
-template <class Work>
-auto said_at(const char* key, const ConfigNode& node, const Work& work)
-{
-    try {
-        return work();
-    } catch (const InputError& error) {
-        throw InputError::at(node.location, node.location.is_argument ? std::string(error.what())
-                                                                      : fmt::format("{}: {}", key, error.what()));
-    }
-}
-
-void read_density(const ConfigTable& analysis, RegionOptions& options, Xxh64& hash)
-{
-    const std::string from = read_text(analysis, "density_from", "light");
-    const ConfigNode* node = find(analysis, "density");
-    if (!node) {
-        if (const ConfigNode* alone = find(analysis, "density_from"))
-            throw invalid_node("density_from", *alone, "goes with density");
+    if (!keys.is_given("region")) {
+        for (const char* key : {"planar", "density", "density_from", "envelope"})
+            if (keys.is_given(key)) throw keys.invalid(key, "goes with region");
         return;
     }
-    std::string text = read_text(analysis, "density", "");
-    if (is_file_name(text)) text = from_folder_of(*node, text);
-    const RegionBox box = box_of(options.region->polygons());
-    options.density = said_at("density", *node, [&] {
-        Density density = density_of_text(text, from, box.width(), box.height());
-        hash.add(
-            {reinterpret_cast<const char*>(density.weights.data()), density.weights.size() * sizeof(std::uint64_t)});
-        hash.add(fmt::format("{} columns", density.width));
-        return std::make_shared<const RegionDensity>(std::move(density), *options.region);
-    });
-}
-
-}
-
-std::optional<RegionOptions> read_region_options(const ConfigTable& analysis, int dimension)
-{
-    const ConfigNode* node = find(analysis, "region");
-    if (!node) {
-        for (const char* key : {"planar", "density", "density_from", "envelope"})
-            if (const ConfigNode* alone = find(analysis, key)) throw invalid_node(key, *alone, "goes with region");
-        return {};
-    }
-    if (dimension != 2) throw invalid_node("region", *node, "needs dimension = 2: regions are of the plane");
+    if (dimension != 2) throw keys.invalid("region", "needs dimension = 2: regions are of the plane");
     for (const char* key : {"window", "tiles", "zone_plate"})
-        if (const ConfigNode* other = find(analysis, key))
-            throw invalid_node(key, *other, "does not go with region: it is about sets in a square");
-    std::string text = read_text(analysis, "region", "");
-    const std::string name = name_of_input(text);
-    if (!is_region_text(text)) text = from_folder_of(*node, text);
+        if (keys.is_given(key)) throw keys.invalid(key, "does not go with region: it is about sets in a square");
+    if (keys.is_given("density_from") && !keys.is_given("density"))
+        throw keys.invalid("density_from", "goes with density");
+}
+
+std::shared_ptr<const RegionDensity> region_density(const DensityChoice& density, const FramedRegion& region,
+                                                    Xxh64& hash)
+{
+    const RegionBox box = box_of(region.polygons());
+    Density read = density_of_text(density.text, density.from, box.width(), box.height());
+    hash.add({reinterpret_cast<const char*>(read.weights.data()), read.weights.size() * sizeof(std::uint64_t)});
+    hash.add(fmt::format("{} columns", read.width));
+    return std::make_shared<const RegionDensity>(std::move(read), region);
+}
+
+}
+
+std::optional<RegionOptions> region_keys(Keys& keys, int dimension)
+{
     RegionOptions options;
-    options.where = node->location;
-    const bool is_planar = read_flag(analysis, "planar", false);
-    options.region = said_at("region", *node,
-                             [&] { return std::make_shared<const FramedRegion>(read_region(text, is_planar), name); });
-    options.envelope = static_cast<std::uint32_t>(
-        read_integer(analysis, "envelope", 0, most_random_sets, static_cast<std::int64_t>(options.envelope)));
+    std::string region;
+    bool is_planar = false;
+    DensityChoice density;
+    keys.region("region", region, "the region of the plane that sets lie in, in whose units their points are");
+    keys.flag("planar", is_planar, "whether coordinates of the region that look like degrees are lengths");
+    keys.picture_or_formula("density", density.text, density.from,
+                            "what points follow: a picture, or a formula, over the region's box");
+    keys.integer("envelope", options.envelope, 0, most_random_sets, "random sets that curves are held against");
+    check_region_keys(keys, dimension);
+    if (!keys.is_given("region")) return {};
+    options.where = keys.place_of("region");
+    keys.check("region", [&] {
+        options.region = std::make_shared<const FramedRegion>(read_region(region, is_planar), name_of_input(region));
+    });
     Xxh64 hash;
     hash.add(fmt::format("{} ", options.region->hash()));
-    read_density(analysis, options, hash);
+    keys.check("density", [&] { options.density = region_density(density, *options.region, hash); });
     options.hash = hash.value();
     return options;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/regions/random_in_region.hpp"
-#include "host/settings/config_tree.hpp"
+#include "host/settings/keys/keys.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -22,8 +22,8 @@ struct RegionOptions
     SourceLocation where;                         ///< where the region was typed
 };
 
-/// Reads them. Names of files count from the folder of the config. Throws InputError with the value's own line; also
-/// for keys that do not go with a region, or not without one.
-std::optional<RegionOptions> read_region_options(const ConfigTable& analysis, int dimension);
+/// Visits them; nothing where a table has no region. Names of files count from the folder of the config. Throws
+/// InputError with the value's own line; also for keys that do not go with a region, or not without one.
+std::optional<RegionOptions> region_keys(Keys& keys, int dimension);
 
 }

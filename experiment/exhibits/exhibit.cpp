@@ -3,7 +3,6 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/plan.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/settings/config_values.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
@@ -15,21 +14,25 @@ namespace poissonlab {
 namespace {
 
 /// The kind that a table asks for.
-const Kind& kind_of(const std::string& name, const ConfigTable& table)
+const Kind& kind_of(const std::string& name, Keys& keys)
 {
     if (const Kind* only = find_kind(name, "")) return *only;
-    const std::vector<std::string> words = kind_words(name);
-    return *find_kind(name, words[read_word(table, "kind", words)]);
+    std::string word = kind_words(name).front();
+    keys.word("kind", word, kind_words(name), "what is made");
+    return *find_kind(name, word);
 }
 
 Exhibit read_exhibit(const std::string& name, const ConfigNode& node, std::uint64_t seed)
 {
     const ConfigTable& table = *node.get_if<ConfigTable>();
-    const Kind& kind = kind_of(name, table);
+    const std::string title = "[[" + name + "]]";
+    Keys keys(table, node.location, title);
+    const Kind& kind = kind_of(name, keys);
     std::vector<std::string> others{"label"};
     if (!kind.word.empty()) others.emplace_back("kind");
-    Exhibit exhibit{&kind, read_kind(kind, table, node.location, "[[" + name + "]]", others), {}, node.location, seed};
-    exhibit.label = read_text(table, "label", exhibit.settings.label);
+    Exhibit exhibit{&kind, read_kind(kind, table, node.location, title, others), {}, node.location, seed};
+    exhibit.label = exhibit.settings.label;
+    keys.text("label", exhibit.label, "what the report calls the result");
     exhibit.name = kind.folder         ? kind.folder(exhibit.settings)
                    : kind.word.empty() ? safe_name(name + "-" + exhibit.label)
                                        : fmt::format("{}-{}", name, kind.word);

@@ -1,5 +1,8 @@
 #include "host/kinds/kind.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace poissonlab {
 
 std::vector<KeySpec> Kind::keys() const
@@ -12,10 +15,11 @@ std::vector<KeySpec> Kind::keys() const
 KindSettings read_kind(const Kind& kind, const ConfigTable& table, const SourceLocation& where, const std::string& name,
                        const std::vector<std::string>& others)
 {
+    Keys described, keys(table, where, name);
+    kind.visit(described);
     std::vector<std::string> known = others;
-    for (const KeySpec& spec : kind.keys()) known.push_back(spec.value.key);
+    std::ranges::move(described.names(), std::back_inserter(known));
     check_keys(table, known);
-    Keys keys(table, where, name);
     return kind.visit(keys);
 }
 

@@ -13,6 +13,7 @@
 #include "results/pictures/distribution_files.hpp"
 #include "results/pictures/tiling_result.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -57,22 +58,26 @@ struct Kind : KindNames
     const std::string& name() const { return word.empty() ? table : word; }
 };
 
-/// A kind of these functions. `keys` gets the defaults, and `label` names a result in reports.
-template <class Settings, class Result>
-Kind make_kind(KindNames names, void (*keys)(Keys&, Settings&), std::string (*label)(const Settings&),
-               Result (*make)(const Settings&, std::uint64_t, const DistributionPlace&, DistributionFiles&),
+/// A kind of these functions. `keys` gets the defaults, `label` names a result in reports, and `make` is called with
+/// the settings, the seed, the place and the files; without the place where it takes none.
+template <class Settings, class Make>
+Kind make_kind(KindNames names, void (*keys)(Keys&, Settings&), std::string (*label)(const Settings&), Make make,
                Settings defaults = {})
 {
-    return {
-        std::move(names),
-        [keys, label, defaults](Keys& visited) {
-            Settings settings = defaults;
-            keys(visited, settings);
-            std::string text = label(settings);
-            return KindSettings{std::move(settings), std::move(text), visited.resolved(), visited.inputs()};
-        },
-        [make](const KindSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-               DistributionFiles& files) -> Exhibited { return make(settings.as<Settings>(), seed, place, files); }};
+    return {std::move(names),
+            [keys, label, defaults](Keys& visited) {
+                Settings settings = defaults;
+                keys(visited, settings);
+                std::string text = label(settings);
+                return KindSettings{std::move(settings), std::move(text), visited.resolved(), visited.inputs()};
+            },
+            [make](const KindSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                   DistributionFiles& files) -> Exhibited {
+                if constexpr (std::invocable<Make, const Settings&, std::uint64_t, DistributionFiles&>)
+                    return make(settings.as<Settings>(), seed, files);
+                else
+                    return make(settings.as<Settings>(), seed, place, files);
+            }};
 }
 
 /// Reads a table of this kind, but for keys in `others`, which have a meaning of their own. `where` and `name` are how

@@ -45,7 +45,7 @@ std::string table_in_markdown(const Kind& kind)
 
 std::string kinds_text()
 {
-    std::string text = "Tables of configs, and their keys. Every table can have\n    label = a text in quotes\n"
+    std::string text = "Tables of configs, and their keys. Every table can have\n    label = a line of text in quotes\n"
                        "        what the report calls the result\n";
     for (const Kind& kind : all_kinds()) {
         text += fmt::format("\n{}: {}\n    {}\n", table_of_kind(kind), kind.title, kind.summary);

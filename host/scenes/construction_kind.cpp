@@ -2,7 +2,6 @@
 #include "base/files/whole_file.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/construction_run.hpp"
-#include "host/settings/config_values.hpp"
 #include "results/file_names.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 

@@ -4,7 +4,6 @@
 #include "base/images/square_image_file.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/tiling_analysis.hpp"
-#include "host/settings/config_values.hpp"
 #include "results/file_names.hpp"
 #include "version.hpp"
 

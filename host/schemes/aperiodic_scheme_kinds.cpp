@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 8.
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/settings/config_values.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>
@@ -55,18 +54,17 @@ std::vector<PlaneCurve> curves_of(const Keys& keys, const ConfigNode& node)
     return all;
 }
 
-/// A list of `count` colours, each below `colors`.
+/// A list of `count` colours, each below `colors`; where it is not given, they are 0.
 std::vector<std::uint32_t> read_colors_of(const ConfigTable& entries, const char* key, std::size_t count,
                                           std::uint32_t colors)
 {
-    const std::string allowed = fmt::format("a list of {} colours from 0 to {}", count, colors - 1);
-    std::vector<std::uint32_t> read(count);
-    const auto numbers = read_integers(entries, key, count, count, 0, allowed.c_str());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (numbers[i] >= colors) throw invalid_node(key, *find(entries, key), "must be " + allowed);
-        read[i] = static_cast<std::uint32_t>(numbers[i]);
-    }
-    return read;
+    const ConfigNode* node = find(entries, key);
+    if (!node) return std::vector<std::uint32_t>(count);
+    const auto numbers = numbers_of_list(*node);
+    const auto is_color = [&](double number) { return number == std::floor(number) && number >= 0 && number < colors; };
+    if (!numbers || numbers->size() != count || !std::ranges::all_of(*numbers, is_color))
+        throw invalid_node(key, *node, fmt::format("must be a list of {} colours from 0 to {}", count, colors - 1));
+    return {numbers->begin(), numbers->end()};
 }
 
 /// coloring = { colors = 3, aspects = [0, 1, 2], steps = [1, 2] }: see TileColoring.
@@ -76,7 +74,7 @@ TileColoring coloring_of(const Keys& keys, const ConfigNode& node, std::size_t a
     if (!entries) throw keys.invalid("coloring", "must be a table { colors, aspects, steps }");
     check_keys(*entries, {"colors", "aspects", "steps"});
     TileColoring coloring;
-    coloring.colors = static_cast<std::uint32_t>(read_integer(*entries, "colors", 1, 8, 1));
+    Keys(*entries, node.location, "").integer("colors", coloring.colors, 1, 8, "how many there are");
     coloring.aspects = read_colors_of(*entries, "aspects", aspects, coloring.colors);
     const auto steps = read_colors_of(*entries, "steps", 2, coloring.colors);
     coloring.steps = {steps[0], steps[1]};
@@ -231,9 +229,7 @@ Kind lattice_construction_kind()
         [](const ConstructionSettings& s) {
             return fmt::format("The {} construction", corner_constructions[s.construction]);
         },
-        +[](const ConstructionSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
-            return make_construction(s, seed, files);
-        });
+        make_construction);
 }
 
 Kind aperiodic_table_kind()
@@ -243,7 +239,7 @@ Kind aperiodic_table_kind()
          "Compare printed tables of aperiodic sets with computed ones", false},
         aperiodic_table_keys,
         [](const AperiodicTableSettings&) { return std::string("Sets of corner tiles made of aperiodic sets"); },
-        +[](const AperiodicTableSettings& s, std::uint64_t, const DistributionPlace&, DistributionFiles& files) {
+        [](const AperiodicTableSettings& s, std::uint64_t, DistributionFiles& files) {
             return make_aperiodic_tables(s, files);
         });
 }
@@ -253,7 +249,7 @@ Kind diffraction_kind()
     return make_kind<DiffractionSettings>(
         {"scheme", "diffraction", "", "Diffraction", "Measure how much tilings repeat", false}, diffraction_keys,
         [](const DiffractionSettings&) { return std::string("Aperiodic and stochastic tilings"); },
-        +[](const DiffractionSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+        [](const DiffractionSettings& s, std::uint64_t seed, DistributionFiles& files) {
             DiffractionSettings own = s;
             for (TilingRequest& request : own.tilings) request.seed = seed;
             return make_diffraction(own, files);
@@ -266,9 +262,7 @@ Kind isohedral_kind()
         {"scheme", "isohedral", "", "Isohedral tiling", "Draw a tiling of a type with parameters, curves and colours",
          false},
         isohedral_keys, [](const IsohedralSettings& s) { return fmt::format("Isohedral tiling of type IH{}", s.type); },
-        +[](const IsohedralSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
-            return make_isohedral(s, seed, files);
-        });
+        make_isohedral);
 }
 
 Kind surface_kind()
@@ -276,7 +270,7 @@ Kind surface_kind()
     return make_kind<SurfaceSettings>(
         {"scheme", "surface", "", "Tiled surface", "Draw corner tiles on the faces of a polycube", false}, surface_keys,
         [](const SurfaceSettings&) { return std::string("Corner tiles on a polycube"); },
-        +[](const SurfaceSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+        [](const SurfaceSettings& s, std::uint64_t seed, DistributionFiles& files) {
             return make_surface(s, seed, files);
         });
 }

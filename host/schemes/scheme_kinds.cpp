@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 2 and 3.
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/settings/config_values.hpp"
 
 #include <fmt/format.h>
 
@@ -85,19 +84,14 @@ Kind corner_problem_kind()
         {"scheme", "corner-problem", "", "The corner problem", "Draw what lies diagonally to a tile, and count it",
          false},
         corner_problem_keys, [](const CornerProblemSettings&) { return std::string("The corner problem"); },
-        +[](const CornerProblemSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
-            return make_corner_problem(s, seed, files);
-        });
+        make_corner_problem);
 }
 
 Kind scanline_steps_kind()
 {
     return make_kind<ScanlineStepsSettings>(
         {"scheme", "scanline", "", "Scanlines", "Draw the scanline algorithm at work", false}, scanline_keys,
-        scanline_label,
-        +[](const ScanlineStepsSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
-            return make_scanline_steps(s, seed, files);
-        });
+        scanline_label, make_scanline_steps);
 }
 
 Kind direct_scheme_kind()
@@ -105,8 +99,7 @@ Kind direct_scheme_kind()
     return make_kind<DirectTilingSettings>(
         {"scheme", "direct", "", "Direct tilings", "Draw the colours of a lattice, and the tiles that they become",
          false},
-        direct_keys, direct_label,
-        +[](const DirectTilingSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+        direct_keys, direct_label, [](const DirectTilingSettings& s, std::uint64_t seed, DistributionFiles& files) {
             DirectTilingSettings own = s;
             own.request.seed = seed;
             return make_direct_scheme(own, files);
@@ -117,10 +110,7 @@ Kind noise_kind()
 {
     return make_kind<NoiseSettings>(
         {"scheme", "noise", "", "Noise", "Draw Perlin's noise with the hash functions of tilings", false}, noise_keys,
-        [](const NoiseSettings&) { return std::string("Perlin's noise with two hash functions"); },
-        +[](const NoiseSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
-            return make_noise(s, seed, files);
-        });
+        [](const NoiseSettings&) { return std::string("Perlin's noise with two hash functions"); }, make_noise);
 }
 
 Kind tiling_cost_kind()
@@ -128,9 +118,7 @@ Kind tiling_cost_kind()
     return make_kind<TilingCostSettings>(
         {"scheme", "tiling-costs", "", "Costs of tilings", "Count hash evaluations, and measure times, a tile", false},
         cost_keys, [](const TilingCostSettings& s) { return fmt::format("What tiles cost, {} colours", s.colors); },
-        +[](const TilingCostSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles&) {
-            return make_tiling_costs(s, seed);
-        });
+        [](const TilingCostSettings& s, std::uint64_t seed, DistributionFiles&) { return make_tiling_costs(s, seed); });
 }
 
 }

@@ -72,6 +72,21 @@ InputError unknown_key(const std::string& key, const ConfigNode& node, const std
                                     nearest_key(key, known).empty() ? ";" : "", fmt::join(known, ", ")));
 }
 
+std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return {};
+    const auto* list = node->get_if<ConfigList>();
+    if (!list || list->empty())
+        throw invalid_node(key, *node, "must be a list of tables, each written [[" + key + "]]");
+    std::vector<const ConfigNode*> tables;
+    for (const ConfigNode& item : *list) {
+        if (!item.get_if<ConfigTable>()) throw invalid_node(key, item, "must be a table, written [[" + key + "]]");
+        tables.push_back(&item);
+    }
+    return tables;
+}
+
 void check_keys(const ConfigTable& table, const std::vector<std::string>& known)
 {
     for (const auto& [key, node] : table)

@@ -66,6 +66,9 @@ InputError invalid_node(const std::string& key, const ConfigNode& node, const st
 /// The InputError for a key that means nothing, with the nearest known key and the list of known keys.
 InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known);
 
+/// The tables written [[key]]; none where the table lacks the key. An empty list is an error, as is any other value.
+std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key);
+
 /// Refuses keys that mean nothing. Throws unknown_key for the first one.
 void check_keys(const ConfigTable& table, const std::vector<std::string>& known);
 

@@ -133,7 +133,7 @@ std::string allowed_values(const ParameterSpec& spec)
     case Kind::choice:
         return fmt::format("one of \"{}\"", fmt::join(spec.choices, "\", \""));
     case Kind::text:
-        return "a text in quotes";
+        return "a line of text in quotes";
     case Kind::command:
         return "a command in quotes, such as \"mysampler {points} {seed} {out}\"";
     case Kind::paths:

@@ -67,10 +67,11 @@ std::string option_help(const ParameterSpec& spec)
 
 std::string samplers_text()
 {
-    std::string text = "Samplers of a [[method]] table, and their parameters. A list of values makes one series a "
-                       "value.\nEvery table can have\n    label = a text in quotes\n        what the report calls the "
-                       "series\n" +
-                       parameter_text(points_parameter()) + parameter_text(order_parameter());
+    std::string text =
+        "Samplers of a [[method]] table, and their parameters. A list of values makes one series a "
+        "value.\nEvery table can have\n    label = a line of text in quotes\n        what the report calls the "
+        "series\n" +
+        parameter_text(points_parameter()) + parameter_text(order_parameter());
     for (const SamplerSpec& sampler : sampler_registry()) {
         const SamplerGuide& guide = sampler_guide(sampler.name);
         text += fmt::format("\n{}: {} ({})\n    {}\n    Source: {}\n    When to use it: {}\n    When not: {}\n",

@@ -2,7 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "host/settings/config_values.hpp"
+#include "host/settings/keys/keys.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -39,8 +39,11 @@ public:
     CellAlphabet read()
     {
         check_keys(table_, {"name", "size", "corner", "glyphs", "cell", "rule"});
-        alphabet_.name = read_text(table_, "name", file_.stem().string());
-        alphabet_.size = static_cast<int>(read_integer(table_, "size", least_cell_pixels, most_cell_pixels, 16));
+        alphabet_.name = file_.stem().string();
+        alphabet_.size = 16;
+        Keys keys(table_, {file_.string()}, "");
+        keys.text("name", alphabet_.name, "of the alphabet");
+        keys.integer("size", alphabet_.size, least_cell_pixels, most_cell_pixels, "pixels along a cell's side");
         read_corners();
         read_glyphs();
         drawings_.resize(cells());
@@ -65,11 +68,13 @@ private:
             const auto& table = *node->get_if<ConfigTable>();
             check_keys(table, {"name", "color", "weight"});
             CellCorner corner;
-            corner.name = read_text(table, "name", fmt::format("{}", alphabet_.corners.size() + 1));
+            corner.name = fmt::format("{}", alphabet_.corners.size() + 1);
+            Keys keys(table, node->location, "");
+            keys.text("name", corner.name, "of the colour");
+            keys.integer("weight", corner.weight, 0, most_cell_weight, "how often corners have it");
             const ConfigNode* color = find(table, "color");
             if (!color) throw InputError::at(node->location, "[[corner]]: color is missing");
             corner.color = color_of("color", *color);
-            corner.weight = static_cast<std::uint32_t>(read_integer(table, "weight", 0, most_cell_weight, 1));
             if (std::ranges::any_of(alphabet_.corners, [&](const CellCorner& c) { return c.name == corner.name; }))
                 throw InputError::at(node->location,
                                      fmt::format("[[corner]]: there are two of the name {}", corner.name));
@@ -153,7 +158,8 @@ private:
         const SourceLocation where = cell.empty() ? SourceLocation{file_.string()} : cell.front().node.location;
         CornerTile corners = corners_of(cell, where);
         Drawing drawing = drawing_of(cell, where);
-        const bool is_turned = read_flag(cell, "turned", false);
+        bool is_turned = false;
+        Keys(cell, where, "").flag("turned", is_turned, "whether turns of the cell are drawn alike");
         const CornerTile first = corners;
         do {
             std::optional<Drawing>& place = drawings_[corner_index(corners, alphabet_.colors())];
@@ -179,7 +185,7 @@ private:
             const auto* table = node->get_if<ConfigTable>();
             if (!table) throw invalid_node("rule", *node, "must be a table, [rule]");
             check_keys(*table, {"border", "border_width"});
-            rule.border_width = read_number(*table, "border_width", 0, 1, 0);
+            Keys(*table, node->location, "").number("border_width", rule.border_width, {0, 1}, "in cells");
             if (const ConfigNode* border = find(*table, "border")) rule.border = color_of("border", *border);
         }
         for (TileIndex cell = 0; cell < drawings_.size(); ++cell) {

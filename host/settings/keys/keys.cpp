@@ -161,12 +161,11 @@ Keys::Said Keys::Said::required()
 
 Keys::Said Keys::number(const std::string& key, double& value, Interval range, std::string help)
 {
-    KeySpec spec{
-        .value = {
-            .key = key, .help = std::move(help), .minimum = range.low, .maximum = range.high, .otherwise = value}};
-    if (const auto given = read(spec.value)) value = std::get<double>(*given);
-    resolve(key, fmt::format("{}", value));
-    return describe(std::move(spec));
+    std::optional<double> kept = value;
+    const Said said = number(key, kept, range, std::move(help));
+    specs_.back().value.otherwise = value;
+    value = *kept;
+    return said;
 }
 
 Keys::Said Keys::number(const std::string& key, std::optional<double>& value, Interval range, std::string help)
@@ -279,7 +278,7 @@ Keys::Said Keys::words(const std::string& key, std::vector<std::string>& values,
 Keys::Said Keys::parameter(ParameterSpec spec, Parameters& values)
 {
     const std::string key = spec.key;
-    if (const auto value = read(spec)) values.set(key, *value, given(key)->location);
+    if (const auto value = read(spec)) values.set(key, *value, place_of(key));
     resolve(key, values.is_given(key) ? to_string(values.given().at(key).value)
                  : spec.otherwise     ? to_string(*spec.otherwise)
                                       : "none");
@@ -317,7 +316,7 @@ Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std:
     const Said said = this->text(key, text, std::move(help));
     specs_.back().is_file = true;
     if (!is_given(key)) return said;
-    value = named_file(text);
+    value = named_file(key, text);
     if (const std::string lack = lack_of_file(value); !lack.empty()) throw invalid(key, lack + ": must be " + what);
     return said;
 }
@@ -338,7 +337,7 @@ Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::p
             if (!text) throw invalid(key, "must be " + files);
             check_text(key, *text);
             all += (all.empty() ? "" : ", ") + *text;
-            values.emplace_back(named_file(*text));
+            values.emplace_back(named_file(key, *text));
             if (const std::string lack = lack_of_file(values.back()); !lack.empty())
                 throw invalid(
                     key, fmt::format("{}{}: must be {}", items && items->size() > 1 ? *text + ": " : "", lack, files));
@@ -360,7 +359,7 @@ Keys::Said Keys::region(const std::string& key, std::string& value, std::string 
 {
     const Said said = text(key, value, std::move(help));
     specs_.back().is_file = specs_.back().is_region = true;
-    if (is_given(key) && !is_region_text(value)) value = named_file(value);
+    if (is_given(key) && !is_region_text(value)) value = named_file(key, value);
     return said;
 }
 
@@ -377,7 +376,7 @@ Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, 
 {
     const Said said = text(key, value, std::move(help));
     specs_.back().is_file = specs_.back().is_formula = true;
-    if (is_given(key)) value = named_file(value);
+    if (is_given(key)) value = named_file(key, value);
     return said;
 }
 
@@ -408,7 +407,7 @@ Keys::Said Keys::number_over_region(const std::string& key, std::optional<double
         if (!words && !value) throw invalid(key, "must be " + allowed);
         if (words) {
             check_text(key, *words);
-            text = named_file(*words);
+            text = named_file(key, *words);
         }
     }
     resolve(key, value ? fmt::format("{}", *value) : text.empty() ? "none" : text);
@@ -451,9 +450,20 @@ void Keys::even_points(EvenMethodChoice& value)
 
 bool Keys::is_given(const std::string& key) const { return given(key) != nullptr; }
 
+const SourceLocation& Keys::place_of(const std::string& key) const { return given(key)->location; }
+
+std::vector<std::string> Keys::names() const
+{
+    std::vector<std::string> all;
+    for (const KeySpec& spec : specs_) all.push_back(spec.value.key);
+    return all;
+}
+
 std::string Keys::name_of(const std::string& key) const
 {
     if (!where_.is_argument) return key;
+    const std::string begin = name_ + ": ";
+    if (is_given(key) && place_of(key).file.starts_with(begin)) return place_of(key).file.substr(begin.size());
     const auto described = std::ranges::find(specs_, key, [](const KeySpec& spec) { return spec.value.key; });
     return described == specs_.end() ? option_name(key) : option_name(*described);
 }
@@ -481,9 +491,10 @@ void Keys::check(const std::string& key, const std::function<void()>& work) cons
 {
     if (!is_given(key)) return;
     const auto said_of = [&](const std::string& said, const InputError& error) {
+        const SourceLocation& place = place_of(said);
         const std::string message = fmt::format("{}: {}", name_of(said), error.what());
-        return where_.is_argument ? InputError(fmt::format("{}: {}", name_, message))
-                                  : InputError::at(given(said)->location, message);
+        if (where_.is_argument) return InputError(fmt::format("{}: {}", name_, message));
+        return InputError::at(place, place.is_argument ? error.what() : message); // an argument names the key itself
     };
     try {
         work();
@@ -535,14 +546,16 @@ std::optional<ParameterValue> Keys::read(const ParameterSpec& spec) const
 /// Labels and names go to terminals.
 void Keys::check_text(const std::string& key, const std::string& text) const
 {
-    if (printable(text) != text) throw invalid(key, "must be a line of text in quotes");
+    if (printable(text) != text) throw invalid(key, "must be " + allowed_values({.key = key, .kind = ValueKind::text}));
 }
 
-/// The path from the folder of the config, where there is a file; else the text as it is. Files join the inputs.
-std::string Keys::named_file(const std::string& text)
+/// The path from the folder of the config, unless it was typed in a command, where there is a file; else the text as it
+/// is. Files join the inputs.
+std::string Keys::named_file(const std::string& key, const std::string& text)
 {
-    const auto beside = std::filesystem::path(where_.file).parent_path() / text;
-    const std::string name = !where_.is_argument && is_file_name(beside.string()) ? beside.string() : text;
+    const SourceLocation& place = place_of(key);
+    const auto beside = std::filesystem::path(place.file).parent_path() / text;
+    const std::string name = !place.is_argument && is_file_name(beside.string()) ? beside.string() : text;
     if (is_file_name(name)) inputs_.emplace_back(name);
     return name;
 }

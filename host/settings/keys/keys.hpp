@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ std::string option_name(const KeySpec& spec);
 
 /// The help of a key: what it means, what is allowed, and the default.
 std::string key_help(const KeySpec& spec);
+
+/// The largest integer of a config: a range up to it is none.
+inline constexpr std::int64_t any_integer = std::numeric_limits<std::int64_t>::max();
 
 /// Ends of what a number may be; both are allowed.
 struct Interval
@@ -174,6 +178,7 @@ public:
     // These concern a table that is read. Errors name keys as their door does: `dot` in a config, `--dot` in a command.
     bool is_read() const { return table_ != nullptr; }
     bool is_given(const std::string& key) const;
+    const SourceLocation& place_of(const std::string& key) const; ///< of a key that is given
     std::string name_of(const std::string& key) const;
     std::string shown(const std::string& key, const std::string& word) const;     ///< `by = "ranks"`, or `--by ranks`
     InputError invalid(const std::string& key, const std::string& allowed) const; ///< of a key that is given
@@ -186,6 +191,7 @@ public:
     void check(const std::function<void()>& work) const;
 
     const std::vector<KeySpec>& described() const { return specs_; }
+    std::vector<std::string> names() const; ///< of all that were described
 
     /// Keys and values that were described or read, in one line: what decides the result, but for what files hold.
     const std::string& resolved() const { return resolved_; }
@@ -201,7 +207,7 @@ private:
     Said list(std::vector<double>& values, KeySpec spec, const std::vector<Interval>& ranges);
     std::optional<ParameterValue> read(const ParameterSpec& spec) const;
     void check_text(const std::string& key, const std::string& text) const;
-    std::string named_file(const std::string& text);
+    std::string named_file(const std::string& key, const std::string& text);
 
     const ConfigTable* table_ = nullptr;
     SourceLocation where_;
@@ -217,15 +223,11 @@ std::string name_of_input(const std::string& text);
 template <class Integer>
 Keys::Said Keys::integer(const std::string& key, Integer& value, std::int64_t low, std::int64_t high, std::string help)
 {
-    KeySpec spec{.value = {.key = key,
-                           .kind = ParameterSpec::Kind::integer,
-                           .help = std::move(help),
-                           .minimum = static_cast<double>(low),
-                           .maximum = static_cast<double>(high),
-                           .otherwise = static_cast<std::int64_t>(value)}};
-    if (const auto read_value = read(spec.value)) value = static_cast<Integer>(std::get<std::int64_t>(*read_value));
-    resolve(key, std::to_string(value));
-    return describe(std::move(spec));
+    std::optional<Integer> kept = value;
+    const Said said = integer(key, kept, low, high, std::move(help));
+    specs_.back().value.otherwise = static_cast<std::int64_t>(value);
+    value = *kept;
+    return said;
 }
 
 template <class Integer>

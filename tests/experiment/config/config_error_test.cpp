@@ -87,10 +87,8 @@ TEST(ConfigError, NotText)
 
 TEST(ConfigError, Seed)
 {
-    EXPECT_EQ(error_of("seed = -1\n" + good_method),
-              "c.toml:1: seed = -1: must be an integer from 0 to 9223372036854775807");
-    EXPECT_EQ(error_of("seed = 1.0\n" + good_method),
-              "c.toml:1: seed = 1.0: must be an integer from 0 to 9223372036854775807");
+    EXPECT_EQ(error_of("seed = -1\n" + good_method), "c.toml:1: seed = -1: must be an integer of at least 0");
+    EXPECT_EQ(error_of("seed = 1.0\n" + good_method), "c.toml:1: seed = 1.0: must be an integer of at least 0");
     EXPECT_EQ(error_of("seed = 9223372036854775808\n" + good_method).substr(0, 10), "c.toml:1: ");
 }
 
@@ -238,8 +236,7 @@ TEST(ConfigError, PathsParameter)
 TEST(ConfigError, LongValuesAreCut)
 {
     const std::string message = error_of("seed = \"" + std::string(300, 'x') + "\"\n" + good_method);
-    EXPECT_EQ(message,
-              "c.toml:1: seed = \"" + std::string(59, 'x') + "...: must be an integer from 0 to 9223372036854775807");
+    EXPECT_EQ(message, "c.toml:1: seed = \"" + std::string(59, 'x') + "...: must be an integer of at least 0");
 }
 
 TEST(ConfigError, WhatTheSamplerRefusesNamesTheLine)
