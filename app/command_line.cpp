@@ -96,9 +96,6 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
         added->expected(1, option.most_values)->check(integer<std::int64_t>(option));
-    // Numbers apart by commas in one word are a list as well.
-    if constexpr (std::is_same_v<Value, std::vector<double>>)
-        added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',')->check(number(true));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {

@@ -39,17 +39,10 @@ struct AnalyzeOptions
 };
 
 /// --region as the key of [analysis] that it stands for.
-ConfigTable region_entry(const AnalyzeOptions& options)
+ConfigTable region_entry(const std::string& region)
 {
-    ConfigTable entries;
-    if (options.region.empty()) return entries;
-    ConfigEntry& entry = entries.emplace_back();
-    entry.key = "region";
-    entry.node.value = options.region;
-    entry.node.text = options.region;
-    entry.node.location.file = "analyze: --region";
-    entry.node.location.is_argument = true;
-    return entries;
+    if (region.empty()) return {};
+    return {{"region", {region, {"analyze: --region", 0, true}, region}}};
 }
 
 void analyze(const AnalyzeOptions& options)
@@ -62,7 +55,7 @@ void analyze(const AnalyzeOptions& options)
             throw InputError("analyze: --domain " + options.domain +
                              ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
-    const ConfigTable entries = region_entry(options);
+    const ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
     if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
     if (region && options.in_pieces) throw InputError("analyze: --in-pieces does not go with --region");

@@ -18,9 +18,9 @@ namespace poissonlab {
 
 /// Where the value of an option goes. The type says what is allowed: bool makes a flag, int is a number of threads from
 /// 1 to 4096, and the other integers may have any value of their type.
-using OptionTarget = std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*,
-                                  std::filesystem::path*, std::vector<std::int64_t>*, std::vector<double>*,
-                                  std::vector<std::string>*, std::vector<std::filesystem::path>*>;
+using OptionTarget =
+    std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
+                 std::vector<std::int64_t>*, std::vector<std::string>*, std::vector<std::filesystem::path>*>;
 
 /// Words for Option::is_required.
 inline constexpr bool required = true;

@@ -168,9 +168,16 @@ void OutputFiles::check(const std::string& command) const
     }
 }
 
-Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise)
+Command kind_command(const Kind& kind, OutputFiles files, std::string notes, void (*work)(const KindOptions&),
+                     std::string placed, const PictureWidth& width)
 {
-    return allowing({"--pixels", &pixels, "The width of a .png; default: " + otherwise, "W"}, Integers{1, most});
+    const auto o = std::make_shared<KindOptions>(kind, std::move(files), std::move(placed));
+    o->pixels = width.usual;
+    std::vector<Option> others{o->outs.option()};
+    if (width.most > 0)
+        others.push_back(allowing({"--pixels", &o->pixels, "The width of a .png; default: " + width.otherwise, "W"},
+                                  Integers{1, width.most}));
+    return kind_command(o, std::move(others), std::move(notes), work);
 }
 
 InputError KindOptions::of_command(const InputError& error) const

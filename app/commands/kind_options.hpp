@@ -43,6 +43,15 @@ public:
     /// The typed settings, checked as a table of a config is. Throws InputError, a line that begins with the command.
     KindSettings settings() const;
 
+    /// The same as the kind has them, once the files that are to be written are checked as well.
+    template <class Settings>
+    Settings read() const
+    {
+        const KindSettings typed = settings();
+        outs.check(command());
+        return typed.as<Settings>();
+    }
+
     const Kind& kind() const { return kind_; }
     const std::string& command() const { return kind_.command; }
     std::uint64_t seed() const { return work_.seed(); }
@@ -52,7 +61,7 @@ public:
     bool prints_json() const { return as_json_; }
 
     /// The engine, a device that is opened when it is needed, and a listener that shows steps, unless JSON is printed.
-    DistributionPlace place() const { return work_.place(command(), as_json_); }
+    DistributionPlace place(bool is_silent = false) const { return work_.place(command(), as_json_ || is_silent); }
 
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
@@ -60,8 +69,9 @@ public:
     /// The same error, named after the command.
     InputError of_command(const InputError& error) const;
 
-    OutputFiles outs;         ///< --out, of commands that list it
-    std::uint32_t pixels = 0; ///< --pixels, the width of a .png; 0: by default
+    OutputFiles outs;          ///< --out, of commands that list it
+    std::filesystem::path out; ///< the same, of commands that write one file
+    std::uint32_t pixels = 0;  ///< --pixels, the width of a .png; 0: by default
 
 private:
     /// The words that were typed for a key.
@@ -87,8 +97,25 @@ private:
 /// its unit.
 void print_numbers(const std::vector<DistributionNumber>& numbers);
 
-/// --pixels, the width of a .png.
-Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise);
+/// The width of a .png: --pixels.
+struct PictureWidth
+{
+    std::uint32_t most = 0;  ///< 0: there is no such option
+    std::string otherwise;   ///< what the help says of the default
+    std::uint32_t usual = 0; ///< the default, of KindOptions::pixels
+};
+
+/// A command that makes what is no kind of work, but takes keys as kinds do.
+template <class Settings>
+Kind described_command(std::string command, std::string summary, void (*keys)(Keys&, Settings&))
+{
+    const auto visit = [keys](Keys& visited) {
+        Settings settings;
+        keys(visited, settings);
+        return KindSettings{std::move(settings), {}, visited.resolved(), visited.inputs()};
+    };
+    return {{"", "", std::move(command), "", std::move(summary)}, visit, {}};
+}
 
 /// The command of a kind. `others` are its options beside those of the kind, `work` does what it does.
 template <class Options>
@@ -106,5 +133,9 @@ Command kind_command(const std::shared_ptr<Options>& options, std::vector<Option
                 return 0;
             }};
 }
+
+/// The command of a kind that writes files where --out says, as often as one likes.
+Command kind_command(const Kind& kind, OutputFiles files, std::string notes, void (*work)(const KindOptions&),
+                     std::string placed = "", const PictureWidth& width = {});
 
 }

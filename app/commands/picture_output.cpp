@@ -1,5 +1,6 @@
 #include "app/commands/picture_output.hpp"
 
+#include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 
@@ -17,23 +18,18 @@ constexpr double pixels_a_unit = 2;
 
 void check_picture_file(const std::string& command, const std::filesystem::path& file)
 {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code unknown;
     if (file.extension() != ".svg" && file.extension() != ".png")
         throw InputError(fmt::format("{}: --out {}: must end in .svg or .png", command, file.string()));
-    if (!std::filesystem::is_directory(folder, unknown))
-        throw InputError(fmt::format("{}: --out {}: there is no folder {}", command, file.string(), folder.string()));
-    if (std::filesystem::is_directory(file, unknown))
-        throw InputError(fmt::format("{}: --out {}: is a folder", command, file.string()));
+    check_target_folder(command, file);
 }
 
-void write_picture_file(const std::filesystem::path& file, const Drawing& drawing)
+void write_picture_file(const std::filesystem::path& file, const Drawing& drawing, int pixels)
 {
-    const int pixels = std::min(max_drawing_pixels, static_cast<int>(std::ceil(pixels_a_unit * drawing.width)));
+    const int usual = std::min(max_drawing_pixels, static_cast<int>(std::ceil(pixels_a_unit * drawing.width)));
     if (file.extension() == ".svg")
         write_whole_file(file, drawing_svg(drawing));
     else
-        write_drawing_png(file, drawing, pixels);
+        write_drawing_png(file, drawing, pixels > 0 ? pixels : usual);
 }
 
 }

@@ -12,7 +12,7 @@ namespace poissonlab {
 /// "isohedral draw" and so on.
 void check_picture_file(const std::string& command, const std::filesystem::path& file);
 
-/// Writes a drawing; as PNG, two pixels a unit. Throws StorageError.
-void write_picture_file(const std::filesystem::path& file, const Drawing& drawing);
+/// Writes a drawing; as PNG so many pixels wide, 0: two a unit. Throws StorageError.
+void write_picture_file(const std::filesystem::path& file, const Drawing& drawing, int pixels = 0);
 
 }

@@ -25,17 +25,9 @@ the ranked tile set, whose points are the middles of pixels, for an endless mask
   poissonlab distribute dither-mask --out mask.png
   poissonlab distribute dither-mask --size 256 --by void-and-cluster --out mask.npy --json)help";
 
-struct DitherMaskOptions : KindOptions
+void make_thresholds(const KindOptions& o)
 {
-    using KindOptions::KindOptions;
-    OutputFiles outs{{".png", ".npy", ".ptiles"}};
-};
-
-void make_thresholds(const DitherMaskOptions& o)
-{
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<DitherMaskSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<DitherMaskSettings>();
     const bool has_tiles = settings.method == DitherMethod::tiles;
     const auto is_tile_set = [](const std::string& name) { return name.ends_with(".ptiles"); };
     if (!has_tiles && std::ranges::any_of(o.outs.names, is_tile_set))
@@ -64,8 +56,8 @@ void make_thresholds(const DitherMaskOptions& o)
 
 Command distribute_dither_mask_command()
 {
-    const auto o = std::make_shared<DitherMaskOptions>(*find_kind("distribution", "dither-mask"));
-    return kind_command(o, {o->outs.option()}, distribute_dither_mask_notes, make_thresholds);
+    return kind_command(*find_kind("distribution", "dither-mask"), {{".png", ".npy", ".ptiles"}},
+                        distribute_dither_mask_notes, make_thresholds);
 }
 
 }

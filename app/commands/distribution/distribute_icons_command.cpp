@@ -1,5 +1,6 @@
 // poissonlab distribute icons: arrows that show a vector field and cannot overlap.
 #include "app/commands/kind_options.hpp"
+#include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
@@ -26,26 +27,15 @@ constexpr std::uint32_t most_icon_pixels = max_drawing_pixels / 2;
 
 void write_icons(const std::filesystem::path& file, const Icons& icons, const VectorField& field, int pixels)
 {
+    if (file.extension() == ".csv") return write_whole_file(file, icons_csv(icons));
     MarkPicture picture = icon_picture(icons, field);
-    if (file.extension() == ".csv") {
-        write_whole_file(file, icons_csv(icons));
-        return;
-    }
     picture.pixels = pixels;
-    const Drawing drawing = draw_marks(picture, {});
-    if (file.extension() == ".svg")
-        write_whole_file(file, drawing_svg(drawing));
-    else
-        write_drawing_png(file, drawing, pixels);
+    write_picture_file(file, draw_marks(picture, {}), pixels);
 }
 
 void draw_icons(const KindOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<IconSettings>();
-    if (o.pixels < 1 || o.pixels > most_icon_pixels)
-        throw InputError(fmt::format("--pixels {}: must be from 1 to {}", o.pixels, most_icon_pixels));
-    o.outs.check(o.command());
+    const auto settings = o.read<IconSettings>();
     const VectorField field = read_field(settings);
     const SquarePoints points = even_points(chosen_method(settings.method), settings.points, field.u.width,
                                             field.u.height, o.seed(), o.place());
@@ -58,11 +48,8 @@ void draw_icons(const KindOptions& o)
 
 Command distribute_icons_command()
 {
-    const auto o =
-        std::make_shared<KindOptions>(*find_kind("distribution", "icons"), OutputFiles{{".svg", ".png", ".csv"}});
-    o->pixels = 1024;
-    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, most_icon_pixels, "1024")},
-                        distribute_icons_notes, draw_icons);
+    return kind_command(*find_kind("distribution", "icons"), {{".svg", ".png", ".csv"}}, distribute_icons_notes,
+                        draw_icons, "", {most_icon_pixels, "1024", 1024});
 }
 
 }

@@ -38,16 +38,12 @@ void write_instances(const std::filesystem::path& file, const std::vector<Instan
     if (extension == ".csv") write_whole_file(file, instances_csv(instances));
     if (extension == ".ply") write_whole_file(file, instances_ply(instances));
     if (extension == ".usda") write_whole_file(file, instances_usda(instances, settings, radius));
-    if (extension != ".png") return;
-    const PngPixels view = view_from_above(instances, settings, radius);
-    write_png(file, {view.width, view.height, 3}, [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+    if (extension == ".png") write_png(file, view_from_above(instances, settings, radius));
 }
 
 void place_instances(const KindOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<InstanceSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<InstanceSettings>();
     const DistributionPlace place = o.place();
     const ObjectTileSet tiles(object_tile_set(settings.tiles, instance_dimension(settings), place));
     const PoissonTiling tiling{stream_key(o.seed(), Purpose::tile_choice, 0)[0], 0};
@@ -65,9 +61,8 @@ void place_instances(const KindOptions& o)
 
 Command distribute_instances_command()
 {
-    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "instances"),
-                                                 OutputFiles{{".csv", ".ply", ".usda", ".png"}}, "scene");
-    return kind_command(o, {o->outs.option()}, distribute_instances_notes, place_instances);
+    return kind_command(*find_kind("distribution", "instances"), {{".csv", ".ply", ".usda", ".png"}},
+                        distribute_instances_notes, place_instances, "scene");
 }
 
 }

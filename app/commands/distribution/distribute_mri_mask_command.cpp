@@ -22,17 +22,9 @@ columns), .png.
   poissonlab distribute mri-mask --shape 320 192 --acceleration 4 --power 0 --corners --out mask.cfl
   poissonlab distribute mri-mask --samples 6000 --density "exp(-4*(x*x+y*y))" --out mask.npy)help";
 
-struct MriMaskOptions : KindOptions
+void choose_samples(const KindOptions& o)
 {
-    using KindOptions::KindOptions;
-    OutputFiles outs{{".npy", ".cfl", ".png"}};
-};
-
-void choose_samples(const MriMaskOptions& o)
-{
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<SamplingMaskSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<SamplingMaskSettings>();
     const MaskField field = mask_field(settings);
     const SamplingMask mask = sampling_mask(field, asked_samples(settings, field), o.seed());
     for (const std::string& out : o.outs.names) write_mask(out, mask);
@@ -48,8 +40,8 @@ void choose_samples(const MriMaskOptions& o)
 
 Command distribute_mri_mask_command()
 {
-    const auto o = std::make_shared<MriMaskOptions>(*find_kind("distribution", "mri-mask"));
-    return kind_command(o, {o->outs.option()}, distribute_mri_mask_notes, choose_samples);
+    return kind_command(*find_kind("distribution", "mri-mask"), {{".npy", ".cfl", ".png"}}, distribute_mri_mask_notes,
+                        choose_samples);
 }
 
 }

@@ -23,9 +23,7 @@ side, y upwards; formulas are over a square. Both engines are the same: no devic
 
 void rank(const KindOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<RankSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<RankSettings>();
     const Density density = rank_density(settings);
     const auto first = static_cast<std::size_t>((o.seed() + settings.tile.points - 1) % settings.tile.points);
     const auto ranked =
@@ -44,8 +42,7 @@ void rank(const KindOptions& o)
 
 Command distribute_rank_command()
 {
-    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "ranks"), OutputFiles{{}, true});
-    return kind_command(o, {o->outs.option()}, distribute_rank_notes, rank);
+    return kind_command(*find_kind("distribution", "ranks"), {{}, true}, distribute_rank_notes, rank);
 }
 
 }

@@ -91,11 +91,7 @@ void say_tones(const KindOptions& o, bool has_strokes, const TonesOfMarks& tones
 
 void stipple_picture(const KindOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<StippleSettings>();
-    if (o.pixels > static_cast<std::uint32_t>(max_drawing_pixels))
-        throw InputError(fmt::format("--pixels {}: must be at most {}", o.pixels, max_drawing_pixels));
-    o.outs.check(o.command());
+    const auto settings = o.read<StippleSettings>();
     const InkPicture picture = read_ink(settings);
     o.say_note(picture.ink.note);
     const DistributionPlace place = o.place();
@@ -112,9 +108,8 @@ void stipple_picture(const KindOptions& o)
 
 Command mark_command(const char* word, const char* notes)
 {
-    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", word), OutputFiles{{".svg", ".png"}, true});
-    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, max_drawing_pixels, "the picture's")}, notes,
-                        stipple_picture);
+    return kind_command(*find_kind("distribution", word), {{".svg", ".png"}, true}, notes, stipple_picture, "",
+                        {max_drawing_pixels, "the picture's"});
 }
 
 }

@@ -30,15 +30,12 @@ void write_surface_output(const std::filesystem::path& file, const SurfaceSet& s
 {
     const FixedSurface& surface = set.mesh->surface;
     if (file.extension() != ".png") return write_surface_points(file, surface, set.points, comment);
-    const PngPixels view = surface_view(surface, set.points, dots_of(set), pixels);
-    write_png(file, {view.width, view.height, 1}, [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
+    write_png(file, surface_view(surface, set.points, dots_of(set), pixels));
 }
 
 void place_on_surface(const KindOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<MeshPointSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<MeshPointSettings>();
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     std::string what = fmt::format("{} points, {}", set.points.size(), surface_fact(set, settings));
@@ -47,7 +44,7 @@ void place_on_surface(const KindOptions& o)
                             set.min_distance);
     o.say_note(what);
     for (const std::string& out : o.outs.names)
-        write_surface_output(out, set, o.pixels > 0 ? static_cast<int>(o.pixels) : default_view_pixels,
+        write_surface_output(out, set, static_cast<int>(o.pixels),
                              fmt::format("poissonlab distribute surface --seed {}: {}", o.seed(), what));
     if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
 }
@@ -56,10 +53,8 @@ void place_on_surface(const KindOptions& o)
 
 Command distribute_surface_command()
 {
-    const auto o =
-        std::make_shared<KindOptions>(*find_kind("distribution", "surface"), OutputFiles{{".png"}, true}, "mesh");
-    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, 16384, std::to_string(default_view_pixels))},
-                        distribute_surface_notes, place_on_surface);
+    return kind_command(*find_kind("distribution", "surface"), {{".png"}, true}, distribute_surface_notes,
+                        place_on_surface, "mesh", {16384, std::to_string(default_view_pixels), default_view_pixels});
 }
 
 }

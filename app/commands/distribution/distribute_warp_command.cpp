@@ -42,9 +42,7 @@ struct WarpOptions : KindOptions
 
 void warp(const WarpOptions& o)
 {
-    const KindSettings read = o.settings();
-    const auto& settings = read.as<WarpSettings>();
-    o.outs.check(o.command());
+    const auto settings = o.read<WarpSettings>();
     if (!settings.is_environment && !o.lights.empty()) throw InputError("--lights: goes with --environment");
     std::optional<LinearPicture> map;
     if (settings.is_environment) map = sky_map(settings.density.text);

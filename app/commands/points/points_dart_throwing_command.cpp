@@ -1,7 +1,7 @@
 // poissonlab points dart-throwing: one set of any size, thrown block by block, as a point file.
+#include "app/commands/kind_options.hpp"
 #include "app/commands/point_target.hpp"
 #include "app/commands/points/large_darts.hpp"
-#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace poissonlab {
@@ -29,97 +28,83 @@ With --relative-radius, so many points; without, darts are thrown until no furth
   mpirun -n 4 poissonlab points dart-throwing --points 1000000000 --out saturated.h5
   poissonlab points dart-throwing --dimension 3 --min-distance 0.004 --out spheres.npy)help";
 
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+/// Coordinates have 32 bits: at smaller distances their grid would show.
+constexpr double least_distance = 0x1p-20;
 
-struct LargeDartOptions
+/// A set as it is asked for: points or a distance.
+struct AskedDarts
 {
-    std::uint64_t points = 0;
-    double relative_radius = not_given;
-    double min_distance = not_given;
-    std::uint32_t dimension = 2;
+    std::optional<std::uint64_t> points;
+    std::optional<double> relative_radius, min_distance;
+    int dimension = 2;
     double memory = 1; ///< GB
-    std::filesystem::path out;
-    bool as_json = false;
-    WorkOptions work;
 };
 
-InputError wrong_value(const std::string& option, double value, const std::string& allowed)
+LargeDarts set_of(const AskedDarts& asked, std::uint64_t seed)
 {
-    return InputError(fmt::format("points dart-throwing: {} {}: {}", option, value, allowed));
-}
-
-void check_number(const std::string& option, double value, double most)
-{
-    if (!std::isnan(value) && !(value > 0 && value <= most))
-        throw wrong_value(option, value, fmt::format("must be a number greater than 0 and at most {}", most));
-}
-
-/// Checks each option, and which go together.
-void check_options(const LargeDartOptions& o)
-{
-    if (o.dimension != 2 && o.dimension != 3) throw wrong_value("--dimension", o.dimension, "must be 2 or 3");
-    check_number("--relative-radius", o.relative_radius, 1);
-    check_number("--min-distance", o.min_distance, 1);
-    if (!(o.memory > 0 && std::isfinite(o.memory)))
-        throw wrong_value("--memory", o.memory, "must be a number greater than 0");
-    if ((o.points > 0) != std::isnan(o.min_distance))
-        throw InputError("points dart-throwing: needs --points or --min-distance, and not both");
-    if (!std::isnan(o.min_distance) && !std::isnan(o.relative_radius))
-        throw InputError("points dart-throwing: --relative-radius needs --points; --min-distance sets the distance");
-}
-
-/// Coordinates have 32 bits: at smaller distances their grid would show.
-void check_distance(const LargeDartOptions& o, double min_distance)
-{
-    constexpr double least = 0x1p-20;
-    const double saturated = saturation_relative_radius(static_cast<int>(o.dimension));
-    if (!(o.relative_radius < saturated) && !std::isnan(o.relative_radius))
-        throw wrong_value(
-            "--relative-radius", o.relative_radius,
-            fmt::format("dart throwing saturates at about {:.4f} in {}D; ask for less", saturated, o.dimension));
-    if (min_distance >= least) return;
-    if (!std::isnan(o.min_distance))
-        throw wrong_value("--min-distance", min_distance, fmt::format("must be at least {:.3g}", least));
-    const double most = std::pow(relative_radius(min_distance, o.points, static_cast<int>(o.dimension)) /
-                                     relative_radius(least, 1, static_cast<int>(o.dimension)),
-                                 o.dimension);
-    throw InputError(
-        fmt::format("points dart-throwing: --points {}: at most {:.3g} fit: coordinates have 32 bits, and the "
-                    "minimum distance must be at least {:.3g}",
-                    o.points, most, least));
-}
-
-LargeDarts set_of(const LargeDartOptions& o)
-{
-    const auto dimension = static_cast<int>(o.dimension);
-    const double saturated = saturation_relative_radius(dimension);
+    const double saturated = saturation_relative_radius(asked.dimension);
     LargeDarts set;
-    set.darts.dimension = dimension;
-    set.darts.stream = stream_key(o.work.seed(), Purpose::dart_throwing, 0);
-    if (!std::isnan(o.min_distance)) {
-        set.darts.min_distance = o.min_distance;
-        set.expected_points =
-            static_cast<std::uint64_t>(std::pow(saturated / relative_radius(o.min_distance, 1, dimension), dimension));
+    set.darts.dimension = asked.dimension;
+    set.darts.stream = stream_key(seed, Purpose::dart_throwing, 0);
+    if (asked.min_distance) {
+        set.darts.min_distance = *asked.min_distance;
+        set.expected_points = static_cast<std::uint64_t>(
+            std::pow(saturated / relative_radius(*asked.min_distance, 1, asked.dimension), asked.dimension));
     } else {
-        const bool stops = !std::isnan(o.relative_radius);
-        set.darts.min_distance = min_distance_for(stops ? o.relative_radius : saturated, o.points, dimension);
-        set.expected_points = o.points;
-        if (stops) set.darts.points = o.points;
+        set.darts.min_distance =
+            min_distance_for(asked.relative_radius.value_or(saturated), *asked.points, asked.dimension);
+        set.expected_points = *asked.points;
+        if (asked.relative_radius) set.darts.points = asked.points;
     }
-    check_distance(o, set.darts.min_distance);
     return set;
 }
 
-std::string comment_of(const LargeDartOptions& o, const LargeDarts& set)
+void check_distance(const Keys& keys, const AskedDarts& asked)
 {
-    return fmt::format("poissonlab points dart-throwing --seed {}: minimum distance {:.17g}, in the order of darts{}",
-                       o.work.seed(), set.darts.min_distance,
-                       set.darts.points ? "" : ", between which no further one fits");
+    const double saturated = saturation_relative_radius(asked.dimension);
+    if (asked.relative_radius && *asked.relative_radius >= saturated)
+        throw keys.invalid(
+            "relative_radius",
+            fmt::format("dart throwing saturates at about {:.4f} in {}D; ask for less", saturated, asked.dimension));
+    const double min_distance = set_of(asked, 1).darts.min_distance;
+    if (min_distance >= least_distance) return;
+    const double most = std::pow(relative_radius(min_distance, *asked.points, asked.dimension) /
+                                     relative_radius(least_distance, 1, asked.dimension),
+                                 asked.dimension);
+    throw keys.invalid("points",
+                       fmt::format("at most {:.3g} fit: coordinates have 32 bits, and the minimum distance must "
+                                   "be at least {:.3g}",
+                                   most, least_distance));
 }
 
-void throw_large_darts(const LargeDartOptions& o)
+void large_dart_keys(Keys& keys, AskedDarts& asked)
 {
-    o.work.engine("points dart-throwing"); // throws for one that there is not
+    keys.integer("points", asked.points, 1, any_integer, "how many points").otherwise("as the distance has it");
+    keys.number("relative_radius", asked.relative_radius, {0.001, 1},
+                "minimum distance over that of the densest packing of as many points")
+        .otherwise("darts until no further one fits");
+    keys.number("min_distance", asked.min_distance, {least_distance, 1}, "the minimum distance")
+        .unit("sides of the torus")
+        .otherwise("as the points have it")
+        .excludes("points");
+    keys.integer("dimension", asked.dimension, 2, 3, "of the torus");
+    keys.number("memory", asked.memory, {1e-6, 1e6}, "what a block may take at most").unit("GB");
+    if (!keys.is_read()) return;
+    if (!asked.points && !asked.min_distance)
+        throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
+    if (asked.relative_radius && asked.min_distance)
+        throw keys.invalid("relative_radius", "needs --points; --min-distance sets the distance");
+    check_distance(keys, asked);
+}
+
+std::string comment_of(std::uint64_t seed, const LargeDarts& set)
+{
+    return fmt::format("poissonlab points dart-throwing --seed {}: minimum distance {:.17g}, in the order of darts{}",
+                       seed, set.darts.min_distance, set.darts.points ? "" : ", between which no further one fits");
+}
+
+void throw_large_darts(const KindOptions& o)
+{
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
     if (!crew->leads()) say_nothing_when_interrupted();
@@ -127,21 +112,21 @@ void throw_large_darts(const LargeDartOptions& o)
     std::optional<DistributionPlace> place;
     PointFileHead head;
     const bool is_ready = crew->together([&] {
-        check_options(o);
-        check_point_target("points dart-throwing", o.out);
-        set = set_of(o);
+        const auto asked = o.read<AskedDarts>();
+        check_point_target(o.command(), o.out);
+        set = set_of(asked, o.seed());
         head.dimension = set.darts.dimension;
         head.points = set.expected_points;
-        head.comment = comment_of(o, set);
+        head.comment = comment_of(o.seed(), set);
         check_head(o.out, head);
-        place.emplace(o.work.place("points dart-throwing", !crew->leads()));
+        place.emplace(o.place(!crew->leads()));
         std::optional<DeviceInfo> device;
         if (place->engine == Engine::opencl) device = place->device().info();
-        set.block_side = block_side_for(set.darts, static_cast<std::uint64_t>(o.memory * 1e9), device);
+        set.block_side = block_side_for(set.darts, static_cast<std::uint64_t>(asked.memory * 1e9), device);
     });
     if (!is_ready) return;
     const std::uint64_t count = write_large_darts(o.out, head, set, *place, *crew);
-    if (o.as_json && crew->leads())
+    if (o.prints_json() && crew->leads())
         fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(o.out.string())},
                                                   {"points", count},
                                                   {"dimension", head.dimension},
@@ -153,19 +138,11 @@ void throw_large_darts(const LargeDartOptions& o)
 
 Command points_dart_throwing_command()
 {
-    const auto o = std::make_shared<LargeDartOptions>();
-    return {
-        "dart-throwing", "Throw the darts of one set of any size",
-        joined({{{"--points", &o->points, "How many points", "N"},
-                 {"--relative-radius", &o->relative_radius,
-                  "Minimum distance over that of the densest packing of as many points", "R"},
-                 {"--min-distance", &o->min_distance, "Instead of --points: the distance, in sides of the torus", "D"},
-                 allowing({"--dimension", &o->dimension, "2 (the default) or 3", "D"}, "2 or 3"),
-                 {"--out", &o->out, "The point file", "FILE", required},
-                 {"--memory", &o->memory, "What a block may take at most; default: 1", "GB"},
-                 json_option(o->as_json, "Print how many points there are as JSON")},
-                o->work.options()}),
-        points_dart_throwing_notes, action_on(o, throw_large_darts)};
+    static const Kind darts =
+        described_command("points dart-throwing", "Throw the darts of one set of any size", large_dart_keys);
+    const auto o = std::make_shared<KindOptions>(darts);
+    return kind_command(o, {{"--out", &o->out, "The point file", "FILE", required}}, points_dart_throwing_notes,
+                        throw_large_darts);
 }
 
 }

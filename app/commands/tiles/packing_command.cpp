@@ -1,5 +1,6 @@
 // poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
 #include "app/commands/kind_options.hpp"
+#include "app/commands/picture_output.hpp"
 #include "app/commands/tile_rows.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
@@ -87,10 +88,7 @@ void write_packing_picture(const TilePacking& packing, const std::filesystem::pa
     for (Color y = packing.side(); y-- > 0;)
         for (Color x = 0; x < packing.side(); ++x) grid.tiles.push_back(packing.at({x, y}));
     const Drawing drawing = draw_tiles(grid);
-    if (file.extension() == ".svg")
-        write_whole_file(file, drawing_svg(drawing));
-    else
-        write_drawing_png(file, drawing, static_cast<int>(drawing.width));
+    write_picture_file(file, drawing, static_cast<int>(drawing.width));
 }
 
 void check_cut(const PackingOptions& options)

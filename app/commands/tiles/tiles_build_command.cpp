@@ -28,12 +28,6 @@ for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is des
   poissonlab tiles build corner --colors 4 --points 64 --border chain --out seamless.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
 
-struct TilesBuildOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    std::filesystem::path out;
-};
-
 /// Building takes up to minutes, which a file that cannot be written would waste.
 void check_target(const std::filesystem::path& file)
 {
@@ -44,7 +38,7 @@ void check_target(const std::filesystem::path& file)
                                        std::generic_category().message(errno)));
 }
 
-ConstructedTileSet built_tiles(const TilesBuildOptions& o, const PoissonTileParameters& parameters)
+ConstructedTileSet built_tiles(const KindOptions& o, const PoissonTileParameters& parameters)
 {
     const DistributionPlace place = o.place();
     if (place.engine == Engine::opencl)
@@ -57,8 +51,8 @@ ConstructedTileSet built_tiles(const TilesBuildOptions& o, const PoissonTilePara
     return build_tile_set(parameters, place.engine, place.device, construction);
 }
 
-void print_built_tiles(const TilesBuildOptions& o, const PoissonTileParameters& parameters,
-                       const ConstructedTileSet& built, double seconds)
+void print_built_tiles(const KindOptions& o, const PoissonTileParameters& parameters, const ConstructedTileSet& built,
+                       double seconds)
 {
     const double relative_radius = relative_radius_of(built.set.squared_min_distance, parameters);
     if (o.prints_json()) {
@@ -82,7 +76,7 @@ void print_built_tiles(const TilesBuildOptions& o, const PoissonTileParameters& 
                    built.report.failures, built.report.tori, built.report.remade);
 }
 
-void build_tiles(const TilesBuildOptions& o)
+void build_tiles(const KindOptions& o)
 {
     const PoissonTileParameters parameters = o.settings().as<AskedTileSet>().parameters(o.seed());
     check_target(o.out);
@@ -97,7 +91,7 @@ void build_tiles(const TilesBuildOptions& o)
 
 Command tiles_build_command()
 {
-    const auto o = std::make_shared<TilesBuildOptions>(*find_kind("", "tiles build"), "kind");
+    const auto o = std::make_shared<KindOptions>(*find_kind("", "tiles build"), "kind");
     return kind_command(o, {{"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required}},
                         tiles_build_notes, build_tiles);
 }
