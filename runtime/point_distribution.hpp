@@ -76,6 +76,7 @@ public:
     void operator()(const Box& bounds, float density, PointFunction&& emit) const
     {
         if (!(density > 0) || !(bounds.min.x < bounds.max.x) || !(bounds.min.y < bounds.max.y)) return;
+        if (std::isinf(density)) throw std::range_error("the density is infinite");
         const Scale scale(*this, density);
         const Range columns = scale.range(tiling_.set, bounds.min.x, bounds.max.x);
         const Range rows = scale.range(tiling_.set, bounds.min.y, bounds.max.y);

@@ -2,12 +2,13 @@
 """Poisson disk points without end for Blender's geometry nodes, from a tile set file (.ptiles).
 
 As an add-on (Preferences, Add-ons, Install): Add, Mesh, Poisson Points asks for a file, and adds a mesh of vertices on
-which a group of geometry nodes places an object. As a module, in Blender's Python or any other that has NumPy:
+which geometry nodes place an object. As a module, in Blender's Python or any other that has NumPy:
 
     tiles = TileSet(open("corner-c4-n64-r075.ptiles", "rb").read())
     points = tiles.points([0, 0], [16, 9], seed=1, density=0.5)    # points.position: (n, 2) in tiles
 
-Points are those of poisson_tiles.h, to the last bit. docs/tile-set-file.md describes the file, docs/drop-ins.md the use.
+Points are those of poisson_tiles.h, to the last bit. docs/tile-set-file.md describes the file, docs/drop-ins.md the
+use.
 """
 
 import struct
@@ -202,8 +203,9 @@ def _scatter_nodes(name="Poisson scatter"):
 
     new = group.nodes.new
     inputs, outputs = new("NodeGroupInput"), new("NodeGroupOutput")
-    level, compare, random = new("GeometryNodeInputNamedAttribute"), new("FunctionNodeCompare"), new("FunctionNodeRandomValue")
-    instance, place = new("GeometryNodeObjectInfo"), new("GeometryNodeInstanceOnPoints")
+    level, compare = new("GeometryNodeInputNamedAttribute"), new("FunctionNodeCompare")
+    random, instance = new("FunctionNodeRandomValue"), new("GeometryNodeObjectInfo")
+    place = new("GeometryNodeInstanceOnPoints")
     level.data_type, level.inputs["Name"].default_value = "FLOAT", "level"
     compare.data_type, compare.operation = "FLOAT", "LESS_THAN"
     random.data_type = "FLOAT_VECTOR"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# runtime/blender/poisson_points.py in Blender without a screen: operator, attributes, geometry nodes. Exit status 77: there
-# is no blender. Its look-ups alone, which need no Blender, are in tests/python/blender_points_test.py.
+# runtime/blender/poisson_points.py in Blender without a screen: operator, attributes, geometry nodes. Exit status 77:
+# there is no blender. Its look-ups, which need none, are in tests/python/blender_points_test.py.
 #
 # Usage: blender.sh SOURCE_FOLDER
 set -euo pipefail

@@ -260,6 +260,9 @@ TEST(PointDistribution, IsEmptyWhereNothingIsAskedFor)
     EXPECT_TRUE(emitted_by(distribution, Box2f(V2f(1), V2f(1)), 64).empty());
     EXPECT_EQ(message_of<std::range_error>([&] { emitted_by(distribution, Box2f(V2f(0), V2f(1e12F)), 64); }),
               "bounds reach further than 2^31 tiles from the origin");
+    EXPECT_EQ(message_of<std::range_error>(
+                  [&] { emitted_by(distribution, Box2f(V2f(0), V2f(1)), std::numeric_limits<float>::infinity()); }),
+              "the density is infinite");
 }
 
 TEST(PointDistribution, RefusesWhatItCannotUse)
