@@ -19,7 +19,7 @@ class Made:
     numbers: what was measured, by key; titles says what each is.
     pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
     points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
-    region's own; None where there are none.
+    region's own, of space with shape (n, 3); None where there are none.
     distances: of points whose minimum distance varies: that at each, in the region's units; else None.
     classes: of points with classes: the class of each, uint32; else None.
     normals: of points on surfaces: the normal of each one's triangle, (N, 3); else None.

@@ -1,5 +1,6 @@
 // Dart throwing: kernels against the plain sequential algorithm and against the sequential reference.
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/bench/plain_dart_throwing.hpp"
 #include "tests/bench/ratio_reporter.hpp"
@@ -118,6 +119,8 @@ void many_darts(benchmark::State& state)
     if (state.range(0) == 1) {
         request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
         request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
+        // As programs do, see block_of_regions(): the region lies in a quarter of the torus.
+        request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
     }
     DartThrower thrower(Device::open({}, threads));
     thrower.throw_darts(request); // builds the kernels

@@ -90,9 +90,9 @@ class Kinds(unittest.TestCase):
         for places in (inside, surface):
             self.assertGreater(len(places), 500)
             self.assertLess(tree.query(places)[0].max(), 0.4 + 1e-7)
-        whole = distribute.points(region="solid -1 -1 -1 1 1 1 1-x*x-y*y-z*z", method="darts", boundary="disks",
-                                  min_distance=0.12, engine="reference").points
-        self.assertLessEqual(numpy.linalg.norm(whole, axis=1).max(), 1 - 0.06)
+        whole = distribute.points(region="solid -4 -4 -4 4 4 4 1-x*x-y*y-z*z", method="darts", boundary="disks",
+                                  min_distance=0.3, engine="reference").points
+        self.assertLessEqual(numpy.linalg.norm(whole, axis=1).max(), 1 - 0.15)
 
     def test_methods_make_points_in_regions(self):
         for method, keys in (("elimination", {"points": 60, "candidates": 3}), ("lloyd", {"points": 60, "iterations": 5}),

@@ -139,15 +139,15 @@ TEST(SpacePoints, OfBridsonFillTheRegion)
 
 TEST(SpacePoints, HaveWholeBallsInside)
 {
-    for (const char* region : {"ball 0 0 0 1", "solid -1 -1 -1 1 1 1 1-x*x-y*y-z*z"}) {
+    for (const char* region : {"ball 0 0 0 1", "solid -4 -4 -4 4 4 4 1-x*x-y*y-z*z"}) {
         RegionPointSettings settings = space_settings(region, RegionMethod::darts);
-        settings.place.min_distance = 0.12;
+        settings.place.min_distance = 0.3;
         settings.place.boundary = RegionBoundary::disks;
         const PointSet points = make_region_points(settings, 1, by_plain_code).points;
         double farthest = 0;
         for (std::size_t i = 0; i < points.size(); ++i) farthest = std::max(farthest, from_origin(points, i));
-        EXPECT_LE(farthest, 1 - 0.06 + 1e-9);
-        EXPECT_GT(farthest, 1 - 0.06 - 0.01);
+        EXPECT_LE(farthest, 1 - 0.15 + 1e-9);
+        EXPECT_GT(farthest, 1 - 0.15 - 0.04);
     }
 }
 
