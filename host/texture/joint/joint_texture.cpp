@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace poissonlab {
 namespace {
@@ -229,18 +230,18 @@ private:
         const SiteBox whole{-request_.size / 2, -request_.size / 2, request_.size};
         for (std::size_t first = 0; first < sites.size(); first += sites_at_once) {
             const std::size_t count = std::min(sites_at_once, sites.size() - first);
-            std::vector<SiteMove> moves;
-            std::vector<std::vector<Overlay>> shown;
+            std::vector<std::unique_ptr<SiteMove>> moves(count);
+            std::vector<std::vector<Overlay>> shown(count);
+            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+                moves[i] = std::make_unique<SiteMove>(assembly_, *sites[first + i], whole);
+                shown[i] = moves[i]->shown();
+            });
             std::size_t most = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                moves.emplace_back(assembly_, *sites[first + i], whole);
-                shown.push_back(moves.back().shown());
-                most = std::max(most, shown.back().size());
-            }
+            for (const std::vector<Overlay>& overlays : shown) most = std::max(most, overlays.size());
             for (std::size_t k = 0; k < most; ++k) {
                 std::vector<SiteChange> changes(count);
                 tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-                    if (k < shown[i].size()) changes[i] = moves[i].best(shown[i][k]);
+                    if (k < shown[i].size()) changes[i] = moves[i]->best(shown[i][k]);
                 });
                 for (const SiteChange& change : changes) take(change);
             }
