@@ -18,11 +18,11 @@
 // holds when its turn comes. Where a batch begins and how far ahead it looks decide about the cost only,
 // never about the result.
 //
-// There are two grids of a power of two cells along each axis. Points are in chains in the coarser one, of
-// 2^grid_bits; its cells are at least as wide as the minimum distance, so that points in conflict are at most
-// one cell apart. Each of its cells has 2^COVER_BITS parts along each axis, for the table: the squared
-// distance within which one point has all of the part. That does not depend on the radius, so the table holds
-// until the host makes the grids finer.
+// There are two grids. Points are in chains in that of grid_size cells along each axis, which are at least as wide as the
+// minimum distance and become narrower with it, so that points in conflict are at most one cell apart and cells have few
+// of them. The table has a grid of 2^grid_bits such cells along each axis, each with 2^COVER_BITS parts along each axis:
+// for each part the squared distance within which one point has all of it. That does not depend on the radius, so the
+// table holds until the host makes its grid finer.
 //
 // With REGION darts fall into the least box around a region of the plane or of space, whose coordinates are below half of
 // the torus' along each axis: parts of the table outside count as covered, and darts outside fail.
@@ -138,7 +138,7 @@ uint lowest_bit(ulong bits) { return 63 - (uint)clz(bits & (0ul - bits)); }
 
 /// One work-item owns one word of candidates and its darts' flags: bytes of blocks, eight at a time.
 kernel void find_candidates(global const ulong* state, global const ulong* flags, uint word_count,
-                            global const uint* heads, global const uint* points, uint grid_bits, uint key_x, uint key_y,
+                            global const uint* cells, global const uint* points, uint grid_size, uint key_x, uint key_y,
                             global ulong* candidates BOX_PARAMETER REGION_PARAMETERS)
 {
     REGION_OF_PARAMETERS
@@ -153,7 +153,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, heads, points, grid_bits, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
+            if (is_free(&position, cells, points, grid_size, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
         }
     }
     candidates[id] = word;
@@ -189,11 +189,11 @@ ALWAYS_INLINE bool fail(Progress* progress, ulong count, ulong attempts, ulong l
 ///
 /// `thresholds` the squared minimum distances of levels from `first_level` on.
 kernel void settle_candidates(struct Settling settling, global ulong* state, global const ulong* candidates,
-                              global const ulong* thresholds, global uint* heads, global uint* points BOX_PARAMETER)
+                              global const ulong* thresholds, global uint* cells, global uint* points BOX_PARAMETER)
 {
     if (get_global_id(0) != 0) return;
     const ulong attempts = settling.attempts;
-    const uint grid_bits = settling.grid_bits;
+    const uint grid_size = settling.grid_size;
     const ulong low_level = state[LOW_LEVEL];
     const ulong skipped = state[NEXT_DART] % DARTS_A_BLOCK;
     const ulong first = state[NEXT_DART] - skipped;
@@ -213,8 +213,8 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
             ++looked_at;
             Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, heads, points, grid_bits, thresholds[progress.level - settling.first_level])) {
-                insert_point(&position, count, heads, points, grid_bits);
+            if (is_free(&position, cells, points, grid_size, thresholds[progress.level - settling.first_level])) {
+                insert_point(&position, count, cells, points, grid_size);
                 ++count;
                 ++progress.dart;
                 progress.failures = 0;
@@ -238,7 +238,7 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
 /// The first work-item owns everything. Throws 8 blocks of darts `settling.words` times, one dart after the other, or
 /// until the level comes to `end_level`, or there are `target` points. Points since FIRST_NEW stay out of the table.
 kernel void throw_in_order(struct Settling settling, ulong end_level, global ulong* state,
-                           global const ulong* thresholds, global uint* heads,
+                           global const ulong* thresholds, global uint* cells,
                            global uint* points BOX_PARAMETER REGION_PARAMETERS)
 {
     if (get_global_id(0) != 0) return;
@@ -265,8 +265,8 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
             PLACE_IN_BOX(position);
-            if (is_free(&position, heads, points, settling.grid_bits, threshold) && is_allowed_position(&region, &position)) {
-                insert_point(&position, count, heads, points, settling.grid_bits);
+            if (is_free(&position, cells, points, settling.grid_size, threshold) && is_allowed_position(&region, &position)) {
+                insert_point(&position, count, cells, points, settling.grid_size);
                 ++count;
                 failures = 0;
                 goes_on = count < settling.target;
@@ -373,17 +373,18 @@ kernel void cover_cells(global const ulong* state, global const uint* points, ui
     }
 }
 
-/// One work-item owns one row of COVER_PARTS parts in the table and, where `cell_count` exceeds its number,
-/// the chain of one grid cell. Makes all cells empty, but for parts outside a region, which stay covered.
-kernel void clear_cells(global ushort* table, uint row_count, global uint* heads, uint cell_count,
-                        uint grid_bits REGION_PARAMETERS)
+/// One work-item owns one row of COVER_PARTS parts in the table. Nothing is covered, but for parts outside a region, which
+/// stay so, and the table's next update enters all points.
+kernel void clear_table(global ulong* state, global ushort* table, uint row_count, uint grid_bits REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
-    if (id < row_count) STORE((VECTOR(ushort))NOT_COVERED, id, table);
+    if (id == 0) state[FIRST_NEW] = 0;
+    if (id >= row_count) return;
+    STORE((VECTOR(ushort))NOT_COVERED, id, table);
 #if REGION
     REGION_OF_PARAMETERS
     const uint bits = grid_bits + COVER_BITS;
-    for (uint part = id * COVER_PARTS; id < row_count && part < (id + 1) * COVER_PARTS; ++part) {
+    for (uint part = id * COVER_PARTS; part < (id + 1) * COVER_PARTS; ++part) {
         Position low, extent;
         FOR_EACH_AXIS(k)
         {
@@ -393,16 +394,34 @@ kernel void clear_cells(global ushort* table, uint row_count, global uint* heads
         if (side_of_positions(&region, &low, &extent) == REGION_OUTSIDE) table[part] = 0;
     }
 #endif
-    if (id < cell_count) heads[id] = 0;
 }
 
-/// One work-item owns one point. Chains it to its cell, and has the table's next update enter all points.
-kernel void link_points(global ulong* state, global uint* heads, global uint* points, uint grid_bits)
+/// One work-item owns one cell, and makes it empty.
+kernel void clear_cells(global uint* cells, uint cell_count)
 {
     const uint id = get_global_id(0);
-    if (id == 0) state[FIRST_NEW] = 0;
+    if (id < cell_count) cells[id * CELL_WORDS + LINK_WORD] = 0;
+}
+
+/// One work-item owns one point, and chains it to its cell.
+kernel void link_points(global const ulong* state, global uint* cells, global uint* points, uint grid_size)
+{
+    const uint id = get_global_id(0);
     if (id >= state[POINTS]) return;
     Position position;
     FOR_EACH_AXIS(k) position.c[k] = points[id * POINT_WORDS + k];
-    points[id * POINT_WORDS + NEXT_WORD] = atomic_xchg(&heads[cell_of(&position, grid_bits)], id + 1);
+    global uint* link = &cells[cell_of(&position, grid_size) * CELL_WORDS + LINK_WORD];
+    points[id * POINT_WORDS + NEXT_WORD] = atomic_xchg(link, id + 1);
+}
+
+/// One work-item owns one cell, and takes the first point of its chain into it.
+kernel void fill_cells(global uint* cells, uint cell_count, global const uint* points)
+{
+    const uint id = get_global_id(0);
+    if (id >= cell_count) return;
+    global uint* cell = &cells[id * CELL_WORDS];
+    if (cell[LINK_WORD] == 0) return;
+    global const uint* point = &points[(cell[LINK_WORD] - 1) * POINT_WORDS];
+    FOR_EACH_AXIS(k) cell[k] = point[k];
+    if (point[NEXT_WORD] != 0) cell[LINK_WORD] |= HAS_MORE;
 }

@@ -1,7 +1,7 @@
 // A vector of numbers without values until they are given some, for arrays of many megabytes.
 #pragma once
 
-#include "analysis/spectra/large_pages.hpp"
+#include "base/programs/large_pages.hpp"
 
 #include <memory>
 #include <new>

@@ -1,4 +1,4 @@
-#include "analysis/spectra/large_pages.hpp"
+#include "base/programs/large_pages.hpp"
 
 #include <cstdint>
 

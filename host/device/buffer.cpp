@@ -1,3 +1,4 @@
+#include "base/programs/large_pages.hpp"
 #include "host/device/opencl.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +50,17 @@ void write_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, con
 {
     checked(buffer, "writing", bytes,
             [&] { buffer.device->queue.enqueueWriteBuffer(buffer.memory, CL_TRUE, offset, bytes, source); });
+}
+
+void ask_for_large_pages(BufferImpl& buffer)
+{
+    if (buffer.device->info.type != "CPU" || buffer.bytes < 2 * large_page) return;
+    checked(buffer, "mapping", buffer.bytes, [&] {
+        const cl::CommandQueue& queue = buffer.device->queue;
+        void* memory = queue.enqueueMapBuffer(buffer.memory, CL_TRUE, CL_MAP_WRITE_INVALIDATE_REGION, 0, buffer.bytes);
+        ask_for_large_pages(memory, buffer.bytes);
+        queue.enqueueUnmapMemObject(buffer.memory, memory);
+    });
 }
 
 }

@@ -15,6 +15,10 @@ struct BufferImpl;
 void read_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, void* target);
 void write_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, const void* source);
 
+/// Asks for large pages, where a processor is the device, for what a kernel looks into anywhere: it waits less for
+/// them. Before anything is in the buffer. Throws DeviceError.
+void ask_for_large_pages(BufferImpl& buffer);
+
 /// `size` values of type T on the device. Copies share the memory.
 template <typename T>
 class Buffer

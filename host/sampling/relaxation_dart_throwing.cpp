@@ -3,6 +3,7 @@
 // cost only.
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
+#include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/region_buffers.hpp"
@@ -44,12 +45,18 @@ constexpr std::size_t cover_items_of_cpu = 64;
 constexpr double least_radius_ahead = 0.98;
 constexpr std::uint64_t least_levels_ahead = 3;
 
-/// The grids of the kernel file: 2^grid_bits cells along each axis, and 2^cover_bits parts of each.
+/// The grids of the kernel file: for the table 2^grid_bits cells along each axis, and 2^cover_bits parts of each; for
+/// points so many cells along each axis.
 struct GridLimits
 {
     int most_grid_bits;
     int cover_bits;
+    std::uint32_t most_cells;
 };
+
+/// Cells of points are made narrower when so many times as many along each axis are wide enough: they have some two
+/// points at most, however many points there are.
+constexpr double finer_grid = 1.25;
 
 /// Parts of the table: more leave fewer darts undecided, and fit the caches less.
 constexpr int most_table_bits = 29;
@@ -60,7 +67,9 @@ GridLimits grid_limits(std::size_t points, int dimension)
     const int for_points = static_cast<int>(std::bit_width(points)) / dimension;
     const int most_grid_bits = std::min(for_points, most_table_bits / dimension - 2);
     const int cover_bits = dimension == 2 ? 3 : 2;
-    return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits)};
+    const double most_cells = std::pow(static_cast<double>(points), 1.0 / dimension);
+    return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits),
+            std::max(1u, static_cast<std::uint32_t>(most_cells))};
 }
 
 /// Sizes of what the kernels work on, in elements.
@@ -72,7 +81,7 @@ struct GridSizes
 
 GridSizes grid_sizes(const GridLimits& limits, int dimension)
 {
-    return {std::size_t{1} << dimension * limits.most_grid_bits,
+    return {lattice_cells(limits.most_cells, dimension),
             std::size_t{1} << dimension * (limits.most_grid_bits + limits.cover_bits)};
 }
 
@@ -110,20 +119,20 @@ struct RelaxationDartBuffers
     Buffer<std::uint8_t> flags;       ///< a block of darts each
     Buffer<std::uint64_t> candidates; ///< a word of darts each
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
-    Buffer<std::uint32_t> heads;      ///< a grid cell each
+    Buffer<std::uint32_t> cells;
     Buffer<std::uint32_t> points;
     LandBuffers land;
 
     NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
     {
         const int d = request.dimension;
-        const auto [cells, parts] = grid_sizes(grid_limits(request.points, d), d);
+        const auto [cell_count, parts] = grid_sizes(grid_limits(request.points, d), d);
         NeededBuffers buffers{{state, contract::relaxation_dart_throwing::STATE_WORDS},
                               {thresholds, levels_of_table(request)},
                               {flags, most_blocks(d, group_size)},
                               {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
                               {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
-                              {heads, cells},
+                              {cells, cell_count * contract::relaxation_dart_throwing::CELL_WORDS},
                               {table, parts}};
         for (const NeededBuffer& buffer : land.needed(request)) buffers.push_back(buffer);
         return buffers;
@@ -148,10 +157,15 @@ public:
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");
         cover_ = device.kernel(program, "cover_cells");
-        clear_ = device.kernel(program, "clear_cells");
+        clear_table_ = device.kernel(program, "clear_table");
+        clear_cells_ = device.kernel(program, "clear_cells");
         link_ = device.kernel(program, "link_points");
+        fill_ = device.kernel(program, "fill_cells");
         throw_in_order_ = device.kernel(program, "throw_in_order");
         reserve(device, buffers_.needed(request, group_size));
+        // Darts fall anywhere.
+        ask_for_large_pages(buffers_.table.impl());
+        ask_for_large_pages(buffers_.cells.impl());
         buffers_.land.write(request);
     }
 
@@ -161,7 +175,8 @@ public:
         state_[LOW_THRESHOLD] = window_thresholds_[0];
         buffers_.state.write(state_);
         while (state_[POINTS] < request_.points) {
-            fit_grids();
+            fit_cells();
+            fit_table();
             fit_window();
             if (is_in_order_) {
                 throw_in_order();
@@ -196,7 +211,7 @@ private:
                 .key_y = request_.stream[1],
                 .target = u32(request_.points),
                 .levels_ahead = u32(levels_ahead_),
-                .grid_bits = grid_bits_};
+                .grid_size = grid_size_};
     }
 
     /// Runs a kernel with the box that darts fall into, if there is one.
@@ -233,10 +248,10 @@ private:
     {
         std::size_t end = state_[LEVEL] - window_.level() + 1;
         const std::size_t last = window_thresholds_.size() - levels_in_reach(request_);
-        while (end < last && grid_bits_for(window_thresholds_[end]) == grid_bits_) ++end;
+        while (end < last && !needs_finer_cells(window_thresholds_[end])) ++end;
         with_region([&](const auto&... region) {
             throw_in_order_.run(1, 1, settling(darts_in_order_ / darts_a_throwing_item), window_.level() + end,
-                                buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points, region...);
+                                buffers_.state, buffers_.thresholds, buffers_.cells, buffers_.points, region...);
         });
         darts_in_order_ = std::min(most_darts_in_order, 4 * darts_in_order_);
     }
@@ -261,11 +276,11 @@ private:
                        box...);
         });
         with_region([&](const auto&... region) {
-            find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points,
-                      grid_bits_, key_x, key_y, b.candidates, region...);
+            find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.cells, b.points,
+                      grid_size_, key_x, key_y, b.candidates, region...);
         });
         with_box([&](const auto&... box) {
-            settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.heads, b.points, box...);
+            settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.cells, b.points, box...);
         });
         update_table();
     }
@@ -286,20 +301,46 @@ private:
         return u32(static_cast<std::uint64_t>(std::min(for_distance, limits_.most_grid_bits)));
     }
 
-    /// Makes the grids as fine as the minimum distance allows.
-    void fit_grids()
+    std::uint64_t present_threshold() const { return window_thresholds_[state_[LEVEL] - window_.level()]; }
+
+    /// The most cells along each axis that are as wide as a minimum distance.
+    std::uint32_t cells_for(std::uint64_t squared_min_distance) const
     {
-        const std::uint32_t bits = grid_bits_for(window_thresholds_[state_[LEVEL] - window_.level()]);
-        if (grids_exist_ && bits == grid_bits_) return;
-        grids_exist_ = true;
+        const double most = (1 - 1e-9) * 0x1p32 / std::sqrt(static_cast<double>(squared_min_distance));
+        return static_cast<std::uint32_t>(std::clamp(most, 1.0, static_cast<double>(limits_.most_cells)));
+    }
+
+    bool needs_finer_cells(std::uint64_t squared_min_distance) const
+    {
+        const std::uint32_t wanted = cells_for(squared_min_distance);
+        return wanted > grid_size_ && (wanted == limits_.most_cells || wanted >= finer_grid * grid_size_);
+    }
+
+    /// Makes the cells of points about as narrow as the minimum distance allows.
+    void fit_cells()
+    {
+        if (!needs_finer_cells(present_threshold())) return;
+        grid_size_ = cells_for(present_threshold());
+        RelaxationDartBuffers& b = buffers_;
+        const std::size_t cells = lattice_cells(grid_size_, D);
+        clear_cells_.run(cells, group_size_, b.cells, u32(cells));
+        if (state_[POINTS] == 0) return;
+        link_.run(state_[POINTS], group_size_, b.state, b.cells, b.points, grid_size_);
+        fill_.run(cells, group_size_, b.cells, u32(cells), b.points);
+    }
+
+    /// Makes the grid of the table as fine as the minimum distance allows.
+    void fit_table()
+    {
+        const std::uint32_t bits = grid_bits_for(present_threshold());
+        if (has_table_ && bits == grid_bits_) return;
+        has_table_ = true;
         grid_bits_ = bits;
         RelaxationDartBuffers& b = buffers_;
-        const std::size_t cells = std::size_t{1} << D * bits;
         const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
         b.land.run_with(request_, [&](const auto&... region) {
-            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits, region...);
+            clear_table_.run(rows, group_size_, b.state, b.table, u32(rows), bits, region...);
         });
-        link_.run(std::max<std::size_t>(1, state_[POINTS]), group_size_, b.state, b.heads, b.points, grid_bits_);
         if (!is_in_order_) update_table();
     }
 
@@ -347,13 +388,14 @@ private:
     std::size_t group_size_;
     GridLimits limits_;
     bool is_cpu_, is_in_order_;
-    Kernel throw_, find_, settle_, cover_, clear_, link_, throw_in_order_;
+    Kernel throw_, find_, settle_, cover_, clear_table_, clear_cells_, link_, fill_, throw_in_order_;
     StateWords state_{}; ///< as the host saw it last
     std::uint64_t batch_ = first_batch, darts_in_order_ = first_darts_in_order;
     std::uint64_t levels_ahead_ = 1;
-    bool grids_exist_ = false;
-    std::uint32_t grid_bits_ = 0;
-    RadiusLevels window_; ///< the first level of the table of thresholds on the device
+    bool has_table_ = false;
+    std::uint32_t grid_bits_ = 0; ///< of the table
+    std::uint32_t grid_size_ = 0; ///< cells of points along each axis
+    RadiusLevels window_;         ///< the first level of the table of thresholds on the device
     std::vector<std::uint64_t> window_thresholds_;
 };
 

@@ -17,6 +17,14 @@ enum
 /// A point as words: position, 1 + the number of the next point in the cell's chain.
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
 
+/// A cell as words: the position of the last point in it, and a link: 1 + the number of that point, with the
+/// uppermost bit if there are more, or 0.
+enum
+{
+    LINK_WORD = 3,
+    CELL_WORDS
+};
+
 /// Where the algorithm is, as 64-bit words in global memory.
 enum State
 {
@@ -40,7 +48,7 @@ struct Settling
     uint key_x, key_y; ///< of random numbers
     uint target;       ///< points
     uint levels_ahead; ///< that the next batch is allowed
-    uint grid_bits;
+    uint grid_size;    ///< cells of points along each axis
 };
 
 /// The box that darts fall into, with a region; 2^31 positions along each axis at most.
