@@ -2,8 +2,8 @@
 //
 // noise: independent bytes, of which no seam can be told. pebbles: disks of random light around even points, stationary
 // where these are. bricks: a wall with joints, which tiles of square patches are bad at (Ng and others 2005, section
-// 5). ramp: light that grows from west to east. checkerboard: squares of 8 pixels, which fit at whole periods. fabric: a
-// plain weave whose threads differ in light and width. clouds: noise of five octaves, in which nothing is small.
+// 5). ramp: light that grows from west to east. checkerboard: squares of 8 pixels, which fit at whole periods. fabric:
+// a plain weave whose threads differ in light and width. clouds: noise of five octaves, in which nothing is small.
 #pragma once
 
 #include "base/images/png_file.hpp"

@@ -3,7 +3,6 @@
 #include "base/errors/errors.hpp"
 #include "host/texture/corner_texture.hpp"
 #include "host/texture/cross_texture.hpp"
-#include "host/texture/joint/joint_texture.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>
@@ -58,8 +57,8 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
 
     const auto make = request.joint            ? make_joint_texture
                       : !request.has_corners() ? make_wang_texture
-                      : request.stages == 0  ? make_cross_texture
-                                             : make_corner_texture;
+                      : request.stages == 0    ? make_cross_texture
+                                               : make_corner_texture;
     TextureSources made = make(exemplar, request, set.tiles, progress);
     built.cost = made.cost;
     built.windows = std::move(made.windows);

@@ -55,7 +55,7 @@ struct TextureRequest
     /// corners, and where there are as many of both, from either. Wang: tiles are multiplied by the marks of their
     /// corners (marked_tiles.hpp).
     int split = 0;
-    bool joint = false;  ///< patches and cuts are chosen for the whole set together (joint/joint_texture.hpp)
+    bool joint = false;  ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
     bool smooth = false; ///< corner and omega: the middles of tiles take on the colours around them
     std::uint64_t seed = 1;
 

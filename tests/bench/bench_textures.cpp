@@ -3,9 +3,9 @@
 //
 // Targets: the candidates of a piece of 64 x 64 pixels in an exemplar of 512 x 512 in a twentieth of the time that the
 // plain sums take; a complete set of corner tiles over three colours in a second, over four in three, on two cores, and
-// one over three that is chosen together in ten; a view of the plane in 2.5 times what the atlas takes that repeats, with
-// the same filter, packed or exact; endless textures of hexagons and of by-example noise, 1,920 x 1,080 pixels on one
-// thread, in 1.5 times what a plain loop takes.
+// one over three that is chosen together in ten; a view of the plane in 2.5 times what the atlas takes that repeats,
+// with the same filter, packed or exact; endless textures of hexagons and of by-example noise, 1,920 x 1,080 pixels on
+// one thread, in 1.5 times what a plain loop takes.
 #include "host/device/device.hpp"
 #include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/mapping/texture_map.hpp"

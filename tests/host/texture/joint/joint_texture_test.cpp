@@ -1,6 +1,4 @@
 // Sets that are chosen together: pixels that tiles share, costs that do not rise, tiles that fit.
-#include "host/texture/joint/joint_texture.hpp"
-
 #include "host/texture/joint/feature_map.hpp"
 #include "host/texture/joint/site_move.hpp"
 #include "host/texture/texture_build.hpp"
