@@ -1,7 +1,7 @@
 #include "host/kinds/kind_help.hpp"
 
 #include "host/kinds/kinds.hpp"
-#include "host/settings/parameter_values.hpp"
+#include "host/settings/sampler_help.hpp"
 
 #include <fmt/format.h>
 
@@ -14,16 +14,11 @@ std::string default_of_key(const KeySpec& spec)
     return spec.value.otherwise ? to_string(*spec.value.otherwise) : spec.value.unless_given;
 }
 
-std::string meaning_of_key(const KeySpec& spec)
-{
-    return spec.value.unit.empty() ? spec.value.help : fmt::format("{}, in {}", spec.value.help, spec.value.unit);
-}
-
 std::string key_row(const KeySpec& spec)
 {
     const std::string other = spec.alias.empty() ? "" : fmt::format(", `{}`", option_name(spec));
     return fmt::format("| `{}`{} | {} | {} | {} |\n", spec.value.key, other, spec.allowed(), default_of_key(spec),
-                       meaning_of_key(spec));
+                       meaning_of(spec.value));
 }
 
 /// How a config asks for the kind; for those that only commands make, the command.

@@ -29,11 +29,6 @@ std::string without_it(const ParameterSpec& spec)
     return spec.unless_given.empty() ? "needed" : spec.unless_given;
 }
 
-std::string meaning_of(const ParameterSpec& spec)
-{
-    return spec.unit.empty() ? spec.help : fmt::format("{}, in {}", spec.help, spec.unit);
-}
-
 std::string parameter_text(const ParameterSpec& spec)
 {
     return fmt::format("    {} = {}\n        {}; {}\n", spec.key, allowed_values(spec), meaning_of(spec),
@@ -56,6 +51,11 @@ std::string traits_of(const SamplerSpec& sampler)
     return traits;
 }
 
+}
+
+std::string meaning_of(const ParameterSpec& spec)
+{
+    return spec.unit.empty() ? spec.help : fmt::format("{}, in {}", spec.help, spec.unit);
 }
 
 std::string option_help(const ParameterSpec& spec)

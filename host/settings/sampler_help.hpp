@@ -7,6 +7,9 @@
 
 namespace poissonlab {
 
+/// What a parameter means, with its unit.
+std::string meaning_of(const ParameterSpec& spec);
+
 /// The help of a command on an option that gives a parameter: "Lloyd iterations of each piece:
 /// an integer from 0 to 100000; default: 20".
 std::string option_help(const ParameterSpec& spec);

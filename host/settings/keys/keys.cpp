@@ -89,8 +89,7 @@ std::string key_help(const KeySpec& spec)
     if (spec.parts.empty() && spec.own.empty() && !spec.is_spread && !spec.is_file) {
         text = option_help(value);
     } else {
-        text = value.unit.empty() ? value.help : fmt::format("{}, in {}", value.help, value.unit);
-        text += ": " + spec.allowed();
+        text = fmt::format("{}: {}", meaning_of(value), spec.allowed());
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
         if (value.otherwise) text += "; default: " + to_string(*value.otherwise);
     }
