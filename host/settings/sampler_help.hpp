@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// What a parameter means, with its unit.
+/// Says what a parameter means, with its unit.
 std::string meaning_of(const ParameterSpec& spec);
 
 /// The help of a command on an option that gives a parameter: "Lloyd iterations of each piece:

@@ -60,7 +60,7 @@ private:
     std::vector<std::string> words_;
 };
 
-// What is_above() and the like say of a limit, for over().
+// These judge by a limit as is_above() and the like do, for over().
 inline auto above(double limit)
 {
     return [limit](const Estimate& value) { return is_above(value, limit); };
