@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Small, SpaceDartSets,
 INSTANTIATE_TEST_SUITE_P(
     Shapes, SpaceDartSets,
     testing::Values(SpaceDartCase{"box 0 0 0 3 2 1", 0.05, 0}, SpaceDartCase{"box 0 0 0 3 2 1", 0.05, 0, false, true},
-                    SpaceDartCase{"box 0 0 0 3 2 1", 0.05, 0, true}, SpaceDartCase{"box 0 0 0 900 1 1", 0.01, 0},
+                    SpaceDartCase{"box 0 0 0 3 2 1", 0.05, 0, true}, SpaceDartCase{"box 0 0 0 900 1 1", 0.02, 0},
                     SpaceDartCase{"ball 0 0 0 1", 0.04, 0}, SpaceDartCase{"ball 0 0 0 1", 0.04, 0, true, true},
                     SpaceDartCase{"ball 0 0 0 1", 0.03, 300}, SpaceDartCase{wave_solid, 0.04, 0},
                     SpaceDartCase{small_solid, 0.02, 0, true, true}, SpaceDartCase{wave_solid, 0.2, 0},
