@@ -24,7 +24,8 @@ struct KeptDistances
 
 /// All pairs of points in a quarter of the torus (positions below 2^31): they are to keep the smaller of their
 /// distances, or the mean of both. `distances` in positions, from 1 to 2^31 - 1. Pairs that are too far away to be the
-/// nearest ones are left out; time is O(N log(largest / least distance)) where distances are those of the points, nearly.
+/// nearest ones are left out; time is O(N log(largest / least distance)) where distances are those of the points,
+/// nearly.
 KeptDistances kept_distances(std::span<const TorusPoint<2>> points, std::span<const std::uint32_t> distances,
                              bool is_mean);
 

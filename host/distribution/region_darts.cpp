@@ -7,7 +7,7 @@
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
-#include "host/distribution/space_points.hpp"
+#include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/varied_points.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/regions/boundary_points.hpp"

@@ -4,7 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
-#include "host/distribution/space_points.hpp"
+#include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/varied_points.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"

@@ -41,8 +41,8 @@ TEST(KeptDistances, AreThoseOfAllPairs)
         }
 }
 
-/// One point keeps a million times the distance of the others, which are on a lattice of that: where each pair was looked
-/// at, this would take minutes.
+/// One point keeps a million times the distance of the others, which are on a lattice of that: where each pair was
+/// looked at, this would take minutes.
 TEST(KeptDistances, OfAFewLargeOnesTakeNoTime)
 {
     constexpr std::uint32_t side = 400, gap = 1000, large = 1'000'000'000;

@@ -1,6 +1,6 @@
 // Points in regions of space by each method, in the regions' own units, and what is refused.
 #include "host/distribution/region_points.hpp"
-#include "host/distribution/space_points.hpp"
+#include "host/distribution/regions/space_points.hpp"
 
 #include "tests/support/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/distribution/space_points.hpp"
+#include "host/distribution/regions/space_points.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
