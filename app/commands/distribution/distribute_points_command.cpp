@@ -2,7 +2,7 @@
 #include "app/commands/distribution/region_outputs.hpp"
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/distribution/region_points.hpp"
+#include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 

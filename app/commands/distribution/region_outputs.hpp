@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/kind_options.hpp"
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 #include <string>
 #include <vector>

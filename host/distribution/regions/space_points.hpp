@@ -5,7 +5,7 @@
 // quarter, and what holds there holds here.
 #pragma once
 
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 #include <array>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "host/distribution/runs/dart_pictures.hpp"
 
 #include "host/distribution/charts/curve_marks.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 #include "host/distribution/runs/space_pictures.hpp"
-#include "host/distribution/varied_points.hpp"
 
 #include <algorithm>
 #include <array>

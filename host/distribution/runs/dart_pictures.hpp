@@ -1,7 +1,7 @@
 // Pictures of points in regions.
 #pragma once
 
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 namespace poissonlab {

@@ -3,7 +3,7 @@
 
 #include "host/distribution/icons.hpp"
 #include "host/distribution/instances/instances.hpp"
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/sky_lights.hpp"
 #include "host/distribution/stipple.hpp"
 #include "results/pictures/distribution_result.hpp"

@@ -1,7 +1,7 @@
 // The picture of points in a region of space.
 #pragma once
 
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 namespace poissonlab {

@@ -3,7 +3,7 @@
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "host/distribution/varied_points.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 
 #include <fmt/format.h>
 

@@ -129,7 +129,7 @@ enum class KeptDistance
 inline constexpr WordTable<KeptDistance, 2> kept_distances_names{
     {{{KeptDistance::smaller, "smaller"}, {KeptDistance::mean, "mean"}}}};
 
-/// See host/distribution/varied_points.hpp.
+/// See host/distribution/regions/varied_points.hpp.
 struct VariedRequest;
 
 /// A minimum distance that varies over a region: see distance_of_text().
@@ -142,13 +142,13 @@ struct VaryingDistance
     std::shared_ptr<const VariedRequest> request{}; ///< what it was read as; empty: it is not read yet
 };
 
-/// See host/distribution/region_darts.hpp.
+/// See host/distribution/regions/region_darts.hpp.
 struct RegionLand;
 
 /// See base/regions/fixed_space.hpp.
 class FixedSpace;
 
-/// kind = "darts": see host/distribution/region_darts.hpp. Points, a minimum distance, or both.
+/// kind = "darts": see host/distribution/regions/region_darts.hpp. Points, a minimum distance, or both.
 struct DartSettings
 {
     std::string region;     ///< a file or a description: see read_region()
@@ -186,7 +186,7 @@ inline constexpr WordTable<RegionMethod, 6> region_methods{{{{RegionMethod::dart
                                                              {RegionMethod::gaussian, "gaussian"},
                                                              {RegionMethod::bridson, "bridson"}}}};
 
-/// kind = "points": see host/distribution/region_points.hpp.
+/// kind = "points": see host/distribution/regions/region_points.hpp.
 struct RegionPointSettings
 {
     RegionMethod method = RegionMethod::darts;

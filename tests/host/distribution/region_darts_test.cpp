@@ -1,5 +1,5 @@
 // Darts in regions in the regions' own units, and what is refused.
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 #include "tests/support/errors.hpp"
 

@@ -1,6 +1,6 @@
 // Darts among obstacles in the region's own units: distances as users compute them, places without room by a Monte
 // Carlo estimate, and what is refused.
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 #include "base/regions/obstacles.hpp"
 #include "tests/support/errors.hpp"

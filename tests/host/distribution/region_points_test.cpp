@@ -1,5 +1,5 @@
 // Points in regions by all methods: kernels against the plain algorithms, what is promised, and what the boundary does.
-#include "host/distribution/region_points.hpp"
+#include "host/distribution/regions/region_points.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/regions/region_text.hpp"

@@ -1,5 +1,5 @@
 // Points in regions of space by each method, in the regions' own units, and what is refused.
-#include "host/distribution/region_points.hpp"
+#include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/regions/space_points.hpp"
 
 #include "tests/support/errors.hpp"

@@ -2,7 +2,7 @@
 #include "host/distribution/surfaces/surface_set.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "tests/support/errors.hpp"

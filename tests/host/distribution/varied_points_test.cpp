@@ -1,9 +1,9 @@
 // Points in regions whose minimum distance varies: what each method keeps of all pairs, by the formula itself; no room
 // left; constant distances as a case; and what is refused.
-#include "host/distribution/varied_points.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "host/distribution/region_points.hpp"
+#include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "tests/support/errors.hpp"
 

@@ -5,7 +5,7 @@
 // from that of darts of the default relative radius.
 #pragma once
 
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 namespace poissonlab {
 

@@ -46,7 +46,7 @@ struct RegionDartRequest
     DartThrowingRequest darts;
 };
 
-/// See host/distribution/varied_points.hpp.
+/// See host/distribution/regions/varied_points.hpp.
 struct VariedSet;
 
 struct RegionDarts

@@ -1,4 +1,4 @@
-#include "host/distribution/varied_points.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 
 #include "analysis/regions/kept_distances.hpp"
 #include "base/errors/errors.hpp"

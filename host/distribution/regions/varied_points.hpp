@@ -11,7 +11,7 @@
 #pragma once
 
 #include "base/regions/distance_field.hpp"
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "host/sampling/varied/varied_darts.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/plane_delaunay.hpp"
@@ -8,7 +8,7 @@
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/regions/space_points.hpp"
-#include "host/distribution/varied_points.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/regions/boundary_points.hpp"
 

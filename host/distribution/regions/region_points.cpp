@@ -1,11 +1,11 @@
-#include "host/distribution/region_points.hpp"
+#include "host/distribution/regions/region_points.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/regions/space_points.hpp"
-#include "host/distribution/varied_points.hpp"
+#include "host/distribution/regions/varied_points.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
