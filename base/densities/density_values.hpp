@@ -41,8 +41,8 @@ std::string clamp_rounding(std::vector<double>& values, const std::string& name)
 
 /// The numbers of a picture. `channel` says what of it: "light", its luminance; "ink", 1 - luminance, which is at least
 /// 0 but for clamp_rounding(); or the name of a channel. Throws InputError, one line with the picture's name:
-/// UnknownChannel for an unknown channel, and for ink of pixels that are brighter than 1. Pixels are named by column
-/// and row from the top left.
+/// an UnknownChannel for an unknown channel, a plain one for ink of pixels that are brighter than 1. Pixels are named
+/// by column and row from the top left.
 PixelValues picture_values(const LinearPicture& picture, std::string_view channel, const std::string& name);
 
 /// The numbers of a formula in the middles of pixels: see density_of_formula(), which refuses some of them. Throws

@@ -2,6 +2,7 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
+#include "base/files/file_glob.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_text.hpp"
@@ -358,7 +359,12 @@ Keys::Said Keys::region(const std::string& key, std::string& value, std::string 
 {
     const Said said = text(key, value, std::move(help));
     specs_.back().is_file = specs_.back().is_region = true;
-    if (is_given(key) && !is_region_text(value)) value = named_file(key, value);
+    if (!is_given(key) || is_region_text(value)) return said;
+    const std::string typed = value;
+    value = named_file(key, typed);
+    const SourceLocation& place = place_of(key);
+    if (!place.is_argument && !is_file_name(value))
+        throw invalid(key, no_such_file(std::filesystem::path(place.file).parent_path(), typed));
     return said;
 }
 
@@ -490,7 +496,7 @@ void Keys::check(const std::string& key, const std::function<void()>& work) cons
 {
     if (!is_given(key)) return;
     const auto said_of = [&](const std::string& said, const InputError& error) {
-        const SourceLocation& place = place_of(said);
+        const SourceLocation& place = place_of(is_given(said) ? said : key);
         const std::string message = fmt::format("{}: {}", name_of(said), error.what());
         if (where_.is_argument) return InputError(fmt::format("{}: {}", name_, message));
         return InputError::at(place, place.is_argument ? error.what() : message); // an argument names the key itself
@@ -548,13 +554,14 @@ void Keys::check_text(const std::string& key, const std::string& text) const
     if (printable(text) != text) throw invalid(key, "must be " + allowed_values({.key = key, .kind = ValueKind::text}));
 }
 
-/// The path from the folder of the config, unless it was typed in a command, where there is a file; else the text as it
-/// is. Files join the inputs.
+/// The path from the folder of the config, unless it was typed in a command, where there is a file, and where another
+/// folder than the config's has one of that name; else the text as it is. Files join the inputs.
 std::string Keys::named_file(const std::string& key, const std::string& text)
 {
     const SourceLocation& place = place_of(key);
     const auto beside = std::filesystem::path(place.file).parent_path() / text;
-    const std::string name = !place.is_argument && is_file_name(beside.string()) ? beside.string() : text;
+    const bool is_file = is_file_name(beside.string()) || is_file_name(text);
+    const std::string name = !place.is_argument && is_file ? beside.string() : text;
     if (is_file_name(name)) inputs_.emplace_back(name);
     return name;
 }

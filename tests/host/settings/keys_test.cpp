@@ -106,6 +106,31 @@ TEST(Keys, NamesFilesFromTheFolderOfTheConfig)
     EXPECT_EQ(settings_of("image = \"photo.png\"").image, "photo.png"); // a formula that cannot be understood
 }
 
+/// A file of the same name where the program runs is not the one that the config means.
+TEST(Keys, LooksForFilesBesideTheConfigAlone)
+{
+    const TemporaryFolder folder, elsewhere;
+    elsewhere.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))");
+    const std::string config = (folder.path() / "c.toml").string();
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(elsewhere.path());
+    std::string formula;
+    const auto region = [&] {
+        const ConfigTable table = read_toml("\nregion = \"square.wkt\"\nimage = \"square.wkt\"", config);
+        Keys keys(table, {config, 1}, "[[thing]]");
+        keys.picture_or_formula("image", formula, "a picture or a formula");
+        std::string value;
+        keys.region(value);
+        return value;
+    };
+    EXPECT_EQ(message_of(region), config + ":2: region = \"square.wkt\": no such file in " + folder.path().string() +
+                                      ", the folder of the config");
+    EXPECT_EQ(formula, (folder.path() / "square.wkt").string());
+    folder.write("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2))");
+    EXPECT_EQ(region(), (folder.path() / "square.wkt").string());
+    std::filesystem::current_path(before);
+}
+
 TEST(Keys, WhatIsNoPictureIsRefusedAtItsKey)
 {
     const TemporaryFolder folder;
