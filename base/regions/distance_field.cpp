@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::uint32_t cell_side = 1u << DistanceTable::shift;
 
-/// Places of a cell along each axis by which one tells how much of it margins take.
-constexpr std::uint32_t share_places = 8;
-
 /// Cells that are crossed count, however little of them is inside.
 constexpr double least_share = 1e-9;
 
@@ -62,7 +59,7 @@ private:
 
     void find_shares()
     {
-        table_.share = region_shares(region_, table_.columns, table_.rows, DistanceTable::shift);
+        table_.share = region_shares(region_, {{}, cell_side, table_.columns, table_.rows});
         for (std::uint32_t row = 0; row < table_.rows; ++row)
             for (std::uint32_t column = 0; column < table_.columns; ++column) {
                 const TorusPoint<2> low{column * cell_side, row * cell_side};
@@ -71,23 +68,10 @@ private:
                 if (side == RegionSide::outside)
                     share = 0;
                 else
-                    share = std::max(share * part_left(low), least_share);
+                    share = std::max(
+                        share * part_left_by_margins(region_, {double{1} * low[0], double{1} * low[1]}, cell_side),
+                        least_share);
             }
-    }
-
-    /// The part of what a cell has of the region that margins leave, by places.
-    double part_left(const TorusPoint<2>& low) const
-    {
-        if (region_.squared_margins() == std::array<std::uint64_t, 3>{}) return 1;
-        constexpr std::uint32_t step = cell_side / share_places;
-        double inside = 0, left = 0;
-        for (std::uint32_t y = 0; y < share_places; ++y)
-            for (std::uint32_t x = 0; x < share_places; ++x) {
-                const TorusPoint<2> place{low[0] + x * step + step / 2, low[1] + y * step + step / 2};
-                inside += region_.contains_moved(place);
-                left += region_.contains(place);
-            }
-        return inside > 0 ? left / inside : 1;
     }
 
     /// Places twice as near as nodes.

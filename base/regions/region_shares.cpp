@@ -8,6 +8,9 @@
 namespace poissonlab {
 namespace {
 
+/// Places of a square along each axis by which one tells how much of it margins take.
+constexpr std::uint32_t share_places = 8;
+
 class ShareSums
 {
 public:
@@ -69,13 +72,30 @@ private:
 
 }
 
-std::vector<double> region_shares(const FixedRegion& region, std::uint32_t columns, std::uint32_t rows,
-                                  std::uint32_t shift)
+std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice)
 {
-    ShareSums sums(columns, rows);
-    const double side = std::ldexp(1.0, static_cast<int>(shift));
-    for (const FixedEdge& e : region.directed_boundary()) sums.add(e[0] / side, e[1] / side, e[2] / side, e[3] / side);
+    ShareSums sums(lattice.columns, lattice.rows);
+    const auto place = [&](std::uint32_t position, std::size_t k) {
+        return (position - lattice.low[k]) / lattice.side;
+    };
+    for (const FixedEdge& e : region.directed_boundary())
+        sums.add(place(e[0], 0), place(e[1], 1), place(e[2], 0), place(e[3], 1));
     return sums.shares();
+}
+
+double part_left_by_margins(const FixedRegion& region, const std::array<double, 2>& low, double side)
+{
+    if (region.squared_margins() == std::array<std::uint64_t, 3>{}) return 1;
+    const double step = side / share_places;
+    double inside = 0, left = 0;
+    for (std::uint32_t y = 0; y < share_places; ++y)
+        for (std::uint32_t x = 0; x < share_places; ++x) {
+            const TorusPoint<2> place{static_cast<std::uint32_t>(low[0] + (x + 0.5) * step),
+                                      static_cast<std::uint32_t>(low[1] + (y + 0.5) * step)};
+            inside += region.contains_moved(place);
+            left += region.contains(place);
+        }
+    return inside > 0 ? left / inside : 1;
 }
 
 }

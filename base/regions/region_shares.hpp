@@ -1,16 +1,26 @@
-// How much of each square of a lattice lies in a region, margins aside.
+// How much of each square of a lattice lies in a region, without margins, and what margins leave of it.
 #pragma once
 
 #include "base/regions/fixed_region.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace poissonlab {
 
-/// The parts of squares of 2^shift positions along each side, `columns` times `rows` of them from position 0 on, row by
-/// row: areas between the region's edges, but for what doubles round.
-std::vector<double> region_shares(const FixedRegion& region, std::uint32_t columns, std::uint32_t rows,
-                                  std::uint32_t shift);
+/// Squares beside each other, row by row, in positions.
+struct ShareLattice
+{
+    std::array<double, 2> low{}; ///< the lowest corner: nothing of the region lies below it or left of it
+    double side = 1;             ///< of a square
+    std::uint32_t columns = 0, rows = 0;
+};
+
+/// The parts of squares that lie in the region: areas between its edges, but for what doubles round.
+std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice);
+
+/// The part of what a square has of the region that margins leave, by places: 1 where none of them lies in the region.
+double part_left_by_margins(const FixedRegion& region, const std::array<double, 2>& low, double side);
 
 }

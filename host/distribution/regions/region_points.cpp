@@ -201,7 +201,8 @@ private:
         if (!is_reference())
             check_fits(
                 "Gaussian blue noise",
-                GaussianBlueNoise::memory(gaussian_field_shape(gaussians.density(), 1, start.size()), start.size()),
+                GaussianBlueNoise::memory(
+                    gaussian_field_shape(gaussians.density(), RegionGaussian::sigma, start.size()), start.size()),
                 place_.device().info());
         const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
             return is_reference() ? reference::descend(points, request).points

@@ -1,22 +1,25 @@
 #include "host/sampling/regions/region_gaussian.hpp"
 
+#include "base/errors/errors.hpp"
+#include "base/regions/region_shares.hpp"
+
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
-/// Gaussians are as wide as a mean distance, and wider beside the boundary, where they have fewer points under them.
-constexpr double sigma_in_region = 1, widest_beside_boundary = 1.5;
+/// Gaussians are wider beside the boundary, where they have fewer points under them.
+constexpr double widest_beside_boundary = 1.5;
 
 /// Cells of the density for a mean distance, about, and their number along the square at most.
 constexpr double density_cells = 16;
 constexpr std::uint32_t least_density_side = 64, most_density_side = 2048;
-
-constexpr std::uint32_t places_a_side = 4; ///< of a crossed cell, by which one knows how much of it is inside
 
 /// Around a place that is outside: so many directions, as offsets of 256ths, and rings that grow by a half each.
 constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
@@ -38,44 +41,46 @@ constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
 
 }
 
-std::size_t least_points_of_region_gaussian() { return least_gaussian_points(sigma_in_region, 2); }
+std::size_t least_points_of_region_gaussian() { return least_gaussian_points(RegionGaussian::sigma, 2); }
 
 RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count) : region_(region)
 {
     const FixedBox& box = region.extent();
     const double longest = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]) + 1.0;
     const double mean = std::sqrt(region.area() / static_cast<double>(count)) / region.unit();
-    side_ = longest + gaussian_cut_off * sigma_in_region * widest_beside_boundary * mean;
+    side_ = longest + gaussian_cut_off * sigma * widest_beside_boundary * mean;
     const double wanted = std::clamp(density_cells * side_ / mean, 1.0, double{most_density_side});
     read_density(std::clamp(std::bit_ceil(static_cast<std::uint32_t>(wanted)), least_density_side, most_density_side));
 }
 
 void RegionGaussian::read_density(std::uint32_t size)
 {
-    density_ = {static_cast<int>(size), static_cast<int>(size), std::vector<std::uint64_t>(std::size_t{size} * size)};
+    const FixedBox& box = region_.extent();
+    const ShareLattice cells{{double{1} * box.low[0], double{1} * box.low[1]}, side_ / size, size, size};
+    std::vector<double> shares = region_shares(region_, cells);
     tbb::parallel_for(std::uint32_t{0}, size, [&](std::uint32_t row) {
         for (std::uint32_t column = 0; column < size; ++column)
-            density_.weights[std::size_t{row} * size + column] = weight_of(column, row, size);
+            leave_margins(shares[std::size_t{row} * size + column], column, row, cells.side);
     });
-    // Thin regions may have no cell to themselves.
-    const std::uint64_t most = std::ranges::max(density_.weights);
-    if (most > 0 && most < full_weight)
-        for (std::uint64_t& weight : density_.weights) weight = weight * (full_weight / most);
+    if (std::ranges::all_of(shares, [](double share) { return share == 0; }))
+        throw InputError(fmt::format("Gaussian blue noise has a density of {0} x {0} cells around the region, and none "
+                                     "of them has room for a point: too little is left by obstacles and the boundary",
+                                     size));
+    density_ = density_of_values(static_cast<int>(size), static_cast<int>(size), std::move(shares), "the region");
 }
 
-std::uint64_t RegionGaussian::weight_of(std::uint32_t column, std::uint32_t row, std::uint32_t size) const
+/// Turns what a cell has of the region into what it has of what is allowed.
+void RegionGaussian::leave_margins(double& share, std::uint32_t column, std::uint32_t row, double cell) const
 {
-    const double cell = side_ / size;
     const TorusPoint<2> low = position_of(column * cell, row * cell);
     const TorusPoint<2> end = position_of((column + 1) * cell, (row + 1) * cell);
     const RegionSide side = region_.side_of({low, {std::max(low[0], end[0] - 1), std::max(low[1], end[1] - 1)}});
-    if (side != RegionSide::crossed) return side == RegionSide::inside ? full_weight : 0;
-    std::uint64_t inside = 0;
-    for (std::uint32_t y = 0; y < places_a_side; ++y)
-        for (std::uint32_t x = 0; x < places_a_side; ++x)
-            inside += region_.contains(
-                position_of((column + (x + 0.5) / places_a_side) * cell, (row + (y + 0.5) / places_a_side) * cell));
-    return inside * (full_weight / (places_a_side * places_a_side));
+    if (side == RegionSide::outside)
+        share = 0;
+    else if (side == RegionSide::inside)
+        share = 1;
+    else
+        share *= part_left_by_margins(region_, {double{1} * low[0], double{1} * low[1]}, cell);
 }
 
 /// The position of a place in the square, which goes on beyond those of regions: they end at half of the torus.
@@ -106,10 +111,10 @@ std::vector<TorusPoint<2>> RegionGaussian::descend(const std::vector<TorusPoint<
     PointSet points{2, {}};
     for (const TorusPoint<2>& place : start)
         for (std::size_t k = 0; k < 2; ++k) points.coordinates.push_back((double{1} * place[k] - box.low[k]) / side_);
-    const double step = usual_gaussian_step(sigma_in_region, 2);
+    const double step = usual_gaussian_step(sigma, 2);
     const GaussianRequest request{
-        iterations, sigma_in_region, step,
-        std::make_shared<const GaussianField>(gaussian_field(density_, sigma_in_region, step, start.size()))};
+        iterations, sigma, step,
+        std::make_shared<const GaussianField>(gaussian_field(density_, sigma, step, start.size()))};
     const PointSet moved = descent(points, request);
     std::vector<TorusPoint<2>> places;
     for (std::size_t i = 0; i < start.size(); ++i)

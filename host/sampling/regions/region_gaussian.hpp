@@ -26,7 +26,10 @@ using GaussianDescent = std::function<PointSet(const PointSet&, const GaussianRe
 class RegionGaussian
 {
 public:
-    /// `count` is least_points_of_region_gaussian() or more.
+    static constexpr double sigma = 1; ///< of Gaussians, in mean distances
+
+    /// `count` is least_points_of_region_gaussian() or more. Throws InputError where the square's cells are too large
+    /// to know what margins leave of the region.
     RegionGaussian(const FixedRegion& region, std::size_t count);
 
     const Density& density() const { return density_; }
@@ -37,7 +40,7 @@ public:
 
 private:
     void read_density(std::uint32_t size);
-    std::uint64_t weight_of(std::uint32_t column, std::uint32_t row, std::uint32_t size) const;
+    void leave_margins(double& share, std::uint32_t column, std::uint32_t row, double cell) const;
     TorusPoint<2> position_of(double x, double y) const;
     TorusPoint<2> allowed_near(const TorusPoint<2>& place, const TorusPoint<2>& start) const;
 

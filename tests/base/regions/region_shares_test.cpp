@@ -16,8 +16,10 @@ constexpr std::uint32_t share_shift = 25; ///< 64 squares along the longest side
 
 std::vector<double> shares_of(const FixedRegion& region)
 {
-    return region_shares(region, (region.extent().high[0] >> share_shift) + 1,
-                         (region.extent().high[1] >> share_shift) + 1, share_shift);
+    return region_shares(region, {{},
+                                  1u << share_shift,
+                                  (region.extent().high[0] >> share_shift) + 1,
+                                  (region.extent().high[1] >> share_shift) + 1});
 }
 
 TEST(RegionShares, AddUpToTheArea)

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace poissonlab {
@@ -124,6 +125,23 @@ TEST(GaussiansInRegions, AreAsDenseBesideTheBoundary)
     const double mean = std::sqrt(100.0 * 100 / 3000);
     EXPECT_NEAR(density_beside_boundary(made.points, 100, mean), 1, 0.1);
     EXPECT_NEAR(density_beside_boundary(made.points, 100, 5 * mean), 1, 0.02);
+}
+
+/// A rectangle that is thinner than a tenth of a cell of the density, which no place of a cell may hit.
+TEST(GaussiansInRegions, FillWhatIsVeryThin)
+{
+    RegionPointSettings settings = region_settings(RegionMethod::gaussian, "rectangle 0 0 20000 1", 200);
+    settings.iterations = 10;
+    const RegionDarts made = make_region_points(settings, 1, plain_place);
+    EXPECT_EQ(make_region_points(settings, 1, device_place()).points, made.points);
+    ASSERT_EQ(made.points.size(), 200U);
+    const FixedRegion whole(read_region(settings.place.region));
+    std::array<int, 4> in_quarters{};
+    for (std::size_t i = 0; i < made.points.size(); ++i) {
+        ASSERT_TRUE(whole.contains_place({made.points[i][0], made.points[i][1]})) << made.points[i][0];
+        ++in_quarters[std::min<std::size_t>(static_cast<std::size_t>(made.points[i][0] / 5000), 3)];
+    }
+    for (const int count : in_quarters) EXPECT_NEAR(count, 50, 25) << "four deviations of random points";
 }
 
 /// Elimination without factors, written anew in Python with SciPy's trees, has 2.1 and 1.037 times as many.
