@@ -154,8 +154,8 @@ Command completion_command()
 
 std::vector<Command> all_commands(const std::string& typed)
 {
-    std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_page_command(),
-                                  tiles_verify_command()};
+    std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_picture_command(),
+                                  tiles_page_command(), tiles_verify_command()};
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
                                       aperiodic_tile_command(), aperiodic_tables_command()};
     std::vector<Command> of_densities{

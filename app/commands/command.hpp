@@ -112,6 +112,7 @@ Command texture_cells_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_page_command();
+Command tiles_picture_command();
 Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();
