@@ -218,7 +218,7 @@ private:
             overlay(canvas, horizontal.at(south), half - reach, request_.size - reach);
         }
         auto pieces = fitted(canvases, interior_roles(request_), "interiors");
-        TextureSources result{{}, cost_, used_.windows(), {}, {}};
+        TextureSources result{{}, cost_, used_.windows(), patches_.size()};
         for (std::size_t i = 0; i < canvases.size(); ++i) {
             put_piece(canvases[i], pieces[i]);
             result.sources.insert(result.sources.end(), canvases[i].sources.begin(), canvases[i].sources.end());

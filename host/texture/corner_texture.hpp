@@ -25,7 +25,8 @@ struct TextureSources
 {
     std::vector<SourcePixel> sources;
     std::int64_t cost = 0;
-    std::vector<ExemplarWindow> windows; ///< all that are used, patches first
+    std::vector<ExemplarWindow> windows; ///< all patches or samples, then pieces that are shown
+    std::size_t patches = 0;             ///< how many of them are patches or samples
     std::vector<FittedPiece> middles{};  ///< the pieces in the middles of tiles with corners
     BowTies bow_ties{};                  ///< of Wang tiles
 };

@@ -170,7 +170,7 @@ private:
 
     TextureSources finished(const Windows& patches, const std::vector<SeamCut>& cuts) const
     {
-        TextureSources result{{}, 0, patches, {}, {}};
+        TextureSources result{{}, 0, patches, patches.size()};
         for (const SeamCut& cut : cuts) result.cost += cut.cost;
         for (const TextureTile& tile : tiles_) {
             const auto colors = corners_of(corner_tile(tile.index, request_.colors.horizontal));

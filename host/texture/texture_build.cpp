@@ -62,6 +62,7 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     TextureSources made = make(exemplar, request, set.tiles, progress);
     built.cost = made.cost;
     built.windows = std::move(made.windows);
+    built.patches = made.patches;
     set.sources = std::move(made.sources);
     std::vector<PngPixels> tiles = tiles_of_sources(exemplar, set);
     if (request.smooth) smooth(exemplar, made, solve, tiles);

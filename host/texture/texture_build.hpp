@@ -12,7 +12,8 @@ struct BuiltTexture
 {
     TextureSet set;
     std::int64_t cost = 0;               ///< of all cuts, by their own weight
-    std::vector<ExemplarWindow> windows; ///< that the set shows, patches or samples first
+    std::vector<ExemplarWindow> windows; ///< all patches or samples, then pieces that are shown
+    std::size_t patches = 0;             ///< how many of them are patches or samples
 };
 
 /// Makes the functions of a domain harmonic, on a device or not: the same bits.

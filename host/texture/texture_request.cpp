@@ -182,14 +182,14 @@ std::map<std::string, std::string> parameters_of(const TextureRequest& r)
         {"weight", seam_weights[r.weight]},
         {"attempts", std::to_string(r.attempts)},
         {"diversity", r.diversity ? std::to_string(*r.diversity) : "automatic"},
-        {"joint", r.joint ? "true" : "false"},
         {"seed", std::to_string(r.seed)},
     };
-    if (r.kind == TextureKind::wang) {
+    if (r.joint) parameters["joint"] = "true";
+    if (r.kind == TextureKind::wang && !r.joint) {
         parameters["cut"] = quilting_cuts[r.cut];
         parameters["overlap"] = fmt::format("{}", r.overlap);
     } else {
-        parameters["stages"] = std::to_string(r.stages);
+        if (r.has_corners()) parameters["stages"] = std::to_string(r.stages);
         parameters["candidates"] = std::to_string(r.candidates);
         if (r.stages == 0) parameters["overlap"] = fmt::format("{}", r.overlap);
         parameters["core"] = fmt::format("{}", r.core_radius());

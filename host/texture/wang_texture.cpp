@@ -164,7 +164,7 @@ private:
             if (meet_in(request_, h, v, quarters[i % 4]))
                 cuts[i] = cut_of(samples.horizontal[h], samples.vertical[v], quarters[i % 4]);
         });
-        TextureSources result{{}, samples.cost, windows, {}, {}};
+        TextureSources result{{}, samples.cost, windows, windows.size()};
         for (const SeamCut& cut : cuts) result.cost += cut.cost;
         for (const TextureTile& tile : tiles_)
             append_tile(result, samples, cuts, wang_tile(tile.index, request_.set_colors()));

@@ -59,14 +59,16 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
                  "the border that depends on shared colours alone, up to T / 5 - 1")
         .unit(pixels)
         .otherwise("T / 16");
-    keys.integer("diversity", r.diversity, 0, most_tile_pixels,
-                 "the distance of the middles of any two windows, up to T")
+    keys.integer(
+            "diversity", r.diversity, 0, most_tile_pixels,
+            "the distance of the middles of any two windows, up to T; with joint of patches and first pieces alone")
         .unit(pixels)
         .otherwise("T / 4, or what is sure to fit");
     keys.integer("stages", r.stages, 0, 3, "3, 1: without pieces around edges, or 0: without new pieces");
     keys.integer("candidates", r.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
     keys.integer("attempts", r.attempts, 1, most_texture_attempts,
-                 "sets of patches that are drawn, of which the best is taken");
+                 "sets of patches that are drawn, of which the best is taken; with joint where patches that are chosen "
+                 "together do not fit");
     keys.word("weight", r.weight, seam_weights, "of cuts");
     keys.word("cut", r.cut, quilting_cuts, "of Wang tiles");
     keys.number("overlap", r.overlap, {0.03, 0.5},
@@ -77,6 +79,7 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
         .otherwise("0.36, with one stage 0");
     keys.flag("joint", r.joint,
               "choose patches and cuts for all tiles together, in ten times the time; corners of Wang tiles fit by it");
+    if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
 }
 

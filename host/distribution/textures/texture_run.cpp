@@ -42,8 +42,8 @@ public:
                 {"atlas.png",
                  set_.is_complete() ? "All tiles, packed: neighbours fit, and so do opposite sides." : "All tiles."});
         if (word == "windows")
-            write("windows.png", window_picture(set_.exemplar, built_.windows, patches()),
-                  "The windows that tiles show: those of the colours in colours, those of new pieces in white.");
+            write("windows.png", window_picture(set_.exemplar, built_.windows, built_.patches),
+                  "The windows that tiles show: patches or samples in colours, new pieces in white.");
         if (word == "steps" && set_.has_corners())
             write("steps.png", step_picture(built_),
                   "A tile: four patches, the part that is cut out, the tile with a new piece over the seam, and the "
@@ -78,11 +78,6 @@ private:
         int level = 0;
         while (2 << level <= set_.ring) ++level;
         return level;
-    }
-
-    std::size_t patches() const
-    {
-        return set_.has_corners() ? set_.colors.horizontal : set_.colors.horizontal + set_.colors.vertical;
     }
 
     void write(const std::string& name, const PngPixels& pixels, const std::string& caption)

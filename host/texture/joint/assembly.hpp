@@ -32,6 +32,8 @@ struct ChangedPixel
     int tile_x = 0; ///< its place in the tiles that show it
     int tile_y = 0;
     int tiles = 0; ///< that show it
+
+    bool operator==(const ChangedPixel&) const = default;
 };
 
 class Assembly

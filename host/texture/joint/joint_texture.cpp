@@ -10,6 +10,7 @@
 //
 // Wang tiles have a common corner in this way, and fit there; the articles' do not.
 #include "host/texture/corner_texture.hpp"
+#include "host/texture/joint/changed_runs.hpp"
 #include "host/texture/joint/dearest_box.hpp"
 #include "host/texture/joint/feature_map.hpp"
 #include "host/texture/joint/joint_patches.hpp"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 namespace poissonlab {
 namespace {
@@ -30,8 +32,11 @@ constexpr int rounds = 4, windows_a_round = 6;
 /// Slopes count half as much as colours where windows are compared.
 constexpr double matched_slopes = 0.5;
 
-/// Moves of so many sites are looked for at a time. What they find depends on what is shown before.
+/// Moves of so many sites are looked for at a time.
 constexpr std::size_t sites_at_once = 16;
+
+/// So many of the moves of a site are kept until one of them is made.
+constexpr std::size_t kept_moves = 8;
 
 /// A square with round corners around (0, 0).
 bool is_in_rounded_box(double x, double y, double half_width, double half_height)
@@ -41,11 +46,21 @@ bool is_in_rounded_box(double x, double y, double half_width, double half_height
     return u * u * u * u + v * v * v * v < 1;
 }
 
-/// A window that may be laid over a site, and what that comes to.
+/// A window that may be laid over a site, and what that comes to: see SiteChange.
 struct Candidate
 {
     ExemplarWindow window;
-    SiteChange change;
+    std::vector<ChangedRun> pixels;
+    std::int64_t seam_gain = 0;
+    double gain = 0;
+};
+
+/// A window that was laid over a box of a site.
+struct LaidWindow
+{
+    ExemplarWindow window;
+    const Site* site = nullptr;
+    SiteBox box;
 };
 
 /// True for places of a site, pixels east and south of its middle.
@@ -104,16 +119,17 @@ public:
     TextureSources make()
     {
         show_patches();
-        lay_first(Site::Kind::vertical_edge, edge_piece(request_, true), sites_.size(), "vertical edges");
-        lay_first(Site::Kind::horizontal_edge, edge_piece(request_, false), sites_.size(), "horizontal edges");
+        const std::size_t all = sites_.size();
+        lay_first(Site::Kind::vertical_edge, edge_piece(request_, true), all, "vertical edges");
+        lay_first(Site::Kind::horizontal_edge, edge_piece(request_, false), all, "horizontal edges");
         lay_first(Site::Kind::tile, middle_piece(request_), sites_at_once, "interiors");
         const WindowSearch search(features_, request_.size / 4 * 2);
         for (int round = 1; round <= rounds; ++round) {
             // The corner of Wang tiles stays one window: its pixels are what all tiles have in common.
-            if (request_.has_corners()) improve(Site::Kind::corner, search);
-            improve(Site::Kind::vertical_edge, search);
-            improve(Site::Kind::horizontal_edge, search);
-            improve(Site::Kind::tile, search);
+            if (request_.has_corners()) improve(Site::Kind::corner, search, round);
+            improve(Site::Kind::vertical_edge, search, round);
+            improve(Site::Kind::horizontal_edge, search, round);
+            improve(Site::Kind::tile, search, round);
             progress_("better pieces", static_cast<std::size_t>(round), rounds);
         }
         settle();
@@ -142,14 +158,14 @@ private:
     void show_patches()
     {
         const SetParts& parts = cover_.parts();
-        windows_ = joint_patches(exemplar_, features_, request_, parts, used_.distance());
-        for (const ExemplarWindow& patch : windows_) used_.add(patch);
+        patches_ = joint_patches(exemplar_, features_, request_, parts, used_.distance());
+        for (const ExemplarWindow& patch : patches_) used_.add(patch);
         const int size = request_.size, half = size / 2;
         for (std::size_t tile = 0; tile < parts.tiles.size(); ++tile)
             for (int y = 0; y <= size; ++y)
                 for (int x = 0; x <= size; ++x) {
                     const std::size_t corner = (y < half ? 0u : 2u) + (x < half ? 0u : 1u);
-                    const ExemplarWindow& patch = windows_[parts.tiles[tile].corners[corner]];
+                    const ExemplarWindow& patch = patches_[parts.tiles[tile].corners[corner]];
                     const int dx = x < half ? x : x - size, dy = y < half ? y : y - size;
                     assembly_.show(cover_.pixel(tile, x, y), {static_cast<std::uint16_t>(patch.x + half + dx),
                                                               static_cast<std::uint16_t>(patch.y + half + dy)});
@@ -157,8 +173,8 @@ private:
         assembly_.count_tiles();
     }
 
-    /// The moves of the windows that look most like what is in a box, those that gain most first. New windows are not
-    /// near those that are shown there, unless something is taken in any case.
+    /// The moves of the windows that look most like what is in a box that gain most, the best first. New windows are
+    /// not near those that are shown there, unless something is taken in any case.
     std::vector<Candidate> candidates(const Site& site, const SiteBox& box, const WindowSearch& search, int count,
                                       const PlaceTest& is_taken = {}) const
     {
@@ -168,15 +184,17 @@ private:
             for (const Overlay& overlay : move.shown())
                 shown.push_back({overlay.x + box.x, overlay.y + box.y, box.side});
         std::vector<Candidate> found;
-        for (const ExemplarWindow& window : search.best(move.canvas(features_), used_, shown, count))
-            found.push_back({window, move.best({window.x - box.x, window.y - box.y}, is_taken)});
-        std::ranges::stable_sort(found,
-                                 [](const Candidate& a, const Candidate& b) { return a.change.gain > b.change.gain; });
+        for (const ExemplarWindow& window : search.best(move.canvas(features_), used_, shown, count)) {
+            const SiteChange change = move.best({window.x - box.x, window.y - box.y}, is_taken);
+            const auto place = std::ranges::find_if(found, [&](const Candidate& c) { return c.gain < change.gain; });
+            found.insert(place, {window, runs_of(change.pixels), change.seam_gain, change.gain});
+            if (found.size() > kept_moves) found.pop_back();
+        }
         return found;
     }
 
-    /// Lays first pieces over all sites of a kind, moves of so many being looked for at a time; each is as far from all
-    /// others as diversity asks.
+    /// Lays first pieces over all sites of a kind, so many being chosen by what is shown before any of them is; each is
+    /// as far from all others as diversity asks.
     void lay_first(Site::Kind kind, const FirstPiece& piece, std::size_t at_once, const std::string& stage)
     {
         const std::vector<const Site*> sites = sites_of_kind(kind);
@@ -186,50 +204,59 @@ private:
         };
         for (std::size_t first = 0; first < sites.size(); first += at_once) {
             std::vector<std::vector<Candidate>> found(std::min(at_once, sites.size() - first));
-            tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = look(*sites[first + i]); });
+            for (std::size_t begin = 0; begin < found.size(); begin += sites_at_once) {
+                const std::size_t end = std::min(begin + sites_at_once, found.size());
+                tbb::parallel_for(begin, end, [&](std::size_t i) { found[i] = look(*sites[first + i]); });
+                progress_(stage, first + end, sites.size());
+            }
             for (std::size_t i = 0; i < found.size(); ++i) {
                 const auto is_free = [&](const Candidate& each) { return used_.is_free(each.window); };
-                if (std::ranges::none_of(found[i], is_free)) found[i] = look(*sites[first + i]);
-                progress_(stage, first + i + 1, sites.size());
+                if (std::ranges::none_of(found[i], is_free)) {
+                    progress_(stage, first + found.size(), sites.size());
+                    found[i] = look(*sites[first + i]);
+                }
                 const auto best = std::ranges::find_if(found[i], is_free);
                 if (best == found[i].end()) continue; // there is no window left: what is there stays
-                assembly_.change(best->change.pixels);
+                assembly_.change(pixels_of(best->pixels));
                 used_.add(best->window);
-                windows_.push_back(best->window);
+                laid_.push_back({best->window, sites[first + i], piece.box});
+                found[i] = {};
             }
         }
     }
 
     /// Changes what is shown if that makes everything cheaper, by all costs as they are now.
-    bool take(const SiteChange& change)
+    bool take(const std::vector<ChangedPixel>& pixels, std::int64_t seam_gain)
     {
-        if (static_cast<double>(change.seam_gain) + assembly_.sums_gain(change.pixels) <= 0) return false;
-        assembly_.change(change.pixels);
+        if (static_cast<double>(seam_gain) + assembly_.sums_gain(pixels) <= 0) return false;
+        assembly_.change(pixels);
         return true;
     }
 
     /// Lays a window over the dearest box of each site that was not tried before.
-    void improve(Site::Kind kind, const WindowSearch& search)
+    void improve(Site::Kind kind, const WindowSearch& search, int round)
     {
         used_ = UsedWindows(0); // small pieces may be near others
         const std::vector<const Site*> sites = sites_of_kind(kind);
         for (std::size_t first = 0; first < sites.size(); first += sites_at_once) {
             std::vector<std::vector<Candidate>> found(std::min(sites_at_once, sites.size() - first));
+            std::vector<SiteBox> boxes(found.size());
             tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
                 const Site& site = *sites[first + i];
                 BoxPlaces& tried = tried_[static_cast<std::size_t>(&site - sites_.data())];
                 const auto box = dearest_box(assembly_, site, search.side(), tried);
                 if (!box) return;
                 tried.insert({box->x, box->y});
+                boxes[i] = *box;
                 found[i] = candidates(site, *box, search, windows_a_round);
             });
-            for (const std::vector<Candidate>& windows : found)
-                for (const Candidate& candidate : windows)
-                    if (take(candidate.change)) {
-                        windows_.push_back(candidate.window);
+            for (std::size_t i = 0; i < found.size(); ++i)
+                for (const Candidate& candidate : found[i])
+                    if (take(pixels_of(candidate.pixels), candidate.seam_gain)) {
+                        laid_.push_back({candidate.window, sites[first + i], boxes[i]});
                         break;
                     }
-            progress_("better pieces", 0, rounds);
+            progress_("better pieces", static_cast<std::size_t>(round - 1), rounds);
         }
     }
 
@@ -253,7 +280,7 @@ private:
                 tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
                     if (k < shown[i].size()) changes[i] = moves[i]->best(shown[i][k]);
                 });
-                for (const SiteChange& change : changes) take(change);
+                for (const SiteChange& change : changes) take(change.pixels, change.seam_gain);
             }
             progress_("whole tiles", first + count, sites.size());
         }
@@ -261,11 +288,21 @@ private:
 
     TextureSources finished() const
     {
-        TextureSources result{{}, assembly_.seams(), windows_, {}, {}};
-        for (std::size_t tile = 0; tile < cover_.parts().tiles.size(); ++tile)
+        TextureSources result{{}, assembly_.seams(), patches_, patches_.size()};
+        std::vector<std::set<std::pair<int, int>>> shown(cover_.parts().tiles.size()); // what lies over a tile's corner
+        for (std::size_t tile = 0; tile < shown.size(); ++tile)
             for (int y = 0; y < request_.size; ++y)
-                for (int x = 0; x < request_.size; ++x)
-                    result.sources.push_back(assembly_.source(cover_.pixel(tile, x, y)));
+                for (int x = 0; x < request_.size; ++x) {
+                    const SourcePixel source = assembly_.source(cover_.pixel(tile, x, y));
+                    result.sources.push_back(source);
+                    shown[tile].insert({source.x - x, source.y - y});
+                }
+        for (const LaidWindow& laid : laid_)
+            if (std::ranges::any_of(laid.site->tiles, [&](const PlacedTile& tile) {
+                    return shown[tile.tile].contains(
+                        {laid.window.x - laid.box.x + tile.x, laid.window.y - laid.box.y + tile.y});
+                }))
+                result.windows.push_back(laid.window);
         return result;
     }
 
@@ -278,7 +315,8 @@ private:
     std::vector<BoxPlaces> tried_; ///< by site
     Assembly assembly_;
     UsedWindows used_;
-    std::vector<ExemplarWindow> windows_; ///< that were taken, patches first
+    Patches patches_;
+    std::vector<LaidWindow> laid_; ///< pieces, of which some are laid over others
 };
 
 }

@@ -1,4 +1,5 @@
 // Sets that are chosen together: pixels that tiles share, costs that do not rise, tiles that fit.
+#include "host/texture/joint/changed_runs.hpp"
 #include "host/texture/joint/feature_map.hpp"
 #include "host/texture/joint/site_move.hpp"
 #include "host/texture/texture_build.hpp"
@@ -7,10 +8,12 @@
 #include "tiles/texture/texture_certificate.hpp"
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -182,10 +185,56 @@ TEST(JointTexture, CostsLessThanOnePieceAfterAnother)
 
 TEST(JointTexture, IsTheSameOnAnyNumberOfThreads)
 {
-    const TextureRequest request = joint_request(TextureKind::corner, 2);
-    const auto sources = build_texture(request, grains(), never_mind).set.sources;
-    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(build_texture(request, grains(), never_mind).set.sources, sources);
+    for (const TextureKind kind : {TextureKind::corner, TextureKind::wang}) {
+        const TextureRequest request = joint_request(kind, 2);
+        const auto sources = [&](int threads) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(threads));
+            tbb::task_arena arena(threads);
+            return arena.execute([&] { return build_texture(request, grains(), never_mind).set.sources; });
+        };
+        EXPECT_EQ(sources(1), sources(4)) << texture_kinds[kind];
+    }
+}
+
+/// Windows that others cover are not counted, but for patches.
+TEST(JointTexture, CountsWindowsThatAreShown)
+{
+    for (const TextureKind kind : {TextureKind::corner, TextureKind::wang}) {
+        const BuiltTexture built = build_texture(joint_request(kind, 2), grains(), never_mind);
+        EXPECT_EQ(built.patches, kind == TextureKind::corner ? 2u : 1u);
+        for (std::size_t i = built.patches; i < built.windows.size(); ++i)
+            EXPECT_TRUE(std::ranges::any_of(built.set.sources, [&](const SourcePixel& source) {
+                const ExemplarWindow& window = built.windows[i];
+                return source.x >= window.x && source.x < window.x + window.size && source.y >= window.y &&
+                       source.y < window.y + window.size;
+            }));
+    }
+}
+
+TEST(JointTexture, SaysWhatWasUsed)
+{
+    const auto parameters = parameters_of(joint_request(TextureKind::wang, 2));
+    EXPECT_EQ(parameters.at("joint"), "true");
+    EXPECT_EQ(parameters.at("candidates"), "2");
+    EXPECT_EQ(parameters.at("core"), "0.36");
+    EXPECT_FALSE(parameters.contains("overlap") || parameters.contains("cut"));
+    TextureRequest request = joint_request(TextureKind::wang, 2);
+    request.joint = false;
+    EXPECT_FALSE(parameters_of(request).contains("joint"));
+    EXPECT_TRUE(parameters_of(request).contains("overlap"));
+}
+
+TEST(ChangedRuns, AreThePixelsAgain)
+{
+    std::vector<ChangedPixel> pixels;
+    for (std::size_t i = 0; i < 8; ++i)
+        pixels.push_back({100 + i, {static_cast<std::uint16_t>(i), 3}, 4 + static_cast<int>(i), 5, i < 6 ? 1 : 2});
+    pixels[3].source.y = 9; // runs of 3, 1, 2, 2
+    const std::vector<ChangedRun> runs = runs_of(pixels);
+    EXPECT_EQ(runs.size(), 4u);
+    EXPECT_EQ(pixels_of(runs), pixels);
+    EXPECT_TRUE(runs_of({}).empty());
 }
 
 TEST(JointTexture, TakesPicturesOfOneColor)
