@@ -55,4 +55,8 @@ double distance_rounding(double distance, const RegionBox& box);
 /// predicates.
 void check_region(const PlaneRegion& region, const std::string& name);
 
+/// Throws InputError as check_region() does where rings cross or touch themselves, cross each other or share a piece of
+/// a line, wherever they lie to each other.
+void check_rings(const std::vector<RegionRing>& rings, const std::string& name);
+
 }

@@ -87,6 +87,16 @@ public:
                 if (i != j) check_place(i, j);
     }
 
+    void check_meetings()
+    {
+        find_meetings();
+        for (std::size_t i = 0; i < rings_.size(); ++i) {
+            if (!touching_[i]) continue; // all of it is on one side of any other
+            for (std::size_t j = 0; j < rings_.size(); ++j)
+                if (i != j && touching_[j]) check_side(i, j);
+        }
+    }
+
 private:
     InputError problem(const std::string& what) const { return InputError(name_ + ": " + what); }
 
@@ -172,15 +182,22 @@ private:
         return side;
     }
 
+    /// The same, where there is one side.
+    CGAL::Bounded_side check_side(std::size_t i, std::size_t j) const
+    {
+        bool is_mixed = false;
+        const CGAL::Bounded_side found = side(i, j, is_mixed);
+        if (is_mixed) throw problem(fmt::format("{} and {} cross", rings_[i].name, rings_[j].name));
+        return found;
+    }
+
     void check_place(std::size_t i, std::size_t j) const
     {
         const CheckedRing &ring = rings_[i], &other = rings_[j];
         const bool is_hole = ring.hole > 0;
         if (is_hole && ring.polygon != other.polygon) return;
         if (!is_hole && other.hole > 0) return; // holes of its own lie inside, those of others in their outlines
-        bool is_mixed = false;
-        const CGAL::Bounded_side found = side(i, j, is_mixed);
-        if (is_mixed) throw problem(fmt::format("{} and {} cross", ring.name, other.name));
+        const CGAL::Bounded_side found = check_side(i, j);
         if (is_hole && other.hole == 0 && found != CGAL::ON_BOUNDED_SIDE)
             throw problem(ring.name + " lies outside the outline");
         if (is_hole && other.hole > 0 && found == CGAL::ON_BOUNDED_SIDE)
@@ -219,6 +236,13 @@ void check_region(const PlaneRegion& region, const std::string& name)
     if (!(area_of(region) > least_area * box.longest() * box.longest()))
         throw InputError(fmt::format("{}: its area, {:.3g}, is nothing beside its extent, {:.3g}", name,
                                      area_of(region), box.longest()));
+}
+
+void check_rings(const std::vector<RegionRing>& rings, const std::string& name)
+{
+    PlaneRegion each;
+    for (const RegionRing& ring : rings) each.polygons.push_back({ring});
+    RegionChecks(each, name).check_meetings();
 }
 
 }

@@ -22,10 +22,10 @@
 namespace poissonlab {
 namespace {
 
-/// The usual tolerance is this part of the longest side of the box around ends and control points.
+/// The usual tolerance is this part of the longest side of the box around ends, control points and arcs.
 constexpr double usual_tolerance = 1e-4;
 
-constexpr double most_pieces = 1e5; ///< of a curve
+constexpr double most_pieces = 1e6; ///< of all curves
 
 /// A curve from where the one before ended: places on it from 0 to 1, and how many pieces keep a tolerance.
 struct PathCurve
@@ -69,7 +69,9 @@ public:
         const Geom::EllipticalArc arc(end_, rx, ry, angle, is_large, sweeps, p);
         if (arc.isChord()) return lineTo(p);
         const double radius = std::max(arc.rays()[0], arc.rays()[1]), turn = std::abs(arc.sweepAngle());
-        extend(arc.center());
+        const Geom::Rect bounds = arc.boundsExact();
+        extend(bounds.min());
+        extend(bounds.max());
         add(p, {[=](double t) { return arc.pointAt(t); },
                 [=](double tolerance) {
                     return turn / (2 * std::acos(std::clamp(1 - tolerance / radius, 0.0, 1 - 1e-15)));
@@ -88,12 +90,14 @@ public:
     std::vector<RegionRing> rings(double tolerance, const std::string& name) const
     {
         std::vector<RegionRing> rings;
+        double all_pieces = 0;
         for (const auto& path : paths_) {
             RegionRing ring;
             for (const auto& [end, curve] : path) {
                 const double pieces = curve.at ? std::max(1.0, std::ceil(curve.pieces(tolerance))) : 1;
-                if (!(pieces <= most_pieces))
-                    throw InputError(fmt::format("{}: a tolerance of {:.3g} is too small: a curve would have more than "
+                if (curve.at) all_pieces += pieces;
+                if (!(all_pieces <= most_pieces))
+                    throw InputError(fmt::format("{}: a tolerance of {:.3g} is too small: curves would have more than "
                                                  "{:g} pieces",
                                                  name, tolerance, most_pieces));
                 for (double piece = 1; piece < pieces; ++piece) append(ring, curve.at(piece / pieces));
@@ -215,6 +219,7 @@ PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
     if (rings.empty()) throw InputError(name + ": has no closed path: must be path M... of SVG, with an area");
     // Lines that cross, and coordinates that are no numbers, are said as of other regions.
     for (const RegionRing& ring : rings) check_region({{{ring}}}, name);
+    check_rings(rings, name);
     return region_of_rings(filled_rings(std::move(rings), options.is_even_odd));
 }
 

@@ -68,6 +68,24 @@ TEST(SvgPathRegions, AreAsNearToCurvesAsIsAsked)
     EXPECT_GT(farthest, 0.001);
 }
 
+/// The usual tolerance is a ten-thousandth of the longest side of the box around the arc itself. Its ends alone, or the
+/// middle of its circle, would have other boxes.
+TEST(SvgPathRegions, HaveAToleranceOfTheirArcsExtent)
+{
+    // The box is 2 wide, and the middle of the circle 100 away.
+    const double angle = 2 * std::asin(0.01);
+    const PlaneRegion shallow = read_region("path M1 0 A100 100 0 0 1 -1 0 L-1 -1 1 -1z");
+    EXPECT_NEAR(area_of(shallow), 2 + 100 * 100 / 2.0 * (angle - std::sin(angle)), 2 * 2e-4);
+    EXPECT_EQ(corner_count(shallow), 4 + std::ceil(angle / (2 * std::acos(1 - 2e-4 / 100))) - 1);
+    // An ellipse of radii 4 and 1, turned by 30 degrees: 2 sqrt(16 cos^2 + sin^2) = 7 wide, and its ends 6.93.
+    const double half_turn_pieces = std::ceil(M_PI / (2 * std::acos(1 - 7e-4 / 4)));
+    const PlaneRegion turned = read_region("path M3.4641016151377544 2 A4 1 30 0 1 -3.4641016151377544 -2 "
+                                           "A4 1 30 0 1 3.4641016151377544 2");
+    EXPECT_EQ(corner_count(turned), 2 * half_turn_pieces);
+    EXPECT_GT(std::ceil(M_PI / (2 * std::acos(1 - 6.93e-4 / 4))), half_turn_pieces);
+    EXPECT_NEAR(area_of(turned), 4 * M_PI, 7e-4 * 17.2); // the tolerance times the circumference
+}
+
 /// A square in a square, in the same direction and in the other, and a third one in that.
 TEST(SvgPathRegions, AreFilledByTheRuleOfSvg)
 {
@@ -91,8 +109,16 @@ TEST(SvgPathRegions, AreRefusedWhereTheyAreNone)
     EXPECT_THAT(told("evenodd"), HasSubstr("has no closed path"));
     EXPECT_THAT(told("M0 0 2 2 2 0 0 2z"), HasSubstr("cross"));
     EXPECT_THAT(told("M0 0 4 0 4 4 0 4z M2 2 6 2 6 6 2 6z"), HasSubstr("cross"));
+    // The middle of the second one's first edge is twice inside, so that this ring alone would be left out.
+    EXPECT_THAT(told("M0 0 4 0 4 4 0 4z M2 2 3 2 6 6 2 6z"), HasSubstr("cross"));
+    // They cross in corners of one of them.
+    EXPECT_THAT(told("M0 0 4 0 4 4 0 4z M2 2 4 2 6 3 4 3 3 3z"), HasSubstr("cross"));
+    EXPECT_THAT(told("M0 0 4 0 4 4 0 4z M0 0 4 0 4 4 0 4z"), HasSubstr("share a piece of a line"));
     EXPECT_THAT(told("tolerance -1 M0 0 1 0 1 1z"), HasSubstr("tolerance: must be followed by a number above 0"));
     EXPECT_THAT(told("tolerance 1e-16 M3 0 A3 3 0 0 1 -3 0z"), HasSubstr("a tolerance of 1e-16 is too small"));
+    std::string disks = "tolerance 1e-9 "; // of 70,000 pieces each
+    for (int i = 0; i < 30; ++i) disks += "M0 0 a1 1 0 0 1 2 0 a1 1 0 0 1 -2 0z ";
+    EXPECT_THAT(told(disks), HasSubstr("a tolerance of 1e-09 is too small: curves would have more than 1e+06 pieces"));
 }
 
 }
