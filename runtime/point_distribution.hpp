@@ -164,11 +164,21 @@ private:
         return file;
     }
 
+    /// Folders can be opened as files, and throw when they are read.
+    static std::vector<char> bytes_of(std::istream& file, const std::string& name)
+    {
+        try {
+            return {std::istreambuf_iterator<char>(file), {}};
+        } catch (const std::ios_base::failure&) {
+            fail(name, "cannot be read");
+        }
+    }
+
     void load(const std::string& name)
     {
         std::ifstream file(name, std::ios::binary);
         if (!file) fail(name, "cannot be opened");
-        std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+        const std::vector<char> bytes = bytes_of(file, name);
         ptiles_set& set = tiling_.set;
         if (const char* problem = ptiles_open(&set, bytes.data(), bytes.size())) fail(name, problem);
         if (set.dimension != 2) fail(name, "tiles of space: must be a tile set in the plane");

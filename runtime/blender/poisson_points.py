@@ -35,6 +35,9 @@ bl_info = {
 #: bits that stay with it), level (the density, from 0 to 1, above which it is there), kind (its class).
 Points = namedtuple("Points", "position tile index id level kind")
 
+#: The tiles of a window may have so many points: more take minutes and gigabytes.
+MOST_POINTS = 10**7
+
 
 class TileSet:
     """The tiles of a file: `data`, all of its bytes. Throws ValueError, which says what is wrong."""
@@ -86,10 +89,14 @@ class TileSet:
 
     def points(self, low, high, seed=1, density=1.0):
         """All points with low <= position < high along each axis and a level below `density`: Points. Rows of tiles from
-        south to north (3D: layers from the bottom), in each from west to east."""
+        south to north (3D: layers from the bottom), in each from west to east. Throws ValueError if the tiles there have
+        more than MOST_POINTS."""
         low, high = numpy.array(low, float), numpy.array(high, float)
-        first = numpy.floor(low - self.above / 65536).astype(int)
-        last = numpy.floor(high + self.below / 65536).astype(int)
+        first, last = numpy.floor(low - self.above / 65536), numpy.floor(high + self.below / 65536)
+        count = numpy.prod(numpy.maximum(last - first + 1, 0)) * self.points_per_tile
+        if not count <= MOST_POINTS:
+            raise ValueError(f"{count:,.0f} points in the tiles there: must be at most {MOST_POINTS:,}")
+        first, last = first.astype(int), last.astype(int)
         row = numpy.arange(first[0], last[0] + 1)
         layers = range(first[2], last[2] + 1) if self.dimension == 3 else [0]
         rows = [self._row(row, j, k, low, high, seed, density) for k in layers for j in range(first[1], last[1] + 1)]
@@ -151,9 +158,12 @@ def _hash(seed, x, y, z):
 def add_points(tiles, *, size, min_distance, seed=1, density=1.0, offset=(0.0, 0.0, 0.0), name="Poisson points"):
     """A new object in the scene: a mesh of vertices, none of which are nearer than `min_distance`, in the box of `size`
     around its origin. Each has the attributes "level", "id" (which nodes take for their random numbers) and "class".
-    `offset` of the box in the tiling: boxes of one seed and distance fit together."""
+    `offset` of the box in the tiling: boxes of one seed and distance fit together. Throws ValueError, also for more than
+    MOST_POINTS."""
     if tiles.min_distance == 0:
         raise ValueError("the file has no proven distance")
+    if not min_distance > 0:
+        raise ValueError("the least distance must be above 0")
     side = min_distance / tiles.min_distance
     axes = tiles.dimension
     middle, half = numpy.array(offset[:axes], float), numpy.array(size[:axes], float) / 2

@@ -10,6 +10,9 @@ class_name PoissonScatter
 
 const Tiles = preload("poisson_tiles.gd")
 
+# The tiles of a rectangle may have so many points: more take minutes and gigabytes.
+const MOST_POINTS = 10000000
+
 export(String, FILE, "*.ptiles") var tile_set = "" setget set_tile_set
 export(float, 0.001, 1000000) var spacing = 1.0 setget set_spacing # the least distance of two instances
 export(Vector2) var size = Vector2(20, 20) setget set_size
@@ -37,6 +40,10 @@ func places() -> Array:
 		push_error("%s: %s" % [tile_set, problem])
 		return []
 	var side = spacing / _tiles.min_distance
+	var count = (size.x / side + 1) * (size.y / side + 1) * _tiles.points_per_tile
+	if not count <= MOST_POINTS:
+		push_error("%s: %.0f points: must be at most %d" % [tile_set, count, MOST_POINTS])
+		return []
 	var corner = offset - size / 2
 	_tiles.tiling_seed = tiling_seed
 	var found = []
@@ -62,6 +69,8 @@ func scatter() -> void:
 
 
 func _read() -> String:
+	if tile_set == "":
+		return "no file is named"
 	if _read_file == tile_set:
 		return ""
 	var file = File.new()

@@ -72,6 +72,13 @@ class BlenderPoints(FolderTest):
         self.assertEqual(tiles.points([1, 1], [1, 1]).position.shape, (0, 2))
         self.assertEqual(tiles.points([3, 1], [1, 2]).position.shape, (0, 2))
 
+    def test_are_refused_where_there_are_too_many(self):
+        tiles = poisson_points.TileSet((FOLDER / "corner-c3-n64-r075.ptiles").read_bytes())
+        for high, count in (([999, 999], "64,000,000"), ([1e9, 0], "64,000,000,064"), ([numpy.inf, 1], "inf")):
+            with self.assertRaises(ValueError) as refused:
+                tiles.points([0, 0], high)
+            self.assertEqual(str(refused.exception), f"{count} points in the tiles there: must be at most 10,000,000")
+
     def test_are_refused_of_damaged_files(self):
         good = (FOLDER / "corner-c3-n64-r075.ptiles").read_bytes()
         for data, words in ((good[:99], "shorter than the header of a tile set file"), (b"X" + good[1:], "not a tile set file"),

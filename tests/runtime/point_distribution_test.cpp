@@ -285,6 +285,9 @@ TEST(PointDistribution, RefusesWhatItCannotUse)
               file + ": shorter than the header of a tile set file");
     EXPECT_EQ(message_of<std::runtime_error>([&] { const PointDistribution refused("no/such.ptiles"); }),
               "no/such.ptiles: cannot be opened");
+    const std::string no_file = folder.path();
+    EXPECT_EQ(message_of<std::runtime_error>([&] { const PointDistribution refused(no_file); }),
+              no_file + ": cannot be read");
     const std::string good = shipped("corner-c3-n64-r075");
     EXPECT_EQ(message_of<std::runtime_error>([&] { const PointDistribution refused(good, -1); }),
               good + ": the density must be 0 or a positive number");

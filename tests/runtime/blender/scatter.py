@@ -94,6 +94,11 @@ for name, words in (("README.md", "not a tile set file"), ("none.ptiles", "No su
         expect(False, f"{name} was taken")
     except RuntimeError as problem:
         expect(words in str(problem), problem)
+try:
+    bpy.ops.mesh.poisson_points_add(filepath=str(FILE), size=(1e4, 1e4, 0), min_distance=1e-3)
+    expect(False, "too many points were made")
+except RuntimeError as problem:
+    expect("must be at most 10,000,000" in str(problem), problem)
 expect(len(bpy.data.objects) == before, "something was added")
 poisson_points.unregister()
 print(f"DONE: {len(found)} points, {len(cloud)} in space")

@@ -120,4 +120,13 @@ func check_scatter():
 	node.tile_set = "res://sphere-c2-n128-r075.ptiles"
 	if node.places().size() != 0:
 		print("FAILED: tiles of space in the plane")
+	node.tile_set = "res://corner-c3-n64-r075.ptiles"
+	node.spacing = 0.001
+	node.size = Vector2(10000, 10000)
+	if node.places().size() != 0:
+		print("FAILED: too many points were made")
+	node.spacing = 1000.0
+	node.tile_set = ""
+	if node.places().size() != 0:
+		print("FAILED: points of no file")
 	node.free()
