@@ -78,7 +78,9 @@ std::string KeySpec::allowed() const
         return fmt::format("[{}], or the first of these", fmt::join(parts, ", "));
     if (!parts.empty()) return fmt::format("[{}]", fmt::join(parts, ", "));
     if (is_formula) return "a picture's file or a formula, in quotes";
-    if (is_region) return "a file's path, rectangle X0 Y0 X1 Y1, disk X Y RADIUS, WKT or GeoJSON, in quotes";
+    if (is_region)
+        return "a file's path, rectangle X0 Y0 X1 Y1, disk X Y RADIUS, formula ..., path M..., WKT or GeoJSON, in "
+               "quotes; where points may lie in space also box, ball or solid";
     if (is_file) return "a file's path in quotes";
     return allowed_values(value);
 }
