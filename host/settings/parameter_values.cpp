@@ -127,6 +127,8 @@ std::string allowed_values(const ParameterSpec& spec)
     case Kind::number:
         return "a number " + allowed_range(spec);
     case Kind::integer:
+        if (spec.maximum == spec.minimum + 1 && !spec.exclusive_minimum && !spec.exclusive_maximum)
+            return fmt::format("{} or {}", spec.minimum, spec.maximum);
         return "an integer " + allowed_range(spec);
     case Kind::boolean:
         return "true or false";

@@ -88,7 +88,7 @@ void large_dart_keys(Keys& keys, AskedDarts& asked)
         .otherwise("as the points have it")
         .excludes("points");
     keys.integer("dimension", asked.dimension, 2, 3, "of the torus");
-    keys.number("memory", asked.memory, {1e-6, 1e6}, "what a block may take at most").unit("GB");
+    keys.number("memory", asked.memory, {0.001, 1e6}, "what a block may take at most").unit("GB");
     if (!keys.is_read()) return;
     if (!asked.points && !asked.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));

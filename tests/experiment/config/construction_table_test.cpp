@@ -95,8 +95,8 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
                 HasSubstr("c.toml:3: relative_radius = 0.9: must be at most"));
     EXPECT_THAT(error_of("points_per_tile = 3"), HasSubstr("c.toml:2: points_per_tile = 3: must be an integer from 4"));
     EXPECT_THAT(error_of("show = \"edge\"\nalong = \"z\""), HasSubstr("along = \"z\": must be one of \"x\", \"y\""));
-    EXPECT_THAT(error_of("show = \"corner\"\nvariant = 2"), HasSubstr("must be an integer from 0 to 1"));
-    EXPECT_THAT(error_of("show = \"corners\"\ncount = 3"), HasSubstr("must be an integer from 1 to 2"));
+    EXPECT_THAT(error_of("show = \"corner\"\nvariant = 2"), HasSubstr("must be 0 or 1"));
+    EXPECT_THAT(error_of("show = \"corners\"\ncount = 3"), HasSubstr("must be 1 or 2"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 3]"), HasSubstr("must be [X, Y, width, height]"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 65, 1]"), HasSubstr("from 1 to 64 tiles"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 64, 64]"), HasSubstr("at most 100000 points"));

@@ -76,7 +76,7 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"diffraction\"\ntilings = []", "must be a list of different algorithms");
     expect_scheme_refusal("kind = \"diffraction\"\ntilings = [\"kari\", \"kari\"]",
                           "must be a list of different algorithms");
-    expect_scheme_refusal("kind = \"diffraction\"\ncolor = 2", "must be an integer from 0 to 1");
+    expect_scheme_refusal("kind = \"diffraction\"\ncolor = 2", "must be 0 or 1");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 94", "must be an integer from 1 to 93");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\nparameters = [0.1]",
                           "c.toml:5: parameters = [0.1]: must be as many as IH1 has: 4");
