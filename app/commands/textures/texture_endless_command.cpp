@@ -35,8 +35,7 @@ void draw_endless_texture(const TextureEndlessOptions& o)
     const KindSettings read = o.settings();
     if (o.out.extension() != ".png") throw InputError(fmt::format("--out {}: must be a .png", o.out.string()));
     const PngPixels pixels = endless_picture(read.as<EndlessSettings>(), o.seed(), o.place());
-    write_png(o.out, {pixels.width, pixels.height, pixels.channels},
-              [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+    write_png(o.out, pixels);
     if (!o.prints_json()) return;
     const nlohmann::ordered_json json{{"file", printable(o.out.string())},
                                       {"width", pixels.width},

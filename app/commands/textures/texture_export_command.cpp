@@ -131,8 +131,7 @@ struct EngineExport
             write_whole_file(place("texture_tiles.glsl"), materialx_function(set));
             write_whole_file(place("texture_tiles.mtlx"), materialx_document(set, "atlas.png", "texture_tiles.glsl"));
             const PngPixels atlas = atlas_of(set);
-            write_png(place("atlas.png"), {atlas.width, atlas.height, atlas.channels},
-                      [&](int row, int) { return &atlas.values[atlas.at(0, row, 0)]; });
+            write_png(place("atlas.png"), atlas);
         }
         if (wants(EngineFiles::page)) write_whole_file(place("plane.html"), render_plane_page(set, set_name(options)));
     }

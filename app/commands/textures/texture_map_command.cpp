@@ -178,8 +178,7 @@ void map_texture_plane(const TextureMapOptions& o)
             is_on_device ? map_texture(place.device(), pyramid, lookup, view, default_work_group_size)
                          : reference_map_texture(pyramid, lookup, view);
         const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
-        write_png(frame_file(o, frame), {pixels.width, pixels.height, pixels.channels},
-                  [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+        write_png(frame_file(o, frame), pixels);
         place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
     }
 }

@@ -50,8 +50,7 @@ DistributionResult make_endless_picture(const EndlessSettings& settings, std::ui
                                         const DistributionPlace& place, DistributionFiles& files)
 {
     const PngPixels pixels = endless_picture(settings, seed, place);
-    write_png(files.add("texture.png"), {pixels.width, pixels.height, pixels.channels},
-              [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+    write_png(files.add("texture.png"), pixels);
     DistributionResult result;
     result.pictures = {{"texture.png", "A window of the texture."}};
     return result;

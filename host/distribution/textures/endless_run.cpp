@@ -124,8 +124,7 @@ void add_pictures(const TextureSettings& settings, const MadeTexture& made, cons
                   const DistributionPlace& place, DistributionFiles& files, DistributionResult& result)
 {
     const auto write = [&](const std::string& name, const PngPixels& pixels, const std::string& caption) {
-        write_png(files.add(name), {pixels.width, pixels.height, pixels.channels},
-                  [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+        write_png(files.add(name), pixels);
         result.pictures.push_back({name, caption});
     };
     const int width = static_cast<int>(settings.columns) * settings.request.size,

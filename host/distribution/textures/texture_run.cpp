@@ -82,8 +82,7 @@ private:
 
     void write(const std::string& name, const PngPixels& pixels, const std::string& caption)
     {
-        write_png(files_.add(name), {pixels.width, pixels.height, pixels.channels},
-                  [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+        write_png(files_.add(name), pixels);
         result_.pictures.push_back({name, caption});
     }
 
