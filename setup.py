@@ -47,8 +47,10 @@ class CMakeModule(build_ext):
                  folder / "libpoissonlab_pictures.so"]
         missing = [file for file in files if not file.is_file()]
         if missing:
-            raise SystemExit(f"poissonlab: POISSONLAB_BUILD={named or folder}: there is no {missing[0]}: must be a build "
-                             f"folder with the Python package for {sys.executable}")
+            if not named:
+                raise SystemExit(f"poissonlab: the build in {folder} left no {missing[0]}. Building needs {HOW_TO_BUILD}")
+            raise SystemExit(f"poissonlab: POISSONLAB_BUILD={named}: there is no {missing[0]}: must be a build folder with "
+                             f"the Python package for {sys.executable}")
         package = pathlib.Path(self.build_lib) / "poissonlab"
         package.mkdir(parents=True, exist_ok=True)
         for file in files:
