@@ -2,7 +2,6 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
-#include "base/files/file_glob.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_text.hpp"
@@ -361,12 +360,9 @@ Keys::Said Keys::region(const std::string& key, std::string& value, std::string 
 {
     const Said said = text(key, value, std::move(help));
     specs_.back().is_file = specs_.back().is_region = true;
-    if (!is_given(key) || is_region_text(value)) return said;
-    const std::string typed = value;
-    value = named_file(key, typed);
-    const SourceLocation& place = place_of(key);
-    if (!place.is_argument && !is_file_name(value))
-        throw invalid(key, no_such_file(std::filesystem::path(place.file).parent_path(), typed));
+    if (!is_given(key) || value.empty() || is_region_text(value)) return said;
+    value = path_of(key, value);
+    if (is_file_name(value)) inputs_.emplace_back(value);
     return said;
 }
 
@@ -556,14 +552,19 @@ void Keys::check_text(const std::string& key, const std::string& text) const
     if (printable(text) != text) throw invalid(key, "must be " + allowed_values({.key = key, .kind = ValueKind::text}));
 }
 
-/// The path from the folder of the config, unless it was typed in a command, where there is a file, and where another
-/// folder than the config's has one of that name; else the text as it is. Files join the inputs.
-std::string Keys::named_file(const std::string& key, const std::string& text)
+/// A path counts from the folder of the config, unless it was typed in a command.
+std::string Keys::path_of(const std::string& key, const std::string& text) const
 {
     const SourceLocation& place = place_of(key);
-    const auto beside = std::filesystem::path(place.file).parent_path() / text;
-    const bool is_file = is_file_name(beside.string()) || is_file_name(text);
-    const std::string name = !place.is_argument && is_file ? beside.string() : text;
+    return place.is_argument ? text : (std::filesystem::path(place.file).parent_path() / text).string();
+}
+
+/// The path where there is a file, and where the folder that the program runs in has one of that name, which is not
+/// meant; else the text as it is, which may be a formula. Files join the inputs.
+std::string Keys::named_file(const std::string& key, const std::string& text)
+{
+    const std::string path = path_of(key, text);
+    const std::string name = is_file_name(path) || is_file_name(text) ? path : text;
     if (is_file_name(name)) inputs_.emplace_back(name);
     return name;
 }

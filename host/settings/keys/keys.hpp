@@ -207,6 +207,7 @@ private:
     Said list(std::vector<double>& values, KeySpec spec, const std::vector<Interval>& ranges);
     std::optional<ParameterValue> read(const ParameterSpec& spec) const;
     void check_text(const std::string& key, const std::string& text) const;
+    std::string path_of(const std::string& key, const std::string& text) const;
     std::string named_file(const std::string& key, const std::string& text);
 
     const ConfigTable* table_ = nullptr;

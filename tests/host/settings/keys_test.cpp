@@ -1,6 +1,7 @@
 // Keys are described and read by the same function: what is described is what is read.
 #include "host/settings/keys/keys.hpp"
 
+#include "base/regions/region_text.hpp"
 #include "host/settings/toml_reader.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -123,11 +124,12 @@ TEST(Keys, LooksForFilesBesideTheConfigAlone)
         keys.region(value);
         return value;
     };
-    EXPECT_EQ(message_of(region), config + ":2: region = \"square.wkt\": no such file in " + folder.path().string() +
-                                      ", the folder of the config");
-    EXPECT_EQ(formula, (folder.path() / "square.wkt").string());
+    const std::string beside = (folder.path() / "square.wkt").string();
+    EXPECT_EQ(region(), beside);
+    EXPECT_EQ(formula, beside);
+    EXPECT_EQ(message_of([&] { read_region(beside); }), beside + ": cannot be read: No such file or directory");
     folder.write("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2))");
-    EXPECT_EQ(region(), (folder.path() / "square.wkt").string());
+    EXPECT_EQ(region(), beside);
     std::filesystem::current_path(before);
 }
 
