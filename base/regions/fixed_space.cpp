@@ -1,6 +1,9 @@
 #include "base/regions/fixed_space.hpp"
 
+#include "base/errors/errors.hpp"
 #include "base/regions/solid_lattice.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +72,10 @@ FixedSpace::FixedSpace(const SpaceRegion& region, double margin)
     const double inset = margin * 0x1p32;
     volume_ = box_.extent(0) * box_.extent(1) * box_.extent(2);
     for (std::size_t k = 0; k < 3; ++k) {
-        const double high = std::clamp(std::round(box_.extent(k) / unit_), 0.0, double{most_position});
-        extent_.high[k] = static_cast<std::uint32_t>(high);
+        // No position lies beyond the box. Along the longest side, and all those of a ball, they end there.
+        const bool is_longest = shape_ == SpaceShape::ball || box_.extent(k) == box_.longest();
+        const double high = is_longest ? double{most_position} : std::floor(box_.extent(k) / unit_);
+        extent_.high[k] = static_cast<std::uint32_t>(std::clamp(high, 0.0, double{most_position}));
     }
     limits_ = extent_;
     if (shape_ == SpaceShape::ball) {
@@ -95,11 +100,32 @@ void FixedSpace::set_lattice(const SpaceRegion& region, double margin)
     SolidLattice solid = solid_of_formula(region.formula, box_.low, unit_ * lattice_cell, cells_);
     values_ = solid.values;
     volume_ = volume_of_lattice();
-    if (margin > 0) {
-        spare_ = spare_distance(margin / lattice_cell) * unit_ * lattice_cell;
-        values_ = inset_solid(solid, margin / lattice_cell).values;
-    }
+    if (margin > 0)
+        values_ =
+            inset_solid(solid, margin / lattice_cell, fmt::format("formula \"{}\"", shortened(region.formula))).values;
     count_filled();
+    shrink_extent();
+}
+
+/// To the cells in which something is inside.
+void FixedSpace::shrink_extent()
+{
+    if (filled_.back() == 0) return;
+    Cell first = cells_, last{};
+    for (std::uint32_t z = 0; z < cells_[2]; ++z)
+        for (std::uint32_t y = 0; y < cells_[1]; ++y)
+            for (std::uint32_t x = 0; x < cells_[0]; ++x) {
+                if (std::ranges::max(corners_of({x, y, z})) <= 0) continue;
+                const Cell cell{x, y, z};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    first[k] = std::min(first[k], cell[k]);
+                    last[k] = std::max(last[k], cell[k]);
+                }
+            }
+    for (std::size_t k = 0; k < 3; ++k) {
+        extent_.low[k] = std::max(extent_.low[k], first[k] << lattice_shift);
+        extent_.high[k] = std::min(extent_.high[k], (last[k] << lattice_shift) + (lattice_cell - 1));
+    }
 }
 
 double FixedSpace::volume_of_lattice() const

@@ -47,7 +47,7 @@ public:
     bool contains(const TorusPoint<3>& position) const;
     RegionSide side_of(const FixedSpaceBox& box) const;
 
-    /// A box that has the region inside.
+    /// A box that has the region inside: the least one, but of solids that of the cells in which something is.
     const FixedSpaceBox& extent() const { return extent_; }
 
     /// A position in the region's own units: its lowest corner and `unit` times the position, rounded once each.
@@ -56,9 +56,6 @@ public:
     double unit() const { return unit_; }
     double volume() const { return volume_; }    ///< in cubes of its own units, margins aside
     const SpaceBox& box() const { return box_; } ///< in its own units
-
-    /// This much is added to the margin of a solid, in its own units.
-    double spare_margin() const { return spare_; }
 
     // Kernels are told this.
     SpaceShape shape() const { return shape_; }
@@ -74,6 +71,7 @@ private:
 
     void set_lattice(const SpaceRegion& region, double margin);
     void count_filled();
+    void shrink_extent();
     double volume_of_lattice() const;
     std::size_t node(const Cell& cell) const
     {
@@ -86,7 +84,7 @@ private:
 
     SpaceShape shape_;
     SpaceBox box_;
-    double unit_ = 1, volume_ = 0, spare_ = 0;
+    double unit_ = 1, volume_ = 0;
     FixedSpaceBox extent_, limits_;
     std::uint64_t squared_radius_ = 0;
     Cell cells_{};

@@ -185,6 +185,8 @@ struct TypedRegion
             return;
         }
         content = without_blanks_around(is_file ? read_whole_file(text) : text);
+        if (is_space_region_text(content))
+            throw InputError(name + ": is a region of space; this takes regions of the plane");
         if (is_region_text(content) && !is_json() && !is_wkt(content)) shape = shape_of(content);
     }
 
@@ -209,12 +211,6 @@ std::vector<std::array<double, 2>> points_of_file(const std::string& file)
         throw InputError(fmt::format("{}: {}, nor a file of points: {}", printable(file), no_region, error.what()));
     }
     return points;
-}
-
-void refuse_space(const std::string& text)
-{
-    if (is_space_region_text(text))
-        throw InputError(shortened(printable(text)) + ": is a region of space; this takes regions of the plane");
 }
 
 /// As if lines and points were outlines.
@@ -250,7 +246,6 @@ bool is_region_text(std::string_view text)
 
 PlaneRegion read_region(const std::string& text, bool is_planar)
 {
-    refuse_space(text);
     const TypedRegion typed(text);
     if (!typed.is_known()) throw InputError(fmt::format("{}: {}", typed.name, no_region));
     if (is_wkt(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
@@ -264,7 +259,6 @@ PlaneRegion read_region(const std::string& text, bool is_planar)
 
 Obstacles read_obstacles(const std::string& text, bool is_planar)
 {
-    refuse_space(text);
     const TypedRegion typed(text);
     Obstacles obstacles;
     std::string degrees; // why coordinates are taken for degrees

@@ -1,10 +1,12 @@
 // Distances from a solid's surface by CGAL's tree of bounding boxes, at nodes that may be near the one asked for.
+#include "base/errors/errors.hpp"
 #include "base/regions/solid_lattice.hpp"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -21,6 +23,9 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 /// Distances matter where a node is nearer than this to the one asked for, in cells: beyond, others of its tetrahedra
 /// have the same sign.
 constexpr double near_by = 2;
+
+/// The time grows with the triangles: a ball that fills the lattice has about half a million.
+constexpr std::size_t most_triangles = 4'000'000;
 
 /// Units of values in a cell.
 constexpr double units_a_cell = 0x1p26;
@@ -54,6 +59,20 @@ std::vector<std::uint32_t> steps_to_outside(const SolidLattice& solid, std::uint
     return steps;
 }
 
+Triangles surface_of(const SolidLattice& solid, const std::string& name)
+{
+    Triangles triangles;
+    for_each_surface_triangle(solid, [&](const SurfaceTriangle& t) {
+        if (triangles.size() == most_triangles)
+            throw InputError(fmt::format("{}: the solid's surface has more than {} triangles on its lattice, too many "
+                                         "to keep whole balls inside: type a smaller box, in which it turns less often",
+                                         name, most_triangles));
+        const auto point = [&](std::size_t i) { return Kernel::Point_3(t[i][0], t[i][1], t[i][2]); };
+        triangles.emplace_back(point(0), point(1), point(2));
+    });
+    return triangles;
+}
+
 /// A distance less the one asked for.
 std::int32_t value_of(double excess)
 {
@@ -62,13 +81,9 @@ std::int32_t value_of(double excess)
 
 }
 
-SolidLattice inset_solid(const SolidLattice& solid, double distance)
+SolidLattice inset_solid(const SolidLattice& solid, double distance, const std::string& name)
 {
-    Triangles triangles;
-    for_each_surface_triangle(solid, [&](const SurfaceTriangle& t) {
-        const auto point = [&](std::size_t i) { return Kernel::Point_3(t[i][0], t[i][1], t[i][2]); };
-        triangles.emplace_back(point(0), point(1), point(2));
-    });
+    const Triangles triangles = surface_of(solid, name);
     const double wanted = distance + spare_distance(distance);
     SolidLattice inset{solid.cells, std::vector<std::int32_t>(solid.nodes(), value_of(-near_by))};
     // A surface is sqrt(3) cells nearer than the node behind it, at most.

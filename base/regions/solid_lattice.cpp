@@ -45,19 +45,21 @@ bool has_neighbour(const SolidLattice& solid, const NodePlace& at, const Test& t
 }
 
 /// The values in whole numbers of one sign each: those beside the surface, the largest of which is most_solid_value,
-/// and no larger ones.
+/// and no larger ones. Infinite ones are cut off as well.
 void take_values(SolidLattice& solid, const std::vector<double>& exact)
 {
     double largest = 0;
     for_each_node(solid, [&](const NodePlace& at, std::size_t node) {
         const bool is_inside = exact[node] > 0;
+        if (std::isinf(exact[node])) return;
         if (has_neighbour(solid, at, [&](std::size_t other) { return (exact[other] > 0) != is_inside; }))
             largest = std::max(largest, std::abs(exact[node]));
     });
-    const double factor = largest > 0 && std::isfinite(largest) ? most_solid_value / largest : 1;
+    // One over the least numbers is infinite; parts of them are not.
+    if (largest == 0) largest = most_solid_value;
     for (const double value : exact) {
-        const double scaled =
-            std::clamp(std::round(value * factor), -double{most_solid_value}, double{most_solid_value});
+        const double scaled = std::clamp(std::round(value / largest * most_solid_value), -double{most_solid_value},
+                                         double{most_solid_value});
         const auto whole = static_cast<std::int32_t>(scaled);
         solid.values.push_back(value > 0 ? std::max(whole, 1) : whole);
     }

@@ -46,8 +46,9 @@ SolidLattice solid_of_formula(const std::string& formula, const std::array<doubl
 /// the excess is at most the smaller of 0.375 / d and 0.867.
 double spare_distance(double distance);
 
-/// The places that are so far from what is outside, and spare_distance() farther, at least: in cells.
-SolidLattice inset_solid(const SolidLattice& solid, double distance);
+/// The places that are so far from what is outside, and spare_distance() farther, at least: in cells. Throws
+/// InputError, a line that begins with `name`, where the surface has more than four million triangles.
+SolidLattice inset_solid(const SolidLattice& solid, double distance, const std::string& name);
 
 /// Calls visit(corners) for the triangles of the surface, in cells.
 using SurfaceTriangle = std::array<std::array<double, 3>, 3>;

@@ -30,12 +30,16 @@ constexpr std::array shape_words{
     ShapeWord{SpaceShape::solid, "solid ", 6,
               "solid X0 Y0 Z0 X1 Y1 Z1 EXPRESSION with X0 < X1, Y0 < Y1, Z0 < Z1 and an expression in x, y and z"}};
 
+/// What follows the word must be a number: files may be called "ball park.geojson".
 const ShapeWord* shape_word_of(std::string_view text)
 {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     const auto found =
         std::ranges::find_if(shape_words, [&](const ShapeWord& shape) { return text.starts_with(shape.word); });
-    return found == shape_words.end() ? nullptr : &*found;
+    if (found == shape_words.end()) return nullptr;
+    WordReader words(text.substr(found->word.size()));
+    double number = 0;
+    return words.next() && parse_number(words.word(), number) ? &*found : nullptr;
 }
 
 /// The numbers after the first word, and where the rest begins: nothing where they are not all there.

@@ -32,7 +32,8 @@ struct SpaceRegion
     std::string formula{}; ///< of a solid
 };
 
-/// Does the text begin as those of read_space_region() do? Any other text is a region of the plane.
+/// Does the text begin as those of read_space_region() do, with a word and a number? Any other text is a region of the
+/// plane, or a file.
 bool is_space_region_text(std::string_view text);
 
 /// The region that a text describes:

@@ -4,6 +4,7 @@
 #include "base/regions/region_text.hpp"
 #include "base/regions/solid_lattice.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -122,8 +123,8 @@ TEST(FixedSpaces, KeepMarginsOfSolids)
     const FixedSpace solid = space_of("solid -8 -8 -8 8 8 8 1-x*x-y*y-z*z", tested_margin),
                      hole = space_of("solid -8 -8 -8 8 8 8 x*x+y*y+z*z-1", tested_margin);
     const double margin = tested_margin * 0x1p32 * solid.unit();
-    EXPECT_GT(solid.spare_margin(), 0);
-    EXPECT_LT(solid.spare_margin(), 0.2 / 8);
+    const double spare = spare_distance(margin * 8) / 8;
+    EXPECT_LT(spare, 0.2 / 8);
     for (int i = 0; i < 40'000; ++i) {
         TorusPoint<3> p = random_in_space(random);
         for (std::uint32_t& coordinate : p) coordinate = 0x34000000u + coordinate / 0x80 * 0x18; // from -1.5 to 1.5
@@ -131,16 +132,46 @@ TEST(FixedSpaces, KeepMarginsOfSolids)
         if (solid.contains(p)) {
             EXPECT_GE(1 - r, margin);
         }
-        if (1 - r > margin + solid.spare_margin() + 2 * lost) {
+        if (1 - r > margin + spare + 2 * lost) {
             EXPECT_TRUE(solid.contains(p)) << r;
         }
         if (hole.contains(p)) {
             EXPECT_GE(r - 1 + lost, margin) << r;
         }
-        if (r - 1 > margin + hole.spare_margin() + 2 * lost) {
+        if (r - 1 > margin + spare + 2 * lost) {
             EXPECT_TRUE(hole.contains(p)) << r;
         }
     }
+}
+
+/// Positions of regions lie in their boxes, and those of a little solid in the box of its cells, a sixteenth of a unit
+/// wide.
+TEST(FixedSpaces, HaveExtentsThatDoNotGoBeyondThem)
+{
+    for (const char* text : {"box 0 0 0 3 2 1", "box -1 0 2 1.7 3.1 6.2", "box 0 0 0 900 1 1", "ball 1 2 3 0.7"}) {
+        const FixedSpace space = space_of(text);
+        const std::array<double, 3> end = space.own(space.extent().high);
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_LE(end[k], space.box().high[k] + 1e-15 * space.box().longest()) << text;
+            EXPECT_GT(end[k], space.box().high[k] - 1.001 * space.unit()) << text;
+        }
+    }
+    const FixedSpace ball = space_of("solid -4 -4 -4 4 4 4 0.25-(x-1)^2-(y+2)^2-z^2");
+    const std::array<double, 3> low = ball.own(ball.extent().low), high = ball.own(ball.extent().high);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double middle = std::array{1.0, -2.0, 0.0}[k];
+        EXPECT_NEAR(low[k], middle - 0.5 - 1 / 32.0, 1.01 / 32);
+        EXPECT_NEAR(high[k], middle + 0.5 + 1 / 32.0, 1.01 / 32);
+    }
+}
+
+/// Nodes where a formula is infinite are inside or outside, and leave the others their digits; numbers whose
+/// reciprocals are infinite keep their zeros.
+TEST(FixedSpaces, MayHaveInfiniteAndLeastValues)
+{
+    // It is infinite where x is 0, on both sides of the surface, which lies between nodes.
+    EXPECT_NEAR(space_of("solid 0 0 0 1 1 1 (0.253-y)/x").volume(), 0.253, 1e-3);
+    EXPECT_NEAR(space_of("solid -1 -1 -1 1 1 1 (1-x*x-y*y-z*z)*1e-300*1e-10").volume(), 4 / 3.0 * M_PI, 1e-3);
 }
 
 TEST(FixedSpaces, AreRefusedWhereThereAreNone)
@@ -154,9 +185,17 @@ TEST(FixedSpaces, AreRefusedWhereThereAreNone)
     EXPECT_THAT(told("solid 0 0 0 1 1 1"), HasSubstr("must be solid X0 Y0 Z0 X1 Y1 Z1 EXPRESSION"));
     EXPECT_EQ(told("solid 0 0 0 1 1 1 x-2"), "formula \"x-2\": is nowhere above 0 in its box");
     EXPECT_THAT(told("solid 0 0 0 1 1 1 x+w"), HasSubstr("formula \"x+w\": "));
+    EXPECT_THAT(message_of([] { space_of("solid 0 0 0 1 1 1 sin(400*x)*sin(370*y)*sin(380*z)", 0.01); }),
+                HasSubstr("sin(380*z)\": the solid's surface has more than 4000000 triangles on its lattice"));
     EXPECT_EQ(message_of([] { read_region("ball 0 0 0 1"); }),
               "ball 0 0 0 1: is a region of space; this takes regions of the plane");
+    const TemporaryFolder folder;
+    const std::string file = folder.write("ball.txt", "  ball 0 0 0 1\n").string();
+    EXPECT_EQ(message_of([&] { read_region(file); }), file + ": is a region of space; this takes regions of the plane");
     EXPECT_FALSE(is_space_region_text("ball.geojson"));
+    EXPECT_FALSE(is_space_region_text("ball park.geojson"));
+    EXPECT_FALSE(is_region_text("solid rock.wkt"));
+    EXPECT_TRUE(is_space_region_text(" ball -.5 0"));
     EXPECT_FALSE(is_space_region_text("rectangle 0 0 1 1"));
 }
 
