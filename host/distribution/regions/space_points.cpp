@@ -26,6 +26,11 @@ namespace {
 constexpr std::uint32_t space_attempt = 2;
 
 constexpr std::size_t least_space_candidates = 10'000; ///< that tell a share
+
+/// Most time would go to darts that miss where less than this of the box around a region is inside.
+constexpr double least_share_of_box = 1e-4;
+constexpr std::size_t candidates_for_check = 200;
+
 constexpr std::uint32_t usual_failures = 1000, usual_darts_around = 30;
 
 [[noreturn]] void fail_without_space(const SpaceDartRequest& request, const DartSettings& settings)
@@ -74,6 +79,7 @@ private:
         case RegionMethod::elimination:
             return eliminated();
         case RegionMethod::bridson:
+            check_share();
             made.sure_distance = request_.min_distance;
             return throw_bridson_darts(space_, {.min_distance = request_.darts.min_distance,
                                                 .attempts = settings_.attempts.value_or(usual_darts_around),
@@ -96,11 +102,22 @@ private:
     /// Random points, all of which are allowed, and the part of the box around the region that is.
     std::vector<TorusPoint<3>> candidates(std::size_t count, Purpose purpose, double& share) const
     {
-        RegionCandidates found(space_, stream(purpose));
+        RegionCandidates found(space_, stream(purpose), least_share_of_box);
         std::vector<TorusPoint<3>> places = found.next(count);
-        if (places.size() < count) fail_without_space(request_, settings_.place);
         share = found.share();
+        if (places.empty()) fail_without_space(request_, settings_.place);
+        if (places.size() < count)
+            throw InputError(fmt::format(
+                "the region fills less than {:g} of the least box around it, so that most darts would miss: "
+                "make points in its parts one by one, each in a box of its own",
+                least_share_of_box));
         return places;
+    }
+
+    void check_share() const
+    {
+        double share = 0;
+        candidates(candidates_for_check, Purpose::random_points, share);
     }
 
     /// The volume of the box around the region, on the torus.
@@ -233,7 +250,8 @@ RegionDarts make_space_points(const RegionPointSettings& settings, std::uint64_t
 
 NearestDistances nearest_in_space(const FixedSpace& space, const PointSet& points)
 {
-    TorusGrid grid(8 * points.size(), 3);
+    // Regions have an eighth of the torus at most: four points a cell.
+    TorusGrid grid(2 * points.size(), 3);
     for (std::size_t i = 0; i < points.size(); ++i) {
         TorusPosition position;
         for (std::size_t k = 0; k < 3; ++k)
@@ -249,10 +267,12 @@ NearestDistances nearest_in_space(const FixedSpace& space, const PointSet& point
     };
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
         // Positions are rounded down: a few units farther than the distance that was looked at.
-        double reach = begin;
-        for (; reach < 0x1p31 && !(nearest[i] < (reach - 4) * space.unit()); reach *= 2)
+        bool is_found = false;
+        for (double reach = begin; reach < 0x1p31 && !is_found; reach *= 2) {
             for (const std::size_t j : grid.within(grid[i], reach)) look_at(i, j);
-        if (reach < 0x1p31) return;
+            is_found = nearest[i] < (reach - 4) * space.unit();
+        }
+        if (is_found) return;
         for (std::size_t j = 0; j < points.size(); ++j) look_at(i, j); // a few points far from each other
     });
     NearestDistances distances{std::ranges::min(nearest), 0};

@@ -17,7 +17,17 @@ namespace {
 /// The last word of Philox' counter says what random words are for.
 constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
 
-constexpr double most_cells = 0x1p26; // of the grid
+/// The part of the torus that a region has.
+double share_of_torus(const FixedRegion& region) { return region.area() / std::pow(region.unit() * 0x1p32, 2); }
+double share_of_torus(const FixedSpace& space) { return space.volume() / std::pow(space.unit() * 0x1p32, 3); }
+
+/// About as many as the torus has room for points, but no more than some for each point of the region.
+std::size_t grid_cells(double torus_points, double region_points)
+{
+    constexpr double most_cells = 0x1p26, few_cells = 0x1p18, most_cells_a_point = 16;
+    return static_cast<std::size_t>(
+        std::min({torus_points, most_cells, std::max(few_cells, most_cells_a_point * region_points)}));
+}
 
 template <typename Region>
 class BridsonInRegion
@@ -26,7 +36,9 @@ public:
     BridsonInRegion(const Region& region, const RegionBridsonRequest& request)
         : region_(region), request_(request), candidates_(region, request.stream),
           distance_(static_cast<std::uint64_t>(std::ceil(request.min_distance * 0x1p32))),
-          grid_(static_cast<std::size_t>(std::min(std::pow(request.min_distance, -D), most_cells)), D)
+          grid_(grid_cells(std::pow(request.min_distance, -D),
+                           std::pow(request.min_distance, -D) * share_of_torus(region)),
+                D)
     {}
 
     PointSet run()

@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint64_t most_failures = 10'000'000;
+constexpr std::uint64_t most_failures = 10'000'000, darts_for_share = 1'000'000;
 
 constexpr std::size_t radii = 8, directions = 16, directions_in_space = 32;
 
@@ -166,6 +166,7 @@ std::vector<PlaceIn<Region>> RegionCandidates<Region>::next(std::size_t count)
     std::vector<Place> places;
     places.reserve(count);
     while (places.size() < count) {
+        if (thrown_ >= darts_for_share && share() < least_share_) break;
         const std::optional<Place> place = next();
         if (!place) break;
         places.push_back(*place);

@@ -21,7 +21,8 @@ template <typename Region>
 using PlaceIn = std::remove_cvref_t<decltype(std::declval<const Region&>().extent().low)>;
 
 /// Independent uniform points: darts into the least box around the region, of which those outside are left out. The
-/// next one: nothing where not one of ten million lies inside. Of a FixedRegion or a FixedSpace.
+/// next one: nothing where not one of ten million lies inside. Of a FixedRegion or a FixedSpace. With a least share
+/// next(count) ends as well where a million darts have found less of the box inside.
 template <typename Region>
 class RegionCandidates
 {
@@ -29,7 +30,9 @@ public:
     using Place = PlaceIn<Region>;
 
     /// The region must outlive this.
-    RegionCandidates(const Region& region, const StreamKey& stream) : region_(region), stream_(stream) {}
+    RegionCandidates(const Region& region, const StreamKey& stream, double least_share = 0)
+        : region_(region), stream_(stream), least_share_(least_share)
+    {}
 
     std::optional<Place> next();
 
@@ -42,6 +45,7 @@ public:
 private:
     const Region& region_;
     StreamKey stream_;
+    double least_share_;
     std::uint64_t thrown_ = 0, found_ = 0;
 };
 

@@ -130,6 +130,7 @@ TEST(SpacePoints, OfBridsonFillTheRegion)
     settings.place.min_distance = 0.2;
     const PointSet points = make_region_points(settings, 1, by_plain_code).points;
     EXPECT_GE(by_all_pairs_in_space(points).least, 0.2);
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LE(from_origin(points, i), 1 + 1e-9);
     settings.method = RegionMethod::darts;
     const std::size_t saturated = make_region_points(settings, 1, by_plain_code).points.size();
     // Darts around points leave gaps that all darts would find: a quarter of the points, as in the plane.
@@ -148,6 +149,29 @@ TEST(SpacePoints, HaveWholeBallsInside)
         for (std::size_t i = 0; i < points.size(); ++i) farthest = std::max(farthest, from_origin(points, i));
         EXPECT_LE(farthest, 1 - 0.15 + 1e-9);
         EXPECT_GT(farthest, 1 - 0.15 - 0.04);
+    }
+}
+
+/// Little solids in large boxes take no longer than large ones: darts fall into the box of their cells. Two corners of
+/// a box have a large one around them.
+TEST(SpacePoints, FallIntoLittleSolids)
+{
+    const std::string little = "solid -25 -25 -25 25 25 25 16-x*x-y*y-z*z",
+                      corners = "solid 0 0 0 128 128 128 max(4-x-y-z,x+y+z-380)";
+    for (const RegionMethod method : {RegionMethod::relaxation, RegionMethod::elimination, RegionMethod::bridson}) {
+        RegionPointSettings settings = space_settings(little, method);
+        if (method == RegionMethod::bridson)
+            settings.place.min_distance = 1;
+        else
+            settings.place.points = 100;
+        const PointSet points = make_region_points(settings, 1, by_plain_code).points;
+        EXPECT_GE(points.size(), 100U);
+        EXPECT_EQ(make_region_points(settings, 1, by_kernels).points, points);
+        for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LE(from_origin(points, i), 4 + 1e-6);
+        settings.place.region = corners;
+        if (settings.place.points) settings.place.points = 20;
+        EXPECT_THAT(message_of([&] { make_region_points(settings, 1, by_plain_code); }),
+                    HasSubstr("the region fills less than 0.0001 of the least box around it"));
     }
 }
 

@@ -131,7 +131,7 @@ TEST(SpaceDartRuns, DoNotDependOnWorkGroupsAndThreads)
 
 TEST(SpaceRelaxation, IsThatOfTheReferenceAndInside)
 {
-    RelaxationDartThrower thrower(Device::open());
+    RelaxationDartThrower thrower(Device::open()), other_groups(Device::open({}, 1), 7);
     for (const char* region : {"box 0 0 0 3 2 1", "ball 0 0 0 1", wave_solid}) {
         RelaxationDartThrowingRequest request;
         request.dimension = 3;
@@ -142,6 +142,7 @@ TEST(SpaceRelaxation, IsThatOfTheReferenceAndInside)
         request.space = std::make_shared<const FixedSpace>(read_space_region(region));
         const RelaxationDarts expected = reference::throw_relaxation_darts(request);
         EXPECT_EQ(thrower.throw_darts(request), expected) << region;
+        EXPECT_EQ(other_groups.throw_darts(request), expected) << region;
         const std::vector<TorusPoint<3>> places = space_positions_of(expected.points);
         for (const TorusPoint<3>& place : places) EXPECT_TRUE(request.space->contains(place));
         for (std::size_t i = 0; i < places.size(); ++i)
