@@ -25,7 +25,7 @@ inline std::uint64_t squared_torus_distance(const TorusPosition& a, const TorusP
 /// No two positions are farther apart along an axis.
 inline constexpr std::uint64_t half_torus = std::uint64_t{1} << 31;
 
-/// What points at a squared distance or nearer are within along each axis.
+/// Points at a squared distance or nearer are within this reach along each axis.
 inline std::uint64_t reach_for(std::uint64_t squared)
 {
     return std::min(half_torus, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(squared))) + 1);
