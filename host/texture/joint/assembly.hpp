@@ -1,4 +1,5 @@
-// What every pixel of a set of tiles shows, what its seams cost, and how far its tilings are from the exemplar.
+// An assembly says what every pixel of a set of tiles shows, what its seams cost, and how far its tilings are from the
+// exemplar.
 //
 // A seam between neighbours p and q that show windows A and B costs |A(p) - B(p)| + |A(q) - B(q)|, and 1, as Kwatra and
 // others have it (Graphcut textures, 2003): a distance of windows that obeys the triangle inequality. It counts once
@@ -56,10 +57,10 @@ public:
 
     SourcePixel source(std::size_t pixel) const { return sources_[pixel]; }
 
-    /// What is shown from here on; sums over tiles are right after count_tiles().
+    /// Lets a pixel show a source; sums over tiles are right after count_tiles().
     void show(std::size_t pixel, SourcePixel source) { sources_[pixel] = source; }
 
-    /// What a pair of neighbours costs in one tile.
+    /// The cost of a pair of neighbours in one tile.
     std::int64_t seam_cost(SourcePixel first, SourcePixel second, Neighbour neighbour) const;
 
     /// All seams of all tiles, with those across their eastern and southern borders.
@@ -76,7 +77,7 @@ public:
     /// By how much the sums cost less if pixels change. They are of one site.
     double sums_gain(const std::vector<ChangedPixel>& pixels) const;
 
-    /// What it adds to the sums' costs, to first order in all but the sums at its place, that a pixel changes together
+    /// The cost that it adds to sums, to first order in all but the sums at its place, that a pixel changes together
     /// with those of other tiles: so many lie over each other there, in all.
     double change_cost(const ChangedPixel& pixel, int layers) const;
 

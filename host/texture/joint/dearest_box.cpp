@@ -7,7 +7,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the seams at each place of a site cost, from (-T, -T) to (T, T).
+/// The costs of the seams at each place of a site, from (-T, -T) to (T, T).
 class SeamMap
 {
 public:

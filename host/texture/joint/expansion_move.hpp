@@ -36,7 +36,7 @@ public:
     /// Throws std::logic_error for costs that no cut can minimise.
     void add_pair(std::size_t first, std::size_t second, const PairChoice& costs);
 
-    /// What a choice costs: 1 for pixels that take the proposal.
+    /// The cost of a choice: 1 stands for pixels that take the proposal.
     std::int64_t cost(const std::vector<std::uint8_t>& choice) const;
 
     /// The choice that costs least. By libmaxflow; its flow is compared with the cost.

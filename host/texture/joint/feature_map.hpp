@@ -1,4 +1,4 @@
-// What windows of an exemplar are compared by: colours, and how they change.
+// Features are what windows of an exemplar are compared by: colours, and how they change.
 //
 // Beside the channels of the picture the lightness' derivatives along both axes, the lowest level of a steerable filter
 // (Freeman and Adelson, The Design and Use of Steerable Filters, PAMI 13, 1991: those along any other direction are

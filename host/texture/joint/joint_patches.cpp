@@ -70,7 +70,7 @@ PieceMask half_mask(int width, int height, bool is_along_x, bool is_first)
     return mask;
 }
 
-/// What pieces around edges, W of T x T/2 pixels at a quarter of the resolution, cost beside patches of a pool.
+/// The costs of pieces around edges, T x T/2 pixels at a quarter of the resolution, beside patches of a pool.
 class EdgeFit
 {
 public:

@@ -27,7 +27,7 @@ struct Overlay
     int y = 0;
 };
 
-/// What a move comes to.
+/// The outcome of a move.
 struct SiteChange
 {
     std::vector<ChangedPixel> pixels;
@@ -70,7 +70,7 @@ private:
         int tiles = 0;
     };
 
-    /// What a pixel may do in a move, and shows if it takes the window.
+    /// The choices of a pixel in a move, and what it shows if it takes the window.
     struct Option
     {
         int node = -1; ///< in the move; -1: no choice

@@ -116,7 +116,7 @@ TEST(Assembly, SeamsObeyTheTriangleInequality)
     }
 }
 
-/// What a move says of its gain is what the whole set's costs say, added up anew, at every kind of site.
+/// A move says of its gain what the whole set's costs say, added up anew, at every kind of site.
 TEST(SiteMove, GainsWhatAllCostsSay)
 {
     for (const TextureKind kind : {TextureKind::corner, TextureKind::wang}) {
