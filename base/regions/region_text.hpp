@@ -33,9 +33,9 @@ PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bo
 
 /// The region of a path of SVG in a text `path [evenodd|nonzero] [tolerance T] DATA`: what its closed lines go around,
 /// by the rule nonzero unless the text says evenodd. Curves become lines that are off by no more than the tolerance,
-/// which is a ten-thousandth of the longest side of the box around the path's ends and control points by default. y is
-/// as it was typed: a drawing in which it grows downwards stands on its head. Paths must not cross themselves or each
-/// other.
+/// which is a ten-thousandth of the longest side of the box around the path's ends, control points and arcs by default.
+/// y is as it was typed: a drawing in which it grows downwards stands on its head. Paths must not cross themselves or
+/// each other.
 PlaneRegion region_of_svg_path(const std::string& text, const std::string& name);
 
 /// The same as region_of_geojson() of WKT.
