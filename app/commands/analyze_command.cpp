@@ -42,7 +42,9 @@ struct AnalyzeOptions
 ConfigTable region_entry(const std::string& region)
 {
     if (region.empty()) return {};
-    return {{"region", {region, {"analyze: --region", 0, true}, region}}};
+    ConfigTable entries;
+    entries.push_back({"region", {region, {"analyze: --region", 0, true}, region}});
+    return entries;
 }
 
 void analyze(const AnalyzeOptions& options)

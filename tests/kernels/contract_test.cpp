@@ -138,8 +138,8 @@ TEST(Contract, OfEndlessTexture)
 
 TEST(Contract, OfRelaxationDartThrowing)
 {
-    const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, grid_bits)};
-    EXPECT_THAT(on_device("kernels/common/darts/relaxation_dart_throwing.h", layout_of("Settling", "grid_bits")),
+    const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, grid_size)};
+    EXPECT_THAT(on_device("kernels/common/darts/relaxation_dart_throwing.h", layout_of("Settling", "grid_size")),
                 ElementsAreArray(layout));
 }
 

@@ -13,13 +13,13 @@
 namespace poissonlab {
 namespace {
 
-using TorusPoint = std::array<double, 3>;
+using PlaceOnTorus = std::array<double, 3>;
 
 /// The points of a tiling that closes after `period` tiles with a level below the density, in [0, 1).
-std::vector<TorusPoint> tiling_points(const PoissonTileSet& set, std::uint32_t seed, int period, double density)
+std::vector<PlaceOnTorus> tiling_points(const PoissonTileSet& set, std::uint32_t seed, int period, double density)
 {
     const ptiles_tiling tiling = runtime_tiling(set, {seed, period});
-    std::vector<TorusPoint> points;
+    std::vector<PlaceOnTorus> points;
     const int layers = set.parameters.dimension == 3 ? period : 1;
     for (std::int32_t k = 0; k < layers; ++k)
         for (std::int32_t j = 0; j < period; ++j)
@@ -37,7 +37,7 @@ std::vector<TorusPoint> tiling_points(const PoissonTileSet& set, std::uint32_t s
 }
 
 /// The mean power over frequencies below half the principal frequency of as many points, by the definition.
-double low_power(const std::vector<TorusPoint>& points, int dimension)
+double low_power(const std::vector<PlaceOnTorus>& points, int dimension)
 {
     // Distances of hexagonal lattices, and of face-centred cubic ones.
     const auto n = static_cast<double>(points.size());
@@ -51,7 +51,7 @@ double low_power(const std::vector<TorusPoint>& points, int dimension)
                 const bool is_first_of_two = x > 0 || y > 0 || (y == 0 && z > 0);
                 if (!is_first_of_two || x * x + y * y + z * z >= principal * principal / 4) continue;
                 std::complex<double> transform = 0;
-                for (const TorusPoint& p : points)
+                for (const PlaceOnTorus& p : points)
                     transform += std::polar(1.0, -2 * std::numbers::pi * (x * p[0] + y * p[1] + z * p[2]));
                 sum += std::norm(transform) / n;
                 ++count;
