@@ -42,8 +42,13 @@ struct AnalyzeOptions
 ConfigTable region_entry(const std::string& region)
 {
     if (region.empty()) return {};
-    ConfigTable entries;
-    entries.push_back({"region", {region, {"analyze: --region", 0, true}, region}});
+    ConfigTable entries(1);
+    entries.front().key = "region";
+    ConfigNode& node = entries.front().node;
+    node.value = region;
+    node.location.file = "analyze: --region";
+    node.location.is_argument = true;
+    node.text = region;
     return entries;
 }
 

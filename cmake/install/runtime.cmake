@@ -26,7 +26,8 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/poissonlab_runtime-config.cmake
 install(FILES ${PROJECT_BINARY_DIR}/generated/poissonlab_runtime.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
 install(DIRECTORY runtime/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/poissonlab
-  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*.js" PATTERN "*.wgsl" PATTERN tile_sets EXCLUDE PATTERN examples EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*.js" PATTERN "*.wgsl"
+  PATTERN tile_sets EXCLUDE PATTERN examples EXCLUDE PATTERN godot EXCLUDE PATTERN blender EXCLUDE)
 install(DIRECTORY runtime/tile_sets/ DESTINATION ${tile_set_folder})
 install(DIRECTORY runtime/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/runtime
   PATTERN "*.h" EXCLUDE PATTERN "*.hpp" EXCLUDE PATTERN tile_sets EXCLUDE)

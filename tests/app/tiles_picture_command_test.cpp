@@ -108,7 +108,7 @@ TEST_F(TilesPictureCommand, NumbersPointsSoThatPartsAreEven)
     ASSERT_EQ(points.size(), 8U * 8U * 64U);
     const PoissonTileSet tiles = read_tile_set(file_);
     const ptiles_tiling tiling = runtime_tiling(tiles, {1, 8});
-    const double side = 256;
+    const double side = 128;
     double level = 0;
     for (std::size_t n = 0; n < points.size(); ++n) {
         EXPECT_EQ(points[n].number, n);
@@ -122,7 +122,7 @@ TEST_F(TilesPictureCommand, NumbersPointsSoThatPartsAreEven)
         // No four by four tiles have more or fewer points than their part by a tenth: random points differ by more.
         std::map<std::array<int, 2>, int> counts;
         for (std::size_t n = 0; n < part; ++n)
-            ++counts[{static_cast<int>(points[n].place[0] / 128), static_cast<int>(points[n].place[1] / 128)}];
+            ++counts[{static_cast<int>(points[n].place[0] / 64), static_cast<int>(points[n].place[1] / 64)}];
         for (const auto& [square, count] : counts)
             EXPECT_NEAR(count, static_cast<double>(part) / 4, 0.1 * static_cast<double>(part) / 4);
         const double whole = std::sqrt(std::numbers::inv_sqrt3 * 2 / static_cast<double>(part)) * side;

@@ -130,7 +130,7 @@ TEST_F(TilesCommand, RefusesTilesThatDoNotFitTogether)
 
 TEST_F(TilesCommand, WrongArguments)
 {
-    expect_error({"tiles"}, "tiles: needs one of build, points, page, verify (see poissonlab tiles --help)");
+    expect_error({"tiles"}, "tiles: needs one of build, points, picture, page, verify (see poissonlab tiles --help)");
     expect_error({"tiles", "verify"}, "tiles verify: needs FILE (see poissonlab tiles verify --help)");
     EXPECT_EQ(run_program(folder_.path(), {"tiles", "verfy", "a"}).status, 2);
     EXPECT_THAT(run_program(folder_.path(), {"help", "tiles"}).out, HasSubstr("verify"));

@@ -68,7 +68,8 @@ bool TorusGrid::is_near(const TorusPosition& position, std::uint64_t distance) c
         return squared_torus_distance(point, position) < squared;
     };
     // Most of what is near to a point is so here.
-    return any_in(lasts_[cells_.number_of(position)], is_nearer) || any_around(position, std::min(distance, half_torus), is_nearer);
+    return any_in(lasts_[cells_.number_of(position)], is_nearer) ||
+           any_around(position, std::min(distance, half_torus), is_nearer);
 }
 
 void TorusGrid::ask_around(const TorusPosition& position, std::uint64_t distance) const

@@ -20,8 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
-#include <set>
 
 namespace poissonlab {
 namespace {
@@ -62,6 +62,15 @@ struct LaidWindow
     const Site* site = nullptr;
     SiteBox box;
 };
+
+/// Whether a pixel of the exemplar lies in a window: what has grown beyond it shows another part.
+auto is_in(const ExemplarWindow& window)
+{
+    return [&window](const SourcePixel& source) {
+        return source.x >= window.x && source.x < window.x + window.size && source.y >= window.y &&
+               source.y < window.y + window.size;
+    };
+}
 
 /// True for places of a site, pixels east and south of its middle.
 using PlaceTest = std::function<bool(int x, int y)>;
@@ -289,18 +298,20 @@ private:
     TextureSources finished() const
     {
         TextureSources result{{}, assembly_.seams(), patches_, patches_.size()};
-        std::vector<std::set<std::pair<int, int>>> shown(cover_.parts().tiles.size()); // what lies over a tile's corner
+        // By tile and by what lies over its corner.
+        std::vector<std::map<std::pair<int, int>, std::vector<SourcePixel>>> shown(cover_.parts().tiles.size());
         for (std::size_t tile = 0; tile < shown.size(); ++tile)
             for (int y = 0; y < request_.size; ++y)
                 for (int x = 0; x < request_.size; ++x) {
                     const SourcePixel source = assembly_.source(cover_.pixel(tile, x, y));
                     result.sources.push_back(source);
-                    shown[tile].insert({source.x - x, source.y - y});
+                    shown[tile][{source.x - x, source.y - y}].push_back(source);
                 }
         for (const LaidWindow& laid : laid_)
             if (std::ranges::any_of(laid.site->tiles, [&](const PlacedTile& tile) {
-                    return shown[tile.tile].contains(
+                    const auto there = shown[tile.tile].find(
                         {laid.window.x - laid.box.x + tile.x, laid.window.y - laid.box.y + tile.y});
+                    return there != shown[tile.tile].end() && std::ranges::any_of(there->second, is_in(laid.window));
                 }))
                 result.windows.push_back(laid.window);
         return result;

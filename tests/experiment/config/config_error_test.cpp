@@ -138,12 +138,10 @@ TEST(ConfigError, FilesHaveTheirOwnPoints)
 
 TEST(ConfigError, Dimension)
 {
-    EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method),
-              "c.toml:2: dimension = 4: must be 2 or 3");
+    EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method), "c.toml:2: dimension = 4: must be 2 or 3");
     EXPECT_EQ(error_of("[analysis]\nspectrum = \"exakt\"\n" + good_method),
               "c.toml:2: spectrum = \"exakt\": must be one of \"fast\", \"exact\", \"none\"; did you mean \"exact\"?");
-    EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
-              "c.toml:2: dimension = 2.0: must be 2 or 3");
+    EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method), "c.toml:2: dimension = 2.0: must be 2 or 3");
 }
 
 TEST(ConfigError, ZonePlate)

@@ -41,7 +41,7 @@ void visit(Keys& keys, Settings& s)
 
 Settings settings_of(const std::string& text, const SourceLocation& where = {"c.toml", 1})
 {
-    const ConfigTable table = read_toml(text, "c.toml");
+    const ConfigTable table = read_toml(text, where.file);
     Keys keys(table, where, "[[thing]]");
     Settings settings;
     visit(keys, settings);
