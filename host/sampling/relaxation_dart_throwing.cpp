@@ -58,14 +58,18 @@ struct GridLimits
 /// points at most, however many points there are.
 constexpr double finer_grid = 1.25;
 
+/// Cells of the table's grid, a point of the whole set, at most: a grid that would be made for less than the last
+/// quarter of the points costs more, with all points to be entered anew, than darts that it decides.
+constexpr double table_cells_a_point = 1.5;
+
 /// Parts of the table: more leave fewer darts undecided, and fit the caches less.
 constexpr int most_table_bits = 29;
 
 GridLimits grid_limits(std::size_t points, int dimension)
 {
-    // More grid cells than points are of no use.
-    const int for_points = static_cast<int>(std::bit_width(points)) / dimension;
-    const int most_grid_bits = std::min(for_points, most_table_bits / dimension - 2);
+    const auto most_cells_of_table = static_cast<std::uint64_t>(table_cells_a_point * static_cast<double>(points));
+    const int for_points = (static_cast<int>(std::bit_width(most_cells_of_table)) - 1) / dimension;
+    const int most_grid_bits = std::clamp(for_points, 0, most_table_bits / dimension - 2);
     const int cover_bits = dimension == 2 ? 3 : 2;
     const double most_cells = std::pow(static_cast<double>(points), 1.0 / dimension);
     return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits),
