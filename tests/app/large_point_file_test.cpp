@@ -13,6 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace poissonlab {
 namespace {
 
@@ -35,13 +37,34 @@ protected:
         return outcome.out;
     }
 
-    /// The most memory that the command takes, in MiB.
-    double peak_memory(const std::string& arguments) const
+    struct Taken
     {
-        return std::stod(python("import resource, subprocess\nsubprocess.run(" +
-                                fmt::format("'''{} tiles points {}'''", quoted(program_file()), arguments) +
-                                ", shell=True, check=True)\n"
-                                "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)\n"));
+        int status = -1;
+        double memory = 0, addresses = 0; ///< the most, in MiB
+    };
+
+    /// What the command takes of a system that grants so many MiB of addresses; 0: as many as there are. The address
+    /// sanitizer needs all of them.
+    Taken taken_by(const std::string& arguments, [[maybe_unused]] int most_addresses = 0) const
+    {
+#ifdef __SANITIZE_ADDRESS__
+        most_addresses = 0;
+#endif
+        std::istringstream out(python(fmt::format(R"(import re, resource, subprocess, time
+limit = {} << 20
+process = subprocess.Popen('''exec {} tiles points {}''', shell=True, stderr=subprocess.DEVNULL,
+                           preexec_fn=lambda: limit and resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+peak = 0
+while process.poll() is None:
+    time.sleep(0.005)
+    with open(f'/proc/{{process.pid}}/status') as status:
+        peak = max([peak] + [int(k) / 1024 for k in re.findall(r'VmPeak:\s+(\d+)', status.read())])
+print(process.returncode, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024, peak)
+)",
+                                                  most_addresses, quoted(program_file()), arguments)));
+        Taken taken;
+        out >> taken.status >> taken.memory >> taken.addresses;
+        return taken;
     }
 
     std::uint64_t size_of(const std::string& file) const { return std::filesystem::file_size(folder_.path() / file); }
@@ -74,16 +97,26 @@ TEST_F(LargePointFiles, AreTheSameInHdf5)
         "(9, 2) (9, 2) True\n");
 }
 
-/// 4 and 19 million points, of which a third would be 100 MB: both of several pieces.
+/// 4 and 19 million points, whose coordinates are 71 and 304 MB: both of several pieces. The addresses that the system
+/// grants are a second witness.
 TEST_F(LargePointFiles, TakeNoMemoryForMorePoints)
 {
-    const double few = peak_memory(std::string(several_pieces) + "few.npy");
+    const Taken few = taken_by(std::string(several_pieces) + "few.npy");
+    ASSERT_EQ(few.status, 0);
+    const std::string many = "strips.ptiles --window 0 0 1450 1450 --out ";
+    const int granted = static_cast<int>(few.addresses);
     for (const std::string file : {"many.npy", "many.h5"}) {
-        EXPECT_NEAR(peak_memory("strips.ptiles --window 0 0 1450 1450 --out " + file), few, 24) << file;
+        const Taken taken = taken_by(many + file, granted + 150);
+        EXPECT_EQ(taken.status, 0) << file;
+        EXPECT_NEAR(taken.memory, few.memory, 24) << file;
         EXPECT_GT(size_of(file), 4 * size_of("few.npy"));
         std::filesystem::remove(folder_.path() / file);
     }
-    EXPECT_LT(few, 500);
+    EXPECT_LT(few.memory, 500);
+#ifndef __SANITIZE_ADDRESS__
+    EXPECT_NE(taken_by(many + "refused.npy", granted / 2).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "refused.npy"));
+#endif
 }
 
 TEST_F(LargePointFiles, DoNotBeginWhereTheDiskHasNoRoom)
