@@ -89,6 +89,7 @@ void check_range(const std::string& key, int value, int lowest, int highest)
 void check_joint(const TextureRequest& r)
 {
     if (!r.joint) return;
+    check_range("rounds", r.rounds, 1, most_joint_rounds);
     if (r.split > 0) refuse("joint", "true", "is for sets without marked corners");
     if (r.stages != 3) refuse("joint", "true", "needs stages = 3");
     if (r.weight != SeamWeight::plain) refuse("joint", "true", "needs weight = plain");
@@ -184,7 +185,10 @@ std::map<std::string, std::string> parameters_of(const TextureRequest& r)
         {"diversity", r.diversity ? std::to_string(*r.diversity) : "automatic"},
         {"seed", std::to_string(r.seed)},
     };
-    if (r.joint) parameters["joint"] = "true";
+    if (r.joint) {
+        parameters["joint"] = "true";
+        parameters["rounds"] = std::to_string(r.rounds);
+    }
     if (r.kind == TextureKind::wang && !r.joint) {
         parameters["cut"] = quilting_cuts[r.cut];
         parameters["overlap"] = fmt::format("{}", r.overlap);

@@ -26,6 +26,7 @@ inline constexpr WordTable<QuiltingCut, 2> quilting_cuts{
 inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of others 8
 inline constexpr int most_texture_candidates = 256;
 inline constexpr int most_texture_attempts = 100'000;
+inline constexpr int most_joint_rounds = 1000;
 
 inline constexpr double default_core = 0.36;
 
@@ -56,6 +57,7 @@ struct TextureRequest
     /// corners (marked_tiles.hpp).
     int split = 0;
     bool joint = false;  ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
+    int rounds = 12;     ///< joint: how often a better window is looked for at each corner, edge and tile
     bool smooth = false; ///< corner and omega: the middles of tiles take on the colours around them
     std::uint64_t seed = 1;
 

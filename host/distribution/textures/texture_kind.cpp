@@ -79,6 +79,11 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
         .otherwise("0.36, with one stage 0");
     keys.flag("joint", r.joint,
               "choose patches and cuts for all tiles together, in ten times the time; corners of Wang tiles fit by it");
+    keys.integer(
+        "rounds", r.rounds, 1, most_joint_rounds,
+        "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
+        "better and take longer");
+    if (!r.joint && keys.is_given("rounds")) throw keys.invalid("rounds", "needs " + keys.name_of("joint"));
     if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
 }
@@ -134,7 +139,7 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
     };
     if (s.endless)
         refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
-                "cut", "overlap", "core", "joint", "smooth", "marked_exemplar", "marks", "also"},
+                "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
     else
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},

@@ -7,22 +7,24 @@
 namespace poissonlab {
 namespace {
 
-/// The sum over channels of differences; places beside the picture are those of its rim.
-int distance_between(const PngPixels& picture, int ax, int ay, int bx, int by)
+/// A picture with a border of one pixel, which has the colours beside it.
+PngPixels with_rim(const PngPixels& picture)
 {
-    const auto inside = [](int place, int count) { return std::clamp(place, 0, count - 1); };
-    const std::uint8_t* const a = &picture.values[picture.at(inside(ax, picture.width), inside(ay, picture.height), 0)];
-    const std::uint8_t* const b = &picture.values[picture.at(inside(bx, picture.width), inside(by, picture.height), 0)];
-    int sum = 0;
-    for (int c = 0; c < picture.channels; ++c) sum += std::abs(a[c] - b[c]);
-    return sum;
+    PngPixels rimmed{picture.width + 2, picture.height + 2, picture.channels, {}};
+    for (int y = -1; y <= picture.height; ++y)
+        for (int x = -1; x <= picture.width; ++x)
+            for (int c = 0; c < picture.channels; ++c)
+                rimmed.values.push_back(picture.values[picture.at(std::clamp(x, 0, picture.width - 1),
+                                                                  std::clamp(y, 0, picture.height - 1), c)]);
+    return rimmed;
 }
 
 }
 
 Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights)
-    : exemplar_(exemplar), cover_(cover), sources_(cover.pixels())
+    : exemplar_(exemplar), cover_(cover), rimmed_(with_rim(exemplar)), sources_(cover.pixels())
 {
+    weigh_directions();
     double variance = 0; // sum over channels, from the rounded means
     const auto channels = static_cast<std::size_t>(exemplar.channels);
     const auto pixels = static_cast<double>(exemplar.values.size() / channels);
@@ -38,16 +40,41 @@ Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weigh
     const auto tiles = static_cast<double>(cover.parts().tiles.size());
     natural_squares_ = tiles * cover.size() * cover.size() * variance;
     if (spread == 0) return;
-    repetition_ = weights.repetition / (tiles * spread);
-    contrast_ = weights.contrast / (2 * spread * natural_squares_);
+    repetition_ = seam_unit * weights.repetition / (tiles * spread);
+    contrast_ = seam_unit * weights.contrast / (2 * spread * natural_squares_);
+}
+
+/// The product of both weights is that of equal ones; steps that are missing altogether in one direction count no more
+/// than 16 times as much there.
+void Assembly::weigh_directions()
+{
+    std::array<double, 2> steps{};
+    for (int y = 0; y + 1 < exemplar_.height; ++y)
+        for (int x = 0; x + 1 < exemplar_.width; ++x) {
+            steps[0] += distance(x, y, x + 1, y);
+            steps[1] += distance(x, y, x, y + 1);
+        }
+    const double ratio = steps[0] == steps[1] ? 1 : steps[0] / steps[1]; // infinite where steps[1] is 0
+    const double east = std::clamp(1 / std::sqrt(ratio), 0.25, 4.0);
+    step_weights_ = {static_cast<int>(std::lround(seam_unit * east)), static_cast<int>(std::lround(seam_unit / east))};
+}
+
+int Assembly::distance(int ax, int ay, int bx, int by) const
+{
+    const std::uint8_t* const a = &rimmed_.values[rimmed_.at(ax + 1, ay + 1, 0)];
+    const std::uint8_t* const b = &rimmed_.values[rimmed_.at(bx + 1, by + 1, 0)];
+    int sum = 0;
+    for (int c = 0; c < rimmed_.channels; ++c) sum += std::abs(a[c] - b[c]);
+    return sum;
 }
 
 std::int64_t Assembly::seam_cost(SourcePixel first, SourcePixel second, Neighbour neighbour) const
 {
     const int dx = neighbour == Neighbour::east ? 1 : 0, dy = 1 - dx;
     if (second.x - first.x == dx && second.y - first.y == dy) return 0;
-    return 1 + distance_between(exemplar_, first.x, first.y, second.x - dx, second.y - dy) +
-           distance_between(exemplar_, first.x + dx, first.y + dy, second.x, second.y);
+    const int levels = distance(first.x, first.y, second.x - dx, second.y - dy) +
+                       distance(first.x + dx, first.y + dy, second.x, second.y);
+    return seam_unit + step_weights_[static_cast<std::size_t>(dy)] * levels;
 }
 
 std::int64_t Assembly::seams() const

@@ -4,7 +4,7 @@
 // another. Here all pixels of a set, those that tiles share once, are one problem: seams of all tiles, and the power of
 // their mean, which tilings repeat. Patches of corners are chosen by all their pairs; pieces over edges and in tiles
 // begin as they do one by one; then windows that fit what is there are laid over the dearest place of each corner, edge
-// and tile, as large as half a tile, and cut into all tiles at once by expansion moves (Boykov and others 2001; Kwatra
+// and tile, large and small in turn, and cut into all tiles at once by expansion moves (Boykov and others 2001; Kwatra
 // and others 2003, section 4, hide seams by more windows in the same way). At last every window that a tile shows may
 // grow or shrink in it. No move after the first pieces makes the sum dearer.
 //
@@ -19,6 +19,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -26,10 +27,16 @@
 namespace poissonlab {
 namespace {
 
-/// How often each corner, edge and tile gets a better window, and so many are cut each time.
-constexpr int rounds = 4, windows_a_round = 6;
+/// Sides of the windows that are laid over the dearest places, in eighths of T, one after the other. Each has so many
+/// rounds, in which no place is tried twice: what was tried without success may fit later, when what is around it has
+/// changed.
+constexpr std::array<int, 3> sides_in_turn{4, 2, 3};
+constexpr int rounds_a_side = 4;
 
-/// Slopes count half as much as colours where windows are compared.
+/// So many windows are cut for each place.
+constexpr int windows_a_place = 6;
+
+/// Slopes count half as much as colours where patches and first pieces are compared.
 constexpr double matched_slopes = 0.5;
 
 /// Moves of so many sites are looked for at a time.
@@ -132,20 +139,32 @@ public:
         lay_first(Site::Kind::vertical_edge, edge_piece(request_, true), all, "vertical edges");
         lay_first(Site::Kind::horizontal_edge, edge_piece(request_, false), all, "horizontal edges");
         lay_first(Site::Kind::tile, middle_piece(request_), sites_at_once, "interiors");
-        const WindowSearch search(features_, request_.size / 4 * 2);
-        for (int round = 1; round <= rounds; ++round) {
-            // The corner of Wang tiles stays one window: its pixels are what all tiles have in common.
-            if (request_.has_corners()) improve(Site::Kind::corner, search, round);
-            improve(Site::Kind::vertical_edge, search, round);
-            improve(Site::Kind::horizontal_edge, search, round);
-            improve(Site::Kind::tile, search, round);
-            progress_("better pieces", static_cast<std::size_t>(round), rounds);
+        for (int round = 0; round < request_.rounds;) {
+            const int eighths = sides_in_turn[static_cast<std::size_t>(round / rounds_a_side) % sides_in_turn.size()];
+            const WindowSearch search(exemplar_, std::max(4, request_.size * eighths / 16 * 2));
+            for (BoxPlaces& places : tried_) places.clear();
+            for (int i = 0; i < rounds_a_side && round < request_.rounds; ++i) improve_all(search, ++round);
         }
         settle();
         return finished();
     }
 
 private:
+    void tell_round(int round) const
+    {
+        progress_("better pieces", static_cast<std::size_t>(round), static_cast<std::size_t>(request_.rounds));
+    }
+
+    void improve_all(const WindowSearch& search, int round)
+    {
+        // The corner of Wang tiles stays one window: its pixels are what all tiles have in common.
+        if (request_.has_corners()) improve(Site::Kind::corner, search, round);
+        improve(Site::Kind::vertical_edge, search, round);
+        improve(Site::Kind::horizontal_edge, search, round);
+        improve(Site::Kind::tile, search, round);
+        tell_round(round);
+    }
+
     int distance() const
     {
         const SetParts& parts = cover_.parts();
@@ -193,7 +212,7 @@ private:
             for (const Overlay& overlay : move.shown())
                 shown.push_back({overlay.x + box.x, overlay.y + box.y, box.side});
         std::vector<Candidate> found;
-        for (const ExemplarWindow& window : search.best(move.canvas(features_), used_, shown, count)) {
+        for (const ExemplarWindow& window : search.best(move.canvas(search.features()), used_, shown, count)) {
             const SiteChange change = move.best({window.x - box.x, window.y - box.y}, is_taken);
             const auto place = std::ranges::find_if(found, [&](const Candidate& c) { return c.gain < change.gain; });
             found.insert(place, {window, runs_of(change.pixels), change.seam_gain, change.gain});
@@ -257,7 +276,7 @@ private:
                 if (!box) return;
                 tried.insert({box->x, box->y});
                 boxes[i] = *box;
-                found[i] = candidates(site, *box, search, windows_a_round);
+                found[i] = candidates(site, *box, search, windows_a_place);
             });
             for (std::size_t i = 0; i < found.size(); ++i)
                 for (const Candidate& candidate : found[i])
@@ -265,7 +284,7 @@ private:
                         laid_.push_back({candidate.window, sites[first + i], boxes[i]});
                         break;
                     }
-            progress_("better pieces", static_cast<std::size_t>(round - 1), rounds);
+            tell_round(round - 1);
         }
     }
 

@@ -20,6 +20,7 @@ public:
     WindowSearch(const PngPixels& features, int side, const std::vector<std::uint8_t>& counts = {});
 
     int side() const { return side_; }
+    const PngPixels& features() const { return features_; }
 
     /// The windows with the smallest differences from a picture of features, the best first: at most so many, not those
     /// that are used, nor those nearer than 4 pixels to ones that are `shown`.

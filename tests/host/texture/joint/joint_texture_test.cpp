@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -32,6 +33,7 @@ TextureRequest joint_request(TextureKind kind, Color colors)
     request.size = 32;
     request.candidates = 2;
     request.joint = true;
+    request.rounds = 4;
     return request;
 }
 
@@ -114,6 +116,33 @@ TEST(Assembly, SeamsObeyTheTriangleInequality)
         EXPECT_LE(assembly.seam_cost(p, q, Neighbour::east),
                   assembly.seam_cost(p, beside, Neighbour::east) + assembly.seam_cost(third, q, Neighbour::east));
     }
+}
+
+/// Levels cost what they are in parts of the mean step in their direction: rows that repeat are dear to break.
+TEST(Assembly, WeighsDirectionsByTheirSteps)
+{
+    const TextureRequest request = joint_request(TextureKind::corner, 2);
+    const SetCover cover(set_parts(request, requested_tiles(request)), 32, 2);
+    // Levels 8 x + y: steps of 8 to the east and of 1 to the south. Two windows that differ by 16 levels.
+    PngPixels ramp{20, 20, 1, {}};
+    for (int i = 0; i < 400; ++i) ramp.values.push_back(static_cast<std::uint8_t>(8 * (i % 20) + i / 20));
+    const Assembly assembly(ramp, cover, {});
+    const auto cost = [&](SourcePixel p, SourcePixel q, Neighbour neighbour) {
+        return static_cast<double>(assembly.seam_cost(p, q, neighbour) - Assembly::seam_unit) / Assembly::seam_unit;
+    };
+    const double east = cost({5, 5}, {8, 5}, Neighbour::east), south = cost({5, 5}, {7, 6}, Neighbour::south);
+    EXPECT_NEAR(east, 32 / std::sqrt(8.0), 32.0 / (2 * Assembly::seam_unit)); // weights are rounded
+    EXPECT_NEAR(south, 32 * std::sqrt(8.0), 32.0 / (2 * Assembly::seam_unit));
+}
+
+/// More rounds never make a set dearer.
+TEST(JointTexture, GainsByRounds)
+{
+    TextureRequest request = joint_request(TextureKind::corner, 2);
+    request.rounds = 1;
+    const std::int64_t once = build_texture(request, grains(), never_mind).cost;
+    request.rounds = 8;
+    EXPECT_LT(build_texture(request, grains(), never_mind).cost, once);
 }
 
 /// A move says of its gain what the whole set's costs say, added up anew, at every kind of site.
@@ -216,6 +245,7 @@ TEST(JointTexture, SaysWhatWasUsed)
 {
     const auto parameters = parameters_of(joint_request(TextureKind::wang, 2));
     EXPECT_EQ(parameters.at("joint"), "true");
+    EXPECT_EQ(parameters.at("rounds"), "4");
     EXPECT_EQ(parameters.at("candidates"), "2");
     EXPECT_EQ(parameters.at("core"), "0.36");
     EXPECT_FALSE(parameters.contains("overlap") || parameters.contains("cut"));
@@ -254,6 +284,7 @@ TEST(JointTexture, RefusesWhatItDoesNotDo)
     EXPECT_THAT(message([](TextureRequest& r) { r.stages = 1; }), HasSubstr("joint = true"));
     EXPECT_THAT(message([](TextureRequest& r) { r.weight = SeamWeight::gradient; }), HasSubstr("joint = true"));
     EXPECT_THAT(message([](TextureRequest& r) { r.smooth = true; }), HasSubstr("joint = true"));
+    EXPECT_THAT(message([](TextureRequest& r) { r.rounds = 0; }), HasSubstr("rounds = 0"));
     EXPECT_THAT(message([](TextureRequest& r) { r.split = 40; }), HasSubstr("joint = true"));
 }
 
