@@ -81,8 +81,11 @@ void refuse(const std::string& key, const std::string& value, const std::string&
 
 void check_range(const std::string& key, int value, int lowest, int highest)
 {
-    if (value < lowest || value > highest)
-        refuse(key, std::to_string(value), fmt::format("must be an integer from {} to {}", lowest, highest));
+    if (value >= lowest && value <= highest) return;
+    const std::string allowed = highest == lowest       ? fmt::format("{}", lowest)
+                                : highest == lowest + 1 ? fmt::format("{} or {}", lowest, highest)
+                                                        : fmt::format("an integer from {} to {}", lowest, highest);
+    refuse(key, std::to_string(value), "must be " + allowed);
 }
 
 /// Joint sets are made in stages of their own, by moves that need a distance of windows.
@@ -120,8 +123,7 @@ void check_colors_of(const TextureRequest& r)
     const bool is_marked_wang = r.kind == TextureKind::wang && r.classes() == 2;
     const Color most = is_compact(r) && !is_marked_wang ? most_texture_colors : 8;
     for (const Color colors : {r.colors.horizontal, r.colors.vertical})
-        if (colors < 2 || colors > most)
-            refuse("colors", std::to_string(colors), fmt::format("must be an integer from 2 to {}", most));
+        check_range("colors", static_cast<int>(colors), 2, static_cast<int>(most));
     if (r.kind == TextureKind::omega && (r.colors.horizontal != 4 || !is_square))
         refuse("colors", std::to_string(r.colors.horizontal), "must be 4 for omega tiles");
     if (!is_square && !is_compact(r))

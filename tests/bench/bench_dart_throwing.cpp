@@ -131,6 +131,25 @@ void many_darts(benchmark::State& state)
     }
 }
 
+/// The polygon of many_darts with some million points, between which no further one fits.
+void saturated_polygon(benchmark::State& state)
+{
+    DartThrowingRequest request;
+    request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
+    request.min_distance =
+        min_distance_for(0.77, 1'000'000, 2) * std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
+    request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
+    DartThrower thrower(Device::open({}, threads));
+    thrower.throw_darts(request); // builds the kernels
+    std::uint32_t realization = 0;
+    for (auto _ : state) {
+        request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
+        const std::size_t points = thrower.throw_darts(request).size();
+        if (points < 1'000'000) throw std::runtime_error("the polygon has room for less than a million points");
+    }
+}
+
+BENCHMARK(saturated_polygon)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
 BENCHMARK(many_darts)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(5);
 BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
 BENCHMARK(plain_million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
@@ -194,5 +213,6 @@ int main(int argc, char** argv)
          {"3D, 65,536 points at 0.75: plain sequential / kernel", "plain<3>/75", "kernel<3>/75", 4.0},
          {"3D, saturation, 65,536 points: sequential reference / kernel", "reference_to_saturation<3>/65536",
           "kernel_to_saturation<3>/65536", 2.5}},
-        {{"1,000,000 points at 0.75, ms", "million_points/", 1000}});
+        {{"1,000,000 points at 0.75, ms", "million_points/", 1000},
+         {"1,000,000 points to saturation in a polygon of 10,000 corners, ms", "saturated_polygon/", 3000}});
 }

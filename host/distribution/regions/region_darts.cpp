@@ -1,7 +1,6 @@
 #include "host/distribution/regions/region_darts.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/geometry/plane_delaunay.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "base/regions/obstacles.hpp"
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace poissonlab {
@@ -103,12 +101,6 @@ PointSet thrown(const DartThrowingRequest& request, const DistributionPlace& pla
     Device& device = place.device();
     check_fits("dart throwing", DartThrower::memory(request, device.info()), device.info());
     return DartThrower(device).throw_darts(request);
-}
-
-double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
-{
-    const double dx = points[i][0] - points[j][0], dy = points[i][1] - points[j][1];
-    return dx * dx + dy * dy;
 }
 
 }
@@ -221,28 +213,6 @@ void fail_without_room(const RegionDartRequest& request, const DartSettings& set
         settings.boundary == RegionBoundary::disks
             ? fmt::format("the region has no room for a disk of diameter {:.6g}{}", request.min_distance, among)
             : "the region has no room for a point" + among);
-}
-
-/// The nearest point is a neighbour in the Delaunay triangulation; points on one line have none.
-NearestDistances nearest_distances(const PointSet& points)
-{
-    std::vector<PlanePosition> positions;
-    for (std::size_t i = 0; i < points.size(); ++i) positions.push_back({points[i][0], points[i][1]});
-    std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-    const auto look_at = [&](std::size_t i, std::size_t j) {
-        const double gap = squared_gap(points, i, j);
-        nearest[i] = std::min(nearest[i], gap);
-        nearest[j] = std::min(nearest[j], gap);
-    };
-    const std::vector<PlaneTriangle> triangles = plane_triangles(positions);
-    for (const PlaneTriangle& triangle : triangles)
-        for (std::size_t i = 0; i < 3; ++i) look_at(triangle.points[i], triangle.points[(i + 1) % 3]);
-    if (triangles.empty())
-        for (std::size_t i = 0; i < points.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) look_at(i, j);
-    NearestDistances distances{std::sqrt(std::ranges::min(nearest)), 0};
-    for (const double squared : nearest) distances.mean += std::sqrt(squared) / static_cast<double>(nearest.size());
-    return distances;
 }
 
 }

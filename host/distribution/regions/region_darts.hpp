@@ -8,7 +8,6 @@
 // and from points, wherever these lie, by margins of the region's grid.
 #pragma once
 
-#include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
@@ -78,8 +77,5 @@ PointSet in_units_of(const FixedRegion& region, const PointSet& fixed);
 
 /// Throws InputError, which says that there is no room for a single point.
 [[noreturn]] void fail_without_room(const RegionDartRequest& request, const DartSettings& settings);
-
-/// The least and the mean distance of nearest points in the plane, without a torus. There are two points or more.
-NearestDistances nearest_distances(const PointSet& points);
 
 }

@@ -4,9 +4,9 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/region_elimination.hpp"
 #include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/regions/varied_points.hpp"
-#include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 #include "host/sampling/regions/region_gaussian.hpp"
@@ -155,19 +155,8 @@ private:
         double share = 0;
         const std::vector<TorusPoint<2>> places =
             candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
-        const PointSet all = to_point_set<2>(std::span<const TorusPoint<2>>(places));
-        std::optional<SampleElimination> elimination;
-        if (!is_reference()) {
-            check_fits("sample elimination", SampleElimination::memory(2, all.size(), wanted()),
-                       place_.device().info());
-            elimination.emplace(place_.device());
-        }
-        const RemovalOrder order = [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
-            const std::vector<std::uint32_t> factors = boundary_factors(region_, points, reach);
-            return elimination ? elimination->removal_order(points, reach, count, factors)
-                               : reference::factored_removal_order(points, reach, count, factors);
-        };
-        return eliminate(all, wanted(), order, box_area() * share);
+        return eliminate_in_region(region_, to_point_set<2>(std::span<const TorusPoint<2>>(places)), wanted(),
+                                   box_area() * share, place_);
     }
 
     PointSet relaxed()

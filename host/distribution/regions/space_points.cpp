@@ -4,9 +4,9 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/region_elimination.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
-#include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
@@ -161,19 +161,8 @@ private:
         double share = 0;
         const std::vector<TorusPoint<3>> places =
             candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
-        const PointSet all = to_point_set<3>(std::span<const TorusPoint<3>>(places));
-        std::optional<SampleElimination> elimination;
-        if (!is_reference()) {
-            check_fits("sample elimination", SampleElimination::memory(3, all.size(), wanted()),
-                       place_.device().info());
-            elimination.emplace(place_.device());
-        }
-        const RemovalOrder order = [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
-            const std::vector<std::uint32_t> factors = boundary_factors(space_, points, reach);
-            return elimination ? elimination->removal_order(points, reach, count, factors)
-                               : reference::factored_removal_order(points, reach, count, factors);
-        };
-        return eliminate(all, wanted(), order, box_volume() * share);
+        return eliminate_in_region(space_, to_point_set<3>(std::span<const TorusPoint<3>>(places)), wanted(),
+                                   box_volume() * share, place_);
     }
 
     void check_count(std::size_t points) const

@@ -5,6 +5,7 @@
 // quarter, and what holds there holds here.
 #pragma once
 
+#include "analysis/measures/distance_statistics.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 
 #include <array>

@@ -8,6 +8,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/regions/varied_points.hpp"
@@ -62,7 +63,7 @@ void read_land(Keys& keys, DartSettings& s)
         return;
     }
     const std::string plane_only = "goes with regions of the plane, and this one is of space";
-    if (s.varies()) throw keys.invalid("min_distance", "varies, which " + plane_only);
+    if (s.varies()) throw keys.invalid("min_distance", "a distance that varies " + plane_only);
     for (const char* key : {"obstacles", "obstacle_distance", "planar"})
         if (keys.is_given(key)) throw keys.invalid(key, plane_only);
     if (s.boundary == RegionBoundary::on) throw keys.invalid("boundary", plane_only);

@@ -1,4 +1,5 @@
 // Darts in regions in the regions' own units, and what is refused.
+#include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 
 #include "tests/support/errors.hpp"

@@ -2,6 +2,7 @@
 #include "host/distribution/surfaces/surface_set.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
