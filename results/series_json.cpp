@@ -52,6 +52,7 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     m.member("corners", region.corners, 3);
     m.if_any("has_density", region.has_density);
     m.if_any("envelope", region.envelope);
+    m.if_any("tapers", region.tapers);
     m.if_any("covariance_error", region.covariance_error);
     if (m.is_there("file", !region.file.empty())) m.file_name("file", region.file);
     if (m.is_there("picture_file", !region.picture_file.empty())) m.file_name("picture_file", region.picture_file);

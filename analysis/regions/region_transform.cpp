@@ -65,15 +65,15 @@ PointSet on_torus(const PointSet& points, double unit)
     return result;
 }
 
-/// The sums over points, by rotation along x from a wave that is computed for each row.
-HalfPlane exact_sums(const PointSet& points, double unit, int reach)
+/// The sums over points, by rotation along x from a wave that is computed for each row. No weights: all are 1.
+HalfPlane exact_sums(const PointSet& points, std::span<const double> weights, double unit, int reach)
 {
     HalfPlane sums(reach);
     tbb::parallel_for(-reach, reach + 1, [&](int v) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double x = points[i][0] / unit, y = points[i][1] / unit;
             const Complex turn = wave(x);
-            Complex value = wave(v * y);
+            Complex value = wave(v * y) * (weights.empty() ? 1 : weights[i]);
             for (int u = 0; u <= reach; ++u, value *= turn) sums.at(u, v) += value;
         }
     });
@@ -127,15 +127,15 @@ RegionPeriodogram::RegionPeriodogram(std::shared_ptr<const FramedRegion> region,
 
 RegionPeriodogram::~RegionPeriodogram() = default;
 
-HalfPlane RegionPeriodogram::sums_over(const PointSet& points)
+HalfPlane region_sums(const PointSet& points, std::span<const double> weights, double unit, int reach,
+                      NonuniformTransform* fast)
 {
-    const double unit = region_->unit_length();
-    return fast_ ? fast_->forward(on_torus(points, unit)) : exact_sums(points, unit, size_ / 2);
+    return fast ? fast->forward(on_torus(points, unit), weights) : exact_sums(points, weights, unit, reach);
 }
 
 void RegionPeriodogram::compute(const PointSet& points, HalfSpectrum& result)
 {
-    const HalfPlane sums = sums_over(points);
+    const HalfPlane sums = region_sums(points, {}, region_->unit_length(), size_ / 2, fast_.get());
     const auto n = static_cast<double>(points.size());
     result.dimension = 2;
     result.size = size_;

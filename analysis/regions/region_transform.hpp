@@ -26,6 +26,7 @@
 
 #include <complex>
 #include <memory>
+#include <span>
 
 namespace poissonlab {
 
@@ -36,6 +37,11 @@ std::complex<double> region_transform(const FramedRegion& region, double x, doub
 /// on pieces in which no wave turns more than half, and these are transformed all at once. Errors are some 1e-7 of the
 /// length of the boundary over 2 pi |f|, as NonuniformTransform has them.
 HalfPlane region_transforms(const FramedRegion& region, int reach, NonuniformTransform& transform);
+
+/// Sums over points in the frame, which may have weights, of exp(-2 pi i f.x), where `unit` lengths of the frame are 1:
+/// by `fast`, if it is there, else exactly.
+HalfPlane region_sums(const PointSet& points, std::span<const double> weights, double unit, int reach,
+                      NonuniformTransform* fast);
 
 class RegionPeriodogram
 {
@@ -49,8 +55,6 @@ public:
     void compute(const PointSet& points, HalfSpectrum& result);
 
 private:
-    HalfPlane sums_over(const PointSet& points);
-
     std::shared_ptr<const FramedRegion> region_;
     int size_;
     std::unique_ptr<NonuniformTransform> fast_; ///< none: exact

@@ -14,7 +14,7 @@ constexpr std::int64_t most_random_sets = 9999;
 void check_region_keys(const Keys& keys, int dimension)
 {
     if (!keys.is_given("region")) {
-        for (const char* key : {"planar", "density", "density_from", "envelope"})
+        for (const char* key : {"planar", "density", "density_from", "envelope", "tapers"})
             if (keys.is_given(key)) throw keys.invalid(key, "goes with region");
         return;
     }
@@ -48,6 +48,9 @@ std::optional<RegionOptions> region_keys(Keys& keys, int dimension)
     keys.picture_or_formula("density", density.text, density.from,
                             "what points follow: a picture, or a formula, over the region's box");
     keys.integer("envelope", options.envelope, 0, most_random_sets, "random sets that curves are held against");
+    std::uint32_t tapers = 0;
+    keys.integer("tapers", tapers, 0, std::int64_t{most_tapers},
+                 "orthogonal tapers of the region, whose spectra are averaged; 0: points less the region");
     check_region_keys(keys, dimension);
     if (!keys.is_given("region")) return {};
     options.where = keys.place_of("region");
@@ -57,6 +60,10 @@ std::optional<RegionOptions> region_keys(Keys& keys, int dimension)
     Xxh64 hash;
     hash.add(fmt::format("{} ", options.region->hash()));
     keys.check("density", [&] { options.density = region_density(density, *options.region, hash); });
+    if (tapers > 0) {
+        keys.check("tapers", [&] { options.tapers = std::make_shared<const RegionTapers>(*options.region, tapers); });
+        hash.add(fmt::format(" {} tapers", tapers));
+    }
     options.hash = hash.value();
     return options;
 }

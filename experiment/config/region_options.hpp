@@ -1,7 +1,9 @@
-// The keys of [analysis] that are about sets in a region of the plane: region, planar, density, density_from, envelope.
+// The keys of [analysis] that are about sets in a region of the plane: region, planar, density, density_from,
+// envelope, tapers.
 #pragma once
 
 #include "analysis/regions/random_in_region.hpp"
+#include "analysis/regions/region_tapers.hpp"
 #include "host/settings/keys/keys.hpp"
 
 #include <cstdint>
@@ -18,6 +20,7 @@ struct RegionOptions
     std::shared_ptr<const FramedRegion> region;
     std::shared_ptr<const RegionDensity> density; ///< null: points follow none
     std::uint32_t envelope = 39;                  ///< random sets that curves are held against
+    std::shared_ptr<const RegionTapers> tapers;   ///< null: spectra are those of the points less the region's
     std::uint64_t hash = 0;                       ///< of all corners and weights, for keys of stored work
     SourceLocation where;                         ///< where the region was typed
 };

@@ -126,7 +126,7 @@ bool SeriesAnalysis::add_set(const Points& points)
         start();
     }
     if (estimate_) {
-        estimate_->add(points);
+        add_to_spectrum(points);
         if (options_.tiles > 0) {
             set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
             set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);

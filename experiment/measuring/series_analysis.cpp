@@ -80,10 +80,26 @@ void SeriesAnalysis::start_spectrum()
                                      dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
     if (!options_.region) return;
-    const auto periodogram = std::make_shared<RegionPeriodogram>(options_.region->region, spectrum_size_,
-                                                                 options_.spectrum == PeriodogramMethod::exact);
+    const bool is_exact = options_.spectrum == PeriodogramMethod::exact;
+    if (options_.region->tapers) {
+        tapered_ = std::make_shared<TaperedPeriodogram>(options_.region->region, options_.region->tapers,
+                                                        spectrum_size_, is_exact);
+        return;
+    }
+    const auto periodogram = std::make_shared<RegionPeriodogram>(options_.region->region, spectrum_size_, is_exact);
     estimate_->compute_by(
         [periodogram](const PointSet& points, HalfSpectrum& power) { periodogram->compute(points, power); });
+}
+
+/// By the tapers of a region, each of which counts as a set of its own.
+void SeriesAnalysis::add_to_spectrum(const PointSet& points)
+{
+    if (!tapered_) return estimate_->add(points);
+    for (std::size_t taper = 0; taper < options_.region->tapers->count(); ++taper) {
+        estimate_->compute_by(
+            [this, taper](const PointSet& set, HalfSpectrum& power) { tapered_->compute(set, taper, power); });
+        estimate_->add(points);
+    }
 }
 
 /// Lengths of the sets' square over those of results.
@@ -164,6 +180,7 @@ RegionResult SeriesAnalysis::region_result() const
     result.polygons = region.polygons().polygons.size();
     result.corners = corner_count(region.polygons());
     result.has_density = options_.region->density != nullptr;
+    if (tapered_) result.tapers = options_.region->tapers->count();
     if (!region_picture_.empty()) result.picture_file = file_names::region_picture;
     if (!region_ || region_->distances().count == 0) return result;
     result.envelope = options_.region->envelope;
@@ -228,7 +245,7 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
     const std::size_t n = sets_.front().points;
-    const int realizations = static_cast<int>(sets_.size());
+    const int realizations = mean.realizations; // with tapers, each counts as one
     measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial, realizations);

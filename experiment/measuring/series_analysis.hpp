@@ -8,6 +8,7 @@
 #include "analysis/measures/seam_density.hpp"
 #include "analysis/measures/set_mark.hpp"
 #include "analysis/regions/region_curves.hpp"
+#include "analysis/regions/region_tapers.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "experiment/config/analysis_options.hpp"
@@ -50,7 +51,8 @@ void serialize(Archive& archive, Measures& measures)
 ///
 /// With options.region sets lie in the frame of a region, and lengths are in roots of its area: so are frequencies, in
 /// its inverse. Distances are those of the plane, the pair correlation has the translation correction, the spectrum is
-/// that of points less that of the region, see region_transform.hpp, and there are the curves of region_curves.hpp.
+/// that of points less that of the region, see region_transform.hpp, or the mean by the tapers of the region, see
+/// region_tapers.hpp, whose spread is that of tapers and sets, and there are the curves of region_curves.hpp.
 /// The torus's measures are left out: those of windows, number variance, and laws of the lowest frequencies, which the
 /// region's boundary would decide.
 class SeriesAnalysis
@@ -193,6 +195,8 @@ private:
     void check(int dimension, std::size_t points, std::size_t realization) const;
     void start();
     void start_spectrum();
+    void add_to_spectrum(const PointSet& points);
+    void add_to_spectrum(const PointStrips& points) { estimate_->add(points); }
     void start_pairs();
     double unit_length() const;
     void leave_out_pairs();
@@ -218,7 +222,8 @@ private:
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<NumberVarianceEstimate> variance_;
     std::optional<IntegrationErrorEstimate> integration_;
-    std::optional<RegionCurves> region_; ///< of sets in a region
+    std::optional<RegionCurves> region_;          ///< of sets in a region
+    std::shared_ptr<TaperedPeriodogram> tapered_; ///< of sets in a region, with tapers
     std::string region_picture_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane

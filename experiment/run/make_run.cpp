@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace poissonlab {
 namespace {
 
@@ -72,7 +74,9 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
         series.spectrum_file = folder + file_names::spectrum;
         if (options.volume) series.volume_file = folder + file_names::spectrum_volume;
         series.radial_file = folder + file_names::radial;
-        series.background_anisotropy_db = background_anisotropy_db(series.realizations) + 0.0; // no -0
+        const auto tapers = static_cast<int>(series.region ? std::max<std::size_t>(series.region->tapers, 1) : 1);
+        const int periodograms = series.realizations * tapers;
+        series.background_anisotropy_db = background_anisotropy_db(periodograms) + 0.0; // no -0
     }
     const auto in_folder = [&](std::string& file) {
         if (!file.empty()) file = folder + file;

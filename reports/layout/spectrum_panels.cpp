@@ -24,11 +24,16 @@ SpectrumPicture picture(const ReportSeries& series, SpectrumPart part)
 
 std::string caption(const ReportSeries& series)
 {
-    const int size = series.stored->spectrum_size;
+    const Series& stored = *series.stored;
+    const int size = stored.spectrum_size;
     const auto side = format_count(static_cast<std::uint64_t>(size));
     const bool in_space = series.run->dimension == 3;
-    auto text = series.stored->is_estimate ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
-                                           : std::string("Of one set,");
+    const std::size_t tapers = stored.region ? stored.region->tapers : 0;
+    auto text = stored.is_estimate ? fmt::format("Mean of {} periodograms of", stored.realizations)
+                                   : std::string("Of one set,");
+    if (tapers > 0)
+        text = fmt::format("Mean over {} tapers of the region", tapers) +
+               (stored.is_estimate ? fmt::format(" and {} sets,", stored.realizations) : " of one set,");
     text += fmt::format(" {} × {} frequencies", side, in_space ? side + " × " + side : side);
     if (in_space)
         text += fmt::format(": the planes through frequency 0, from {} to {} along each axis",

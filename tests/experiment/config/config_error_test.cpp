@@ -56,7 +56,7 @@ TEST(ConfigError, UnknownAnalysisKey)
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
               "known keys: points, realizations, dimension, timing_runs, spectrum, spectrum_size, bin_width, volume, "
               "zone_plate, tiles, window, "
-              "measures, point_files, region, planar, density, density_from, envelope");
+              "measures, point_files, region, planar, density, density_from, envelope, tapers");
 }
 
 TEST(ConfigError, UnknownMethodKey)

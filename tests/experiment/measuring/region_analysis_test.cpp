@@ -82,6 +82,33 @@ TEST(RegionAnalysis, SpectraOfBothMethodsAreTheSame)
     for (std::size_t i = 0; i < p.power.size(); ++i) EXPECT_NEAR(p.power[i], q.power[i], 1e-5) << i;
 }
 
+/// Each taper counts as a set: one set has errors, and parts are the whole.
+TEST(RegionAnalysis, ByTapersHasErrorsOfOneSet)
+{
+    const AnalysisOptions plain = options_in_strip(), tapered = options_in_strip({"analysis.tapers=4"});
+    EXPECT_NE(plain.region->hash, tapered.region->hash);
+    SeriesAnalysis without("s", false, plain), one("s", false, tapered), two("s", false, tapered);
+    without.add(random_set(plain, 0));
+    for (SeriesAnalysis* analysis : {&one, &two}) analysis->add(random_set(tapered, 0));
+    EXPECT_EQ(without.radial_curve(without.mean_spectrum())[1].power_error, 0);
+    const Spectrum mean = one.mean_spectrum();
+    EXPECT_EQ(mean.realizations, 4);
+    EXPECT_GT(one.radial_curve(mean)[1].power_error, 0);
+    one.measure_spectrum(mean);
+    EXPECT_TRUE(one.result().measures.numbers.at("effective_nyquist").standard_error);
+    EXPECT_EQ(one.result().region->tapers, 4);
+    EXPECT_EQ(without.result().region->tapers, 0);
+    SeriesAnalysis next("s", false, tapered, {1, 50}), stored("s", false, tapered, {1, 50});
+    two.add(random_set(tapered, 1));
+    next.add(random_set(tapered, 1));
+    from_bytes(to_bytes(next), stored);
+    one.append(stored);
+    EXPECT_EQ(one.mean_spectrum().realizations, 8);
+    const Spectrum appended = one.mean_spectrum(), whole = two.mean_spectrum();
+    for (std::size_t i = 0; i < whole.power.size(); ++i)
+        EXPECT_NEAR(appended.power[i], whole.power[i], 1e-9 * (1 + whole.power[i])) << i;
+}
+
 TEST(RegionAnalysis, OfOnePointHasNoCurves)
 {
     const AnalysisOptions options = options_in_strip();

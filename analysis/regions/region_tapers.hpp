@@ -1,0 +1,87 @@
+// Tapers of a region, and the spectrum of points in it by several of them.
+//
+// A taper is a function h on the region with an integral of squares of 1, which weighs points:
+//
+//   P(f) = |sum over points of h(x) exp(-2 pi i f.x) - N H(f)|^2 / N
+//
+// with its transform H in the place of the region's (see region_transform.hpp). Where h falls to 0 at the boundary, H
+// has no slow tails, and spectra are not blurred by peaks that are far away. Orthogonal tapers make periodograms that
+// are nearly independent: their mean has the spread of that of as many sets (Thomson, Spectrum estimation and harmonic
+// analysis, Proceedings of the IEEE 70(9), 1982; of point patterns: Rajala, Olhede, Grainger, Murrell, What is the
+// Fourier transform of a spatial point process?, IEEE Transactions on Information Theory 69(8), 2023).
+//
+// The tapers here are those whose H is narrowest in its second moment, the integral of |f|^2 |H|^2, which is that of
+// the squared gradient over 4 pi^2: the functions of the region's lowest vibrations, as a drum. In a rectangle these
+// are products of sines, the sine tapers (Riedel, Sidorenko, Minimum bias multiple taper spectral estimation, IEEE
+// Transactions on Signal Processing 43(1), 1995).
+//
+// They are found among functions that are bilinear in the cells of a grid over the region's box, 0 at and beyond cells
+// that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form.
+#pragma once
+
+#include "analysis/regions/framed_region.hpp"
+#include "analysis/spectra/half_spectrum.hpp"
+#include "analysis/spectra/nonuniform_transform.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace poissonlab {
+
+/// Tapers that can be had of one region.
+inline constexpr std::size_t most_tapers = 64;
+
+class RegionTapers
+{
+public:
+    /// Throws InputError where the region is too thin for so many on the grid.
+    RegionTapers(const FramedRegion& region, std::size_t count);
+
+    std::size_t count() const { return values_.size(); }
+
+    /// The taper at a place of the frame; lengths are roots of the region's area.
+    double at(std::size_t taper, const std::array<double, 2>& place) const;
+
+    /// The frequency of the vibration of unit waves, squared, times 4 pi^2: the integral of the squared gradient.
+    double eigenvalue(std::size_t taper) const { return eigenvalues_[taper]; }
+
+    // The taper as values at nodes, of which it is the sum of pyramids whose bases are two steps wide.
+    PointSet nodes() const; ///< in the frame
+    const std::vector<double>& values(std::size_t taper) const { return values_[taper]; }
+    const std::array<double, 2>& step() const { return step_; } ///< in roots of the region's area
+
+private:
+    void find_nodes(const FramedRegion& region);
+
+    std::array<double, 2> frame_step_{}, step_{};
+    std::array<std::size_t, 2> cells_{};
+    std::vector<std::size_t> nodes_;  ///< of the grid, row by row: those within
+    std::vector<std::size_t> number_; ///< of each node of the grid among those within, or one that is not there
+    std::vector<std::vector<double>> values_;
+    std::vector<double> eigenvalues_;
+};
+
+class TaperedPeriodogram
+{
+public:
+    /// As RegionPeriodogram.
+    TaperedPeriodogram(std::shared_ptr<const FramedRegion> region, std::shared_ptr<const RegionTapers> tapers, int size,
+                       bool is_exact);
+    ~TaperedPeriodogram();
+
+    /// By one of the tapers. Takes points in the frame.
+    void compute(const PointSet& points, std::size_t taper, HalfSpectrum& result);
+
+private:
+    HalfPlane weighted_sums(const PointSet& points, const std::vector<double>& weights);
+
+    std::shared_ptr<const FramedRegion> region_;
+    std::shared_ptr<const RegionTapers> tapers_;
+    int size_;
+    std::unique_ptr<NonuniformTransform> fast_; ///< none: exact
+    PointSet nodes_;
+};
+
+}
