@@ -3,6 +3,7 @@
 #include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
@@ -26,11 +27,11 @@ many points, or of all pairs: --matrix, row after row. With --tiles the points a
 have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .svg and .png (disks in colours). --spectra FILE.csv has the
-radially averaged power of each class and of all, and cross power of pairs.
+radially averaged power of each class and of all, and cross power of pairs: with --sets means over so many sets, and errors.
   poissonlab distribute classes --points 100 400 1600 --out forest.csv --out forest.png
   poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
   poissonlab distribute classes --tiles forest.ptiles --torus 12 --out forest.png --spectra forest.csv
-  poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --out two.npy --spectra two.csv)help";
+  poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --sets 10 --out two.npy --spectra two.csv)help";
 
 struct ClassOptions : KindOptions
 {
@@ -61,7 +62,8 @@ void throw_class_points(const ClassOptions& o)
     o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
     const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
     for (const std::string& out : o.outs.names) write_class_output(out, set, comment);
-    if (!o.spectra.empty()) write_whole_file(o.spectra, spectra_csv(set.points, class_spectra(set.points)));
+    if (!o.spectra.empty())
+        write_whole_file(o.spectra, spectra_csv(set.points, averaged_spectra(settings, o.seed(), o.place(), set)));
     if (o.prints_json()) print_numbers(class_numbers(set));
 }
 

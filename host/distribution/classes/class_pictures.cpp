@@ -19,16 +19,6 @@ constexpr double shown_radius = 0.16;
 /// Pairs whose curves a picture has room for.
 constexpr std::size_t most_curves = 18;
 
-/// Classes that have points, by which spectra are listed.
-std::vector<std::uint32_t> used_classes(const ClassedPoints& points)
-{
-    const std::vector<std::size_t> counts = points.counts();
-    std::vector<std::uint32_t> used;
-    for (std::uint32_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0) used.push_back(i);
-    return used;
-}
-
 std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
 {
     std::vector<std::string> names;
@@ -74,11 +64,21 @@ MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& dis
     return picture;
 }
 
-CrossSpectra class_spectra(const ClassedPoints& points)
+std::vector<std::uint32_t> used_classes(const ClassedPoints& points)
+{
+    const std::vector<std::size_t> counts = points.counts();
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) used.push_back(i);
+    return used;
+}
+
+CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins)
 {
     std::vector<PointSet> sets;
     for (const std::uint32_t i : used_classes(points)) sets.push_back(points.of_class(i));
-    return cross_spectra(sets, static_cast<int>(std::clamp(2.5 * root_of_number(points), 8.0, 1024.0)));
+    const double reach = std::clamp(2.5 * root_of_number(points), 8.0, 1024.0);
+    return cross_spectra(sets, bins > 0 ? static_cast<int>(bins) : static_cast<int>(reach));
 }
 
 MarkPicture power_picture(const ClassedPoints& points, const CrossSpectra& spectra)
@@ -99,23 +99,6 @@ MarkPicture cross_picture(const ClassedPoints& points, const CrossSpectra& spect
     for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
         curves.push_back(curve_of(names[i], class_color(i), spectra.cross[i], unit));
     return curve_marks(frequency_axis(spectra, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves);
-}
-
-std::string spectra_csv(const ClassedPoints& points, const CrossSpectra& spectra)
-{
-    const std::vector<std::uint32_t> used = used_classes(points);
-    std::string text = "frequency,all";
-    for (const std::uint32_t i : used) text += fmt::format(",class_{}", i);
-    for (std::size_t i = 0; i < used.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) text += fmt::format(",cross_{}_{}", used[j], used[i]);
-    text += '\n';
-    for (std::size_t k = 0; k < spectra.bins(); ++k) {
-        text += fmt::format("{},{:.9g}", k + 1, spectra.power.back()[k]);
-        for (std::size_t i = 0; i < used.size(); ++i) text += fmt::format(",{:.9g}", spectra.power[i][k]);
-        for (const std::vector<double>& cross : spectra.cross) text += fmt::format(",{:.9g}", cross[k]);
-        text += '\n';
-    }
-    return text;
 }
 
 }

@@ -5,23 +5,26 @@
 #include "host/sampling/classes/class_darts.hpp"
 #include "results/pictures/mark_picture.hpp"
 
-#include <string>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace poissonlab {
 
 /// Points as disks, a colour for each class, as large as its distances; of 3D points those of the lowest tenth.
 MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& distances);
 
-/// Spectra of all classes that have points, as far as those of all points together are of interest. 2D only.
-CrossSpectra class_spectra(const ClassedPoints& points);
+/// Classes that have points, by which spectra are listed.
+std::vector<std::uint32_t> used_classes(const ClassedPoints& points);
+
+/// Spectra of all classes that have points, up to a frequency; 0: as far as those of all points together are of
+/// interest. 2D only.
+CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins = 0);
 
 /// Radial power of each class and of all points.
 MarkPicture power_picture(const ClassedPoints& points, const CrossSpectra& spectra);
 
 /// Radial cross power of each pair of classes.
 MarkPicture cross_picture(const ClassedPoints& points, const CrossSpectra& spectra);
-
-/// A row for each frequency.
-std::string spectra_csv(const ClassedPoints& points, const CrossSpectra& spectra);
 
 }

@@ -67,13 +67,13 @@ std::size_t ClassSettings::classes() const
     return std::max(points.size(), distances.size());
 }
 
-ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed)
+ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number)
 {
     ClassDartRequest request{.dimension = settings.dimension,
                              .distances = asked_distances(settings),
                              .shares = {settings.points.begin(), settings.points.end()},
                              .points = settings.points,
-                             .stream = stream_key(seed, Purpose::class_darts, 0)};
+                             .stream = stream_key(seed, Purpose::class_darts, number)};
     if (settings.points.empty())
         for (std::size_t i = 0; i < request.distances.classes(); ++i)
             request.shares.push_back(std::pow(request.distances.at(i, i), -settings.dimension));
@@ -83,10 +83,11 @@ ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t
     return request;
 }
 
-ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                       std::uint32_t number)
 {
-    if (!settings.tiles.empty()) return tiled_classes(settings, seed, place);
-    ClassSet set{class_dart_request(settings, seed), {}};
+    if (settings.has_tiles()) return tiled_classes(settings, seed, place, number);
+    ClassSet set{class_dart_request(settings, seed, number), {}};
     if (place.engine == Engine::reference) {
         set.points = reference::throw_class_darts(set.request);
     } else {

@@ -9,22 +9,27 @@
 #include "results/pictures/distribution_result.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace poissonlab {
 
-/// Throws InputError for what the torus or memory has no room for.
-ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed);
+struct PoissonTileSet;
+
+/// Sets of other numbers have other random numbers. Throws InputError for what the torus or memory has no room for.
+ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number = 0);
 
 struct ClassSet
 {
     ClassDartRequest request;
     ClassedPoints points;
+    std::shared_ptr<const PoissonTileSet> tiles{}; ///< of a tiling
 };
 
 /// Throws the darts, or takes the points of a tiling. Throws InputError where a class is full before it has the points
 /// that are asked for, and what tiled_classes() throws.
-ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                       std::uint32_t number = 0);
 
 /// The least distance that was found for each pair of classes; infinite where there is none.
 ClassDistances least_distances(const ClassedPoints& points);

@@ -1,11 +1,16 @@
 #include "host/distribution/classes/class_tiling.hpp"
 
 #include "base/errors/errors.hpp"
+#include "host/settings/keys/tile_set_keys.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "host/tile_points/tile_points.hpp"
+#include "host/tile_sampling/tile_samplers.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
+
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -21,9 +26,12 @@ void check_is_proven(const PoissonTileSet& set, const std::string& file)
                     fmt::format("{}: the distance of classes {} and {} is not proven: see tiles verify", file, i, j));
 }
 
-PoissonTileSet set_with_classes(const ClassSettings& settings)
+PoissonTileSet set_with_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    PoissonTileSet set = read_tile_set(settings.tiles);
+    PoissonTileSet set = settings.colors > 0 ? cached_tile_set(class_tile_parameters(settings, seed), place.engine,
+                                                               place.device, tile_cache_folder(), place.on_step)
+                                                   .set
+                                             : read_tile_set(settings.tiles);
     if (set.parameters.classes.is_empty())
         throw InputError(
             fmt::format("{}: its points have no classes: see tiles build --class-points", settings.tiles.string()));
@@ -46,12 +54,29 @@ ClassDistances distances_on_torus(const TileClasses& classes, std::uint32_t toru
 
 }
 
-ClassSet tiled_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+PoissonTileParameters class_tile_parameters(const ClassSettings& settings, std::uint64_t seed)
 {
-    const PoissonTileSet set = set_with_classes(settings);
+    AskedTileSet asked{.family = {PoissonTileKind::corner, 2}, .values = {}, .class_points = settings.points};
+    asked.values = Parameters(tile_set_parameters(asked.family));
+    asked.values.set("colors", std::int64_t{settings.colors});
+    asked.values.set("relative_radius", settings.relative_radius);
+    asked.values.set("points_per_tile",
+                     std::accumulate(settings.points.begin(), settings.points.end(), std::int64_t{0}));
+    asked.class_distances = settings.distances;
+    asked.class_matrix = settings.matrix;
+    return asked.parameters(seed);
+}
+
+ClassSet tiled_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                       std::uint32_t number)
+{
+    const auto tiles = std::make_shared<const PoissonTileSet>(set_with_classes(settings, seed, place));
+    const PoissonTileSet& set = *tiles;
     const TileClasses& classes = set.parameters.classes;
-    const auto tiling_seed = static_cast<std::uint32_t>(seed);
+    const auto tiling_seed =
+        number == 0 ? static_cast<std::uint32_t>(seed) : stream_key(seed, Purpose::class_darts, number)[0];
     ClassSet result;
+    result.tiles = tiles;
     result.request.distances = distances_on_torus(classes, settings.torus);
     result.points.points = place.engine == Engine::reference
                                ? reference::torus_points(set, tiling_seed, settings.torus)

@@ -4,12 +4,15 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
+#include "host/distribution/classes/class_tiling.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/class_keys.hpp"
 #include "host/settings/sampler_table.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,11 +27,14 @@ namespace {
 bool has_tiles(const Keys& keys)
 {
     const bool has_tiles = keys.is_given("tiles");
-    if (!has_tiles && keys.is_given("torus")) throw keys.invalid("torus", "goes with " + keys.name_of("tiles"));
-    for (const char* key : {"points", "distances", "matrix", "relative_radius", "dimension"})
+    if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
+        throw keys.invalid("torus", fmt::format("goes with {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
+    for (const char* key : {"points", "distances", "matrix", "relative_radius", "dimension", "colors"})
         if (has_tiles && keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
     return has_tiles;
 }
+
+void check_darts(const ClassSettings& s) { class_dart_request(s, 0); }
 
 void class_keys(Keys& keys, ClassSettings& s)
 {
@@ -45,8 +51,14 @@ void class_keys(Keys& keys, ClassSettings& s)
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");
     keys.integer("dimension", s.dimension, 2, 3, "of the torus: a square or a cube");
+    keys.integer("colors", s.colors, 1, 16,
+                 "corner tiles of so many colors are built: points are those of a tile, distances in tiles")
+        .otherwise("no tiles are built");
+    keys.integer("sets", s.sets, 1, 1000, "sets whose spectra are averaged; points are those of the first");
     keys.tiles(s.tiles).otherwise("darts are thrown");
     keys.integer("torus", s.torus, 1, 4096, "with tiles: so many along each axis, whose opposite edges fit");
+    if (keys.is_read() && s.sets > 1 && s.dimension != 2)
+        throw keys.invalid("sets", "is about spectra, which are of the plane: dimension 2");
     if (!keys.is_read() || has_tiles(keys)) return;
     if (keys.is_given("relative_radius") && !s.matrix.empty())
         throw keys.invalid("relative_radius", "does not go with " + keys.name_of("matrix"));
@@ -59,16 +71,20 @@ void class_keys(Keys& keys, ClassSettings& s)
         throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
     if (!s.points.empty() && !s.distances.empty() && s.distances.size() != s.points.size())
         throw keys.invalid("distances", fmt::format("must be {}, one of each class", s.points.size()));
+    if (s.colors > 0 && s.points.empty()) throw keys.problem("needs " + keys.name_of("points") + ", of each tile");
+    if (s.colors > 0 && s.dimension != 2) throw keys.invalid("dimension", "must be 2 for tiles");
     keys.check(!s.points.empty()  ? "points"
                : s.matrix.empty() ? "distances"
                                   : "matrix",
-               [&] { class_dart_request(s, 0); });
+               [&] { s.colors > 0 ? check(class_tile_parameters(s, 0)) : check_darts(s); });
 }
 
 std::string class_label(const ClassSettings& s)
 {
     if (!s.tiles.empty())
         return fmt::format("classes of {0}, {1} x {1} tiles", name_of_input(s.tiles.string()), s.torus);
+    if (s.colors > 0)
+        return fmt::format("classes of {0} x {0} corner tiles of {1} points", s.torus, fmt::join(s.points, ", "));
     return s.points.empty() ? fmt::format("{} classes, saturated", s.classes())
                             : fmt::format("{} classes, {} points", s.classes(), fmt::join(s.points, ", "));
 }
@@ -78,8 +94,27 @@ std::vector<std::string> facts_of(const ClassSettings& s)
     if (!s.tiles.empty())
         return {fmt::format("a torus of {0} x {0} tiles of {1}", s.torus, name_of_input(s.tiles.string())),
                 "distances of pairs proven for every tiling"};
+    if (s.colors > 0)
+        return {fmt::format("a torus of {0} x {0} corner tiles over {1} colors", s.torus, s.colors),
+                "distances of pairs proven for every tiling"};
     return {s.points.empty() ? "saturated: no further point of any class fits" : "as many of each class as asked for",
             s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
+}
+
+void add_class_spectra(const ClassedPoints& points, const ClassSpectra& spectra, DistributionFiles& files,
+                       DistributionResult& result)
+{
+    const std::string of = spectra.sets == 1 ? "of this set alone" : fmt::format("the mean of {} sets", spectra.sets);
+    files.add_marks("power.json", power_picture(points, spectra.mean),
+                    fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
+    if (!spectra.mean.cross.empty())
+        files.add_marks("cross-power.json", cross_picture(points, spectra.mean),
+                        fmt::format("Cross power of pairs of classes, {}: 0 where they know nothing of each other, "
+                                    "below 0 where one has its points between those of the other.",
+                                    of),
+                        result);
+    write_whole_file(files.add("spectra.csv"), spectra_csv(points, spectra));
+    result.files.push_back("spectra.csv");
 }
 
 DistributionResult make_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
@@ -101,18 +136,12 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
     write_points(files.add("points.npy"), set.points.points);
     write_class_numbers(files.add("classes.npy"), set.points);
     for (const char* name : {"points.npy", "classes.npy"}) result.files.emplace_back(name);
+    if (settings.colors > 0) {
+        write_tile_set(files.add("tiles.ptiles"), *set.tiles);
+        result.files.emplace_back("tiles.ptiles");
+    }
     if (settings.dimension == 2) {
-        const CrossSpectra spectra = class_spectra(set.points);
-        files.add_marks("power.json", power_picture(set.points, spectra),
-                        "Radially averaged power of each class and of all points, of this set alone.", result);
-        if (!spectra.cross.empty())
-            files.add_marks(
-                "cross-power.json", cross_picture(set.points, spectra),
-                "Cross power of pairs of classes: 0 where they know nothing of each other, below 0 where one "
-                "has its points between those of the other.",
-                result);
-        write_whole_file(files.add("spectra.csv"), spectra_csv(set.points, spectra));
-        result.files.push_back("spectra.csv");
+        add_class_spectra(set.points, averaged_spectra(settings, seed, place, set), files, result);
     }
     result.numbers = class_numbers(set);
     result.tables.push_back(distance_table(set));

@@ -16,10 +16,13 @@ struct ClassSettings
     std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
     double relative_radius = 0.62;   ///< of each class, where there are no distances
     int dimension = 2;
+    std::uint32_t colors = 0;    ///< of corner tiles that are built, whose points and distances these are; 0: none
     std::filesystem::path tiles; ///< a tile set whose points have classes, instead of all of these; empty: darts
     std::uint32_t torus = 12;    ///< tiles along each axis
+    std::uint32_t sets = 1;      ///< that spectra are means over; files have the first
 
     std::size_t classes() const;
+    bool has_tiles() const { return colors > 0 || !tiles.empty(); }
 };
 
 }

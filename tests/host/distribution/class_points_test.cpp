@@ -3,6 +3,7 @@
 
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "tests/support/errors.hpp"
@@ -85,6 +86,54 @@ TEST(ClassPoints, AreEvenTogether)
     }
     EXPECT_LT(low, 0.2);
     EXPECT_LT(between, -0.2);
+}
+
+/// Means and errors of three sets are those of their spectra one by one; the first set is that without averages.
+TEST(ClassAverages, AreMeansOverSets)
+{
+    ClassSettings settings;
+    settings.points = {40, 90};
+    const ClassSet first = throw_classes(settings, 5, class_place);
+    settings.sets = 3;
+    const ClassSpectra spectra = averaged_spectra(settings, 5, class_place, first);
+    std::vector<CrossSpectra> each;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        each.push_back(class_spectra(throw_classes(settings, 5, class_place, k).points));
+    EXPECT_EQ(each[0].power, class_spectra(first.points).power);
+    EXPECT_NE(each[1].power, each[2].power);
+    for (std::size_t bin = 0; bin < spectra.mean.bins(); ++bin) {
+        const double a = each[0].cross[0][bin], b = each[1].cross[0][bin], c = each[2].cross[0][bin],
+                     mean = (a + b + c) / 3;
+        const double squares = a * a + b * b + c * c - 3 * mean * mean;
+        EXPECT_NEAR(spectra.mean.cross[0][bin], mean, 1e-12);
+        EXPECT_NEAR(spectra.error.cross[0][bin], std::sqrt(std::max(0.0, squares) / 6), 1e-6);
+        EXPECT_NEAR(spectra.mean.power[2][bin],
+                    (each[0].power[2][bin] + each[1].power[2][bin] + each[2].power[2][bin]) / 3, 1e-12);
+    }
+    const std::string text = spectra_csv(first.points, spectra);
+    EXPECT_EQ(text.substr(0, text.find('\n')), "frequency,all,class_0,class_1,cross_0_1,all_error,class_0_error,"
+                                               "class_1_error,cross_0_1_error");
+}
+
+/// Corner tiles are built for a torus of them; distances are proven in units of 1 / 65,536 of a tile.
+TEST(ClassTiles, AreBuiltForTheirTorus)
+{
+    ClassSettings settings;
+    settings.points = {8, 16};
+    settings.relative_radius = 0.5;
+    settings.colors = 2;
+    settings.torus = 3;
+    const double unit = 1.0 / 65536 / settings.torus;
+    const ClassSet set = throw_classes(settings, 1, class_place), other = throw_classes(settings, 1, class_place, 1);
+    ASSERT_TRUE(set.tiles);
+    EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{72, 144}));
+    EXPECT_NE(set.points.points, other.points.points);
+    for (const ClassSet* each : {&set, &other}) {
+        const ClassDistances least = least_distances(each->points);
+        for (std::size_t i = 0; i < 2; ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                EXPECT_GE(least.at(i, j), set.request.distances.at(i, j) - unit) << i << ", " << j;
+    }
 }
 
 TEST(ClassFiles, HoldPointsWithClasses)
