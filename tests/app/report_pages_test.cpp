@@ -72,16 +72,8 @@ double plain_part(const test::Picture& picture)
 class ShippedReports : public testing::TestWithParam<std::string>
 {
 protected:
-    static void SetUpTestSuite()
-    {
-        browser_ = std::make_unique<test::Browser>(std::chrono::minutes(5));
-        cache_ = std::make_unique<TemporaryFolder>(); // of tables of tiles that several configs need
-    }
-    static void TearDownTestSuite()
-    {
-        browser_.reset();
-        cache_.reset();
-    }
+    static void SetUpTestSuite() { browser_ = std::make_unique<test::Browser>(std::chrono::minutes(5)); }
+    static void TearDownTestSuite() { browser_.reset(); }
 
     /// Makes the report of a config at small sizes.
     void make_report(const std::string& name)
@@ -90,8 +82,7 @@ protected:
         folder_.write(name + ".toml", test::small_config(content_of(configs / (name + ".toml"))));
         for (const char* beside : {"alphabets", "exemplars", "surfaces", "your-method.awk"})
             fs::create_symlink(configs / beside, folder_.path() / beside);
-        const Outcome outcome = run_program(folder_.path(), {"run", name + ".toml", "--out", "report", "--quiet"},
-                                            "POISSONLAB_CACHE=" + quoted(cache_->path().string()));
+        const Outcome outcome = run_program(folder_.path(), {"run", name + ".toml", "--out", "report", "--quiet"});
         ASSERT_EQ(outcome.status, 0) << outcome.error;
     }
 
@@ -135,7 +126,6 @@ protected:
 
     TemporaryFolder folder_;
     static inline std::unique_ptr<test::Browser> browser_;
-    static inline std::unique_ptr<TemporaryFolder> cache_;
 };
 
 TEST_P(ShippedReports, ShowWhatTheyHave)

@@ -16,11 +16,14 @@ std::map<std::string, long> largest_values(const std::string& toml)
     std::map<std::string, long> values{
         {"points", 256},         {"realizations", 2}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
         {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
-        {"points_per_tile", 16}, {"size", 256},       {"colors", 4}};
+        {"points_per_tile", 16}, {"size", 256},       {"colors", 2}};
     if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
     if (toml.find("equal_moments = 2") != std::string::npos) values["points_per_tile"] = 32;
     if (toml.find("compare = true") != std::string::npos) values["sets"] = 1;
     if (toml.find("levels = ") != std::string::npos) values["points"] = 1024;
+    // The fourth power of these is the number of tiles to build. Lists keep several, and textures are fast.
+    if (toml.find("colors = [") != std::string::npos) values["colors"] = 3;
+    if (toml.find("[[texture]]") != std::string::npos) values["colors"] = 4;
     return values;
 }
 
@@ -44,6 +47,18 @@ void add_after(std::string& toml, const std::string& line, const std::string& li
 {
     for (auto at = toml.find(line + "\n"); at != std::string::npos; at = toml.find(line + "\n", at + line.size()))
         toml.insert(at + line.size() + 1, lines + "\n");
+}
+
+/// Adds lines to each series of a sampler that has none of the key, and has the other line.
+void add_missing(std::string& toml, const std::string& sampler, const std::string& key, const std::string& value,
+                 const std::string& other = "")
+{
+    const std::string line = "\nsampler = \"" + sampler + "\"\n";
+    for (auto at = toml.find(line); at != std::string::npos; at = toml.find(line, at + 1)) {
+        const std::string series = toml.substr(toml.rfind("[[", at), toml.find("\n[", at + 1) - toml.rfind("[[", at));
+        if (series.find("\n" + key + " = ") == std::string::npos && series.find(other) != std::string::npos)
+            toml.insert(at + line.size(), key + " = " + value + "\n");
+    }
 }
 
 /// Comparisons of textures take seconds each, and so do times of full screens: two comparisons are left, of one
@@ -89,6 +104,12 @@ std::string small_config(const std::string& whole)
     else
         result = std::regex_replace(result, tiles, "$&\nsize = 16\ncandidates = 2");
     add_after(result, "sampler = \"averaged-tiles\"", "iterations = 2");
+    for (const char* sampler : {"corner-tiles", "edge-tiles", "template-tiles"})
+        add_missing(result, sampler, "points_per_tile", "16");
+    // Repulsion reaches the distance after few of them; without it the tiles need them all.
+    for (const char* sampler : {"corner-tiles", "edge-tiles", "template-tiles", "sphere-tiles"})
+        add_missing(result, sampler, "lloyd_iterations", "3", "repulsion = true");
+    add_missing(result, "gaussian-blue-noise", "iterations", "5");
     add_after(result, "sampler = \"recursive-wang-tiles\"", "points_per_tile = 128");
     return result;
 }
