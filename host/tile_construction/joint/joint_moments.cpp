@@ -1,6 +1,9 @@
 #include "host/tile_construction/joint/joint_moments.hpp"
 
+#include "host/tile_construction/joint/tile_conditions.hpp"
 #include "host/tile_construction/moments/moment_step.hpp"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +23,24 @@ class JointMoments
 public:
     JointMoments(const std::vector<Displacement>& displacements, const StoredPoints& points,
                  const OwnPoints& own_points, const PoissonTileParameters& p)
-        : p_(p), monomials_(monomials_up_to(p.equal_moments, p.dimension)), conditions_(monomials_.size()),
-          axes_(static_cast<std::size_t>(p.dimension)), owners_(points.count()), first_entry_{0}
+        : p_(p), conditions_(p), count_(conditions_.count()), axes_(static_cast<std::size_t>(p.dimension)),
+          owners_(points.count()), first_entry_{0}
     {
+        std::vector<std::vector<OwnPoint>> own(p.tiles);
         for (std::uint32_t tile = 0; tile < p.tiles; ++tile) {
-            for (const OwnPoint& own : own_points(tile)) {
-                const WeightedPoint& point = points.mean_tile()[own.stored];
-                add_entry(own, point, displacements[own.stored]);
-                if (point.moves) ++owners_[own.stored];
+            own[tile] = own_points(tile);
+            for (const OwnPoint& point : own[tile]) {
+                if (!points.mean_tile()[point.stored].moves) continue;
+                entries_.push_back(point.stored);
+                ++owners_[point.stored];
             }
             first_entry_.push_back(entries_.size());
         }
-        measure();
+        lacking_.resize(p.tiles * count_);
+        slopes_.resize(entries_.size() * axes_ * count_);
+        tbb::parallel_for(std::size_t{0}, std::size_t{p.tiles},
+                          [&](std::size_t tile) { measure(tile, own[tile], points, displacements); });
+        subtract_mean();
         precondition();
     }
 
@@ -42,7 +51,7 @@ public:
         double product = dot(residual, direction);
         const double end = least_residual * product;
         for (int i = 0; i < most_iterations && product > end; ++i) {
-            const std::vector<double> image = times_slopes(moved_by(direction));
+            const std::vector<double> image = times_matrix(direction);
             const double step = product / dot(direction, image);
             for (std::size_t c = 0; c < residual.size(); ++c) {
                 multipliers[c] += step * direction[c];
@@ -61,117 +70,125 @@ public:
     }
 
 private:
-    /// A point of a tile.
-    struct Entry
+    /// Sums what points of a tile have after the movement, of waves: what it changes; and finds the slopes of those
+    /// that move, there.
+    void measure(std::size_t tile, const std::vector<OwnPoint>& own, const StoredPoints& points,
+                 const std::vector<Displacement>& displacements)
     {
-        std::uint32_t stored;
-        std::array<double, 3> at; ///< from the middle of the tile
-    };
+        std::vector<double> before(count_), after(count_);
+        std::size_t entry = first_entry_[tile];
+        for (const OwnPoint& point : own) {
+            const WeightedPoint& stored = points.mean_tile()[point.stored];
+            const auto at = position(point, stored, stored.moves ? displacements[point.stored] : Displacement{});
+            conditions_.values(position(point, stored, {}), before);
+            conditions_.values(at, after);
+            for (std::size_t c = 0; c < count_; ++c)
+                lacking_[tile * count_ + c] -= conditions_.stays(c) ? after[c] - before[c] : after[c];
+            if (stored.moves) conditions_.slopes(at, slopes_of(entry++));
+        }
+    }
 
-    void add_entry(const OwnPoint& own, const WeightedPoint& point, const Displacement& by)
+    TileConditions::Position position(const OwnPoint& own, const WeightedPoint& point, const Displacement& by) const
     {
-        Entry entry{own.stored, {}};
+        TileConditions::Position at{};
         for (std::size_t k = 0; k < axes_; ++k)
-            entry.at[k] = (point.position[k] + own.base[k] * tile_units + (point.moves ? by[k] : 0)) / half_tile - 1;
-        entries_.push_back(entry);
-        for (const Monomial& monomial : monomials_)
-            for (std::size_t k = 0; k < axes_; ++k) slopes_.push_back(slope_at(monomial, k, entry.at));
-    }
-
-    static double power(double x, unsigned exponent)
-    {
-        double result = 1;
-        for (unsigned i = 0; i < exponent; ++i) result *= x;
-        return result;
-    }
-
-    static double value_at(const Monomial& m, const std::array<double, 3>& at)
-    {
-        return power(at[0], m[0]) * power(at[1], m[1]) * power(at[2], m[2]);
-    }
-
-    static double slope_at(Monomial m, std::size_t axis, const std::array<double, 3>& at)
-    {
-        const std::uint8_t exponent = m[axis];
-        if (exponent == 0) return 0;
-        --m[axis];
-        return exponent * value_at(m, at);
+            at[k] = (point.position[k] + own.base[k] * tile_units + by[k]) / half_tile - 1;
+        return at;
     }
 
     /// What tiles lack of the mean.
-    void measure()
+    void subtract_mean()
     {
-        lacking_.assign(p_.tiles * conditions_, 0);
-        std::vector<double> mean(conditions_);
-        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
-            for (std::size_t e = first_entry_[tile]; e < first_entry_[tile + 1]; ++e)
-                for (std::size_t c = 0; c < conditions_; ++c)
-                    lacking_[tile * conditions_ + c] -= value_at(monomials_[c], entries_[e].at);
-        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
-            for (std::size_t c = 0; c < conditions_; ++c) mean[c] += lacking_[tile * conditions_ + c] / p_.tiles;
-        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
-            for (std::size_t c = 0; c < conditions_; ++c) lacking_[tile * conditions_ + c] -= mean[c];
+        std::vector<double> mean(count_);
+        for (std::size_t i = 0; i < lacking_.size(); ++i) mean[i % count_] += lacking_[i] / p_.tiles;
+        for (std::size_t i = 0; i < lacking_.size(); ++i) lacking_[i] -= mean[i % count_];
+    }
+
+    std::span<double> slopes_of(std::size_t entry)
+    {
+        return std::span(slopes_).subspan(entry * axes_ * count_, axes_ * count_);
     }
 
     /// The movements of stored points for multipliers of the conditions.
     std::vector<Displacement> moved_by(const std::vector<double>& multipliers) const
     {
         std::vector<Displacement> movements(owners_.size());
-        for_each_slope([&](std::size_t condition, std::size_t entry, std::size_t axis, double slope) {
-            movements[entries_[entry].stored][axis] += multipliers[condition] * slope;
-        });
+        for_each_slope(
+            [&](std::size_t first_condition, Displacement& movement, std::size_t axis, const double* slopes) {
+                for (std::size_t c = 0; c < count_; ++c) movement[axis] += multipliers[first_condition + c] * slopes[c];
+            },
+            movements);
         for (std::size_t i = 0; i < movements.size(); ++i)
             for (double& x : movements[i]) x = owners_[i] > 0 ? x / owners_[i] : 0;
         return movements;
     }
 
-    /// How movements change the moments of tiles.
+    /// How movements change what tiles have.
     std::vector<double> times_slopes(const std::vector<Displacement>& movements) const
     {
         std::vector<double> changes(lacking_.size());
-        for_each_slope([&](std::size_t condition, std::size_t entry, std::size_t axis, double slope) {
-            changes[condition] += slope * movements[entries_[entry].stored][axis];
-        });
+        for_each_slope(
+            [&](std::size_t first_condition, const Displacement& movement, std::size_t axis, const double* slopes) {
+                for (std::size_t c = 0; c < count_; ++c) changes[first_condition + c] += slopes[c] * movement[axis];
+            },
+            movements);
         return changes;
     }
 
-    template <class Visit>
-    void for_each_slope(const Visit& visit) const
+    template <class Visit, class Movements>
+    void for_each_slope(const Visit& visit, Movements& movements) const
     {
-        std::size_t next = 0;
+        const double* slopes = slopes_.data();
         for (std::size_t tile = 0; tile < p_.tiles; ++tile)
             for (std::size_t e = first_entry_[tile]; e < first_entry_[tile + 1]; ++e)
-                for (std::size_t c = 0; c < conditions_; ++c)
-                    for (std::size_t k = 0; k < axes_; ++k) visit(tile * conditions_ + c, e, k, slopes_[next++]);
+                for (std::size_t k = 0; k < axes_; ++k, slopes += count_)
+                    visit(tile * count_, movements[entries_[e]], k, slopes);
+    }
+
+    /// What movements and misses do to the conditions that they are for.
+    std::vector<double> times_matrix(const std::vector<double>& multipliers) const
+    {
+        std::vector<double> image = times_slopes(moved_by(multipliers));
+        for (std::size_t i = 0; i < image.size(); ++i) image[i] += softness_[i] * multipliers[i];
+        return image;
     }
 
     /// The conditions of each tile by themselves, factorized.
     void precondition()
     {
-        const std::size_t size = conditions_ * (conditions_ + 1) / 2;
-        for (std::size_t tile = 0; tile < p_.tiles; ++tile) {
-            std::vector<double> triangle(size);
-            for (std::size_t e = first_entry_[tile]; e < first_entry_[tile + 1]; ++e) {
-                const std::uint32_t owners = owners_[entries_[e].stored];
-                if (owners == 0) continue;
-                const double* slopes = &slopes_[e * conditions_ * axes_];
-                for (std::size_t c = 0, at = 0; c < conditions_; ++c)
-                    for (std::size_t d = 0; d <= c; ++d, ++at)
-                        for (std::size_t k = 0; k < axes_; ++k)
-                            triangle[at] += slopes[c * axes_ + k] * slopes[d * axes_ + k] / owners;
+        const std::size_t size = count_ * (count_ + 1) / 2;
+        factors_.resize(p_.tiles * size);
+        softness_.resize(p_.tiles * count_);
+        tbb::parallel_for(std::size_t{0}, std::size_t{p_.tiles}, [&](std::size_t tile) {
+            const auto triangle = std::span(factors_).subspan(tile * size, size);
+            add_squares(tile, triangle);
+            for (std::size_t c = 0, diagonal = 0; c < count_; ++c, diagonal += c + 1) {
+                softness_[tile * count_ + c] = conditions_.softness(c) * triangle[diagonal];
+                triangle[diagonal] += softness_[tile * count_ + c];
             }
-            factorize(triangle, conditions_);
-            factors_.insert(factors_.end(), triangle.begin(), triangle.end());
-        }
+            factorize(triangle, count_);
+        });
+    }
+
+    /// Products of slopes of the points of a tile.
+    void add_squares(std::size_t tile, std::span<double> triangle) const
+    {
+        for (std::size_t e = first_entry_[tile]; e < first_entry_[tile + 1]; ++e)
+            for (std::size_t k = 0; k < axes_; ++k) {
+                const double* slopes = &slopes_[(e * axes_ + k) * count_];
+                for (std::size_t c = 0, at = 0; c < count_; ++c) {
+                    const double part = slopes[c] / owners_[entries_[e]];
+                    for (std::size_t d = 0; d <= c; ++d, ++at) triangle[at] += part * slopes[d];
+                }
+            }
     }
 
     std::vector<double> preconditioned(const std::vector<double>& residual) const
     {
-        const std::size_t size = conditions_ * (conditions_ + 1) / 2;
+        const std::size_t size = count_ * (count_ + 1) / 2;
         std::vector<double> result = residual;
         for (std::size_t tile = 0; tile < p_.tiles; ++tile)
-            solve(std::span(factors_).subspan(tile * size, size),
-                  std::span(result).subspan(tile * conditions_, conditions_));
+            solve(std::span(factors_).subspan(tile * size, size), std::span(result).subspan(tile * count_, count_));
         return result;
     }
 
@@ -183,13 +200,14 @@ private:
     }
 
     const PoissonTileParameters& p_;
-    std::vector<Monomial> monomials_;
-    std::size_t conditions_, axes_;
-    std::vector<std::uint32_t> owners_; ///< tiles that have a stored point; 0: it does not move
-    std::vector<Entry> entries_;        ///< tile after tile
+    TileConditions conditions_;
+    std::size_t count_, axes_;
+    std::vector<std::uint32_t> owners_;  ///< tiles that have a stored point; 0: it does not move
+    std::vector<std::uint32_t> entries_; ///< the stored points that move, tile after tile
     std::vector<std::size_t> first_entry_;
-    std::vector<double> slopes_; ///< by entry, condition, axis
+    std::vector<double> slopes_; ///< by entry, axis, condition
     std::vector<double> lacking_, factors_;
+    std::vector<double> softness_; ///< by tile, condition
 };
 
 }

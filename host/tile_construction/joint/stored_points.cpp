@@ -92,7 +92,8 @@ std::vector<Displacement> evening_displacements(JointEngine& engine, const Store
                                                 const OwnPoints& own_points, const PoissonTileParameters& p)
 {
     std::vector<Displacement> displacements(points.count());
-    add_evening(displacements, engine, points, own_points, p);
+    add_nulling(displacements, engine, points.mean_tile(), p, nulling_reach);
+    add_moment_step(displacements, points, own_points, p);
     return displacements;
 }
 
