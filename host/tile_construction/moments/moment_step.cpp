@@ -53,9 +53,10 @@ void solve(std::span<const double> factor, std::span<double> values)
     }
 }
 
-std::int64_t near_enough(std::uint32_t order, std::size_t points)
+std::int64_t near_enough(std::uint32_t order, std::uint32_t highest, std::size_t points)
 {
-    return (static_cast<std::int64_t>(points) + NEAR_POINTS) << (HALF_TILE_BITS * (order - 1)) >> NEAR_SHIFT;
+    return (static_cast<std::int64_t>(points) + NEAR_POINTS) << (HALF_TILE_BITS * (order - 1)) >>
+           (highest == 1 ? ALIKE_SHIFT : NEAR_SHIFT);
 }
 
 void MomentStep::measure(std::span<const FromMiddle> points)
@@ -69,7 +70,8 @@ void MomentStep::measure(std::span<const FromMiddle> points)
 bool MomentStep::is_near() const
 {
     for (std::size_t m = 0; m < monomials_.size(); ++m)
-        if (std::abs(lacking_[m]) > near_enough(order_of(monomials_[m]), points_.size())) return false;
+        if (std::abs(lacking_[m]) > near_enough(order_of(monomials_[m]), order_of(monomials_.back()), points_.size()))
+            return false;
     return true;
 }
 

@@ -54,7 +54,8 @@ private:
     std::vector<double> multipliers_;
 };
 
-/// The difference of moments of an order from those that are wanted, of so many points, that counts as rounding.
-std::int64_t near_enough(std::uint32_t order, std::size_t points);
+/// The difference of moments of an order from those that are wanted, of so many points, that counts as rounding, where
+/// moments up to a highest order are wanted.
+std::int64_t near_enough(std::uint32_t order, std::uint32_t highest, std::size_t points);
 
 }

@@ -18,7 +18,8 @@ enum
     HALF_TILE_BITS = 15, ///< moments are taken from the middle of a tile
     COARSE_BITS = 5,     ///< that slopes of moments leave out of coordinates, so that sums of their products are exact
     NEAR_POINTS = 4,     ///< moments are near where they lack less than these and all points, moved by so much of a unit:
-    NEAR_SHIFT = 2       ///< 2^-NEAR_SHIFT
+    NEAR_SHIFT = 2,      ///< 2^-NEAR_SHIFT
+    ALIKE_SHIFT = 1      ///< the same where first moments are all: points move alike, and less than half a unit is none
 };
 
 /// A condition on moments that has less than this part of its own left, beside those before it, is dropped.
