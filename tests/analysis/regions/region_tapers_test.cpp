@@ -92,7 +92,9 @@ TEST(RegionTapers, AreOrthogonalAndZeroOutside)
                     const std::array<double, 2> place{(column + dx) * step, (row + dy) * step};
                     std::array<double, 5> at{};
                     for (std::size_t k = 0; k < 5; ++k) at[k] = tapers.at(k, place);
-                    if (!region->contains(place)) ASSERT_EQ(at, (std::array<double, 5>{}));
+                    if (!region->contains(place)) {
+                        ASSERT_EQ(at, (std::array<double, 5>{}));
+                    }
                     for (std::size_t k = 0; k < 5; ++k)
                         for (std::size_t l = 0; l < 5; ++l) products[k][l] += at[k] * at[l] * weight;
                 }
