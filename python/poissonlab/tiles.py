@@ -59,7 +59,7 @@ Density = Union[float, Callable[..., numpy.typing.ArrayLike]]
 
 
 class TileSet:
-    """A tile set of a file (.ptiles or JSON), which `poissonlab tiles build` makes; ten ship in runtime/tile_sets.
+    """A tile set of a file (.ptiles or JSON), which `poissonlab tiles build` makes; some ship in runtime/tile_sets.
 
     Every seed is another tiling of all the plane (3D: of space). Lengths are in tiles. The points are those of
     runtime/poisson_tiles.h and of `poissonlab tiles points`, bit for bit. No OpenCL is needed.

@@ -188,7 +188,7 @@ TEST_F(TextureCommand, WrongArguments)
     expect_error(corner + "--colors 9 --size 16", "texture build: --colors 9: must be an integer from 2 to 8");
     expect_error(corner + "--colors 2 --size 112",
                  "noise.png: size = 112: must be at most the exemplar's, 120 x 110 pixels");
-    expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: --ring 9: must be an integer from 1 to 2");
+    expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: --ring 9: must be 1 or 2");
     expect_error(
         corner + "--colors 2 --size 16 --weight gradeint",
         "texture build: --weight gradeint: must be one of \"plain\", \"gradient\"; did you mean \"gradient\"?");
