@@ -1,5 +1,6 @@
 // The members of a series in results.json.
 #include "base/files/json_members.hpp"
+#include "results/periodograms.hpp"
 #include "results/series.hpp"
 
 namespace poissonlab {
@@ -135,7 +136,7 @@ void check(const StoredObject& object, const Series& series)
         throw object.error("points_each", "must have a size for each realization");
     if (!std::ranges::is_sorted(series.repeated))
         throw object.error("repeated_realizations", "must have numbers of realizations in their order");
-    if (series.is_estimate && (series.deterministic || series.realizations < 2))
+    if (series.is_estimate && (series.deterministic || periodograms_of(series) < 2))
         throw object.object("spectrum").error("kind", "one realization has a periodogram, not an estimate");
     if (series.radial_file.empty() && !series.spectrum_file.empty())
         throw object.error("radial", "is missing, though there is a spectrum");

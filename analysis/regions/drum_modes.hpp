@@ -18,7 +18,8 @@ struct DrumModes
 inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
 /// Bilinear elements. `number` has the number of each node of a grid, `columns` in a row, or no_node where it is held;
-/// those of the grid's border are. There are `count` + 8 free nodes or more. Modes have errors of some 1e-9.
+/// those of the grid's border are. There are `count` + 8 free nodes or more. Modes have errors of some 1e-9;
+/// where many have nearly one eigenvalue, they can be combinations of these. Throws InputError where none are found.
 DrumModes drum_modes(std::span<const std::size_t> number, std::size_t columns, std::array<double, 2> step,
                      std::size_t count);
 

@@ -23,6 +23,9 @@ constexpr double rounded_part = 1e-6;
 /// Nodes in excess of tapers that are needed, so that each taper has a form.
 constexpr std::size_t nodes_a_taper = 16;
 
+/// Values of sums over nodes that are kept, of 16 bytes each: a GiB. Where there are more, they are summed anew.
+constexpr std::size_t most_kept_values = std::size_t{1} << 26;
+
 /// Marks the cells whose inside an edge goes through; it is in units of cells.
 void mark_edge(std::array<double, 2> from, std::array<double, 2> to, const std::array<std::size_t, 2>& cells,
                std::vector<char>& is_crossed)
@@ -91,8 +94,8 @@ RegionTapers::RegionTapers(const FramedRegion& region, std::size_t count)
 {
     find_nodes(region);
     if (nodes_.size() < nodes_a_taper * count)
-        throw InputError(fmt::format("the region is too thin for {} tapers: {} of {} x {} squares over it are inside "
-                                     "with all around them; at most {} tapers",
+        throw InputError(fmt::format("the region is too thin for {} tapers: {} nodes of a grid of {} x {} squares over "
+                                     "it have all squares around them inside; at most {} tapers",
                                      count, nodes_.size(), cells_[0], cells_[1], nodes_.size() / nodes_a_taper));
     DrumModes modes = drum_modes(number_, cells_[0] + 1, step_, count);
     values_ = std::move(modes.values);
@@ -132,7 +135,8 @@ PointSet RegionTapers::nodes() const
 TaperedPeriodogram::TaperedPeriodogram(std::shared_ptr<const FramedRegion> region,
                                        std::shared_ptr<const RegionTapers> tapers, int size, bool is_exact)
     : region_(std::move(region)), tapers_(std::move(tapers)), size_(size),
-      fast_(is_exact ? nullptr : std::make_unique<NonuniformTransform>(size / 2)), nodes_(tapers_->nodes())
+      fast_(is_exact ? nullptr : std::make_unique<NonuniformTransform>(size / 2)), nodes_(tapers_->nodes()),
+      kept_(tapers_->count() * HalfPlane(size / 2).values.size() <= most_kept_values ? tapers_->count() : 1)
 {}
 
 TaperedPeriodogram::~TaperedPeriodogram() = default;
@@ -142,12 +146,20 @@ HalfPlane TaperedPeriodogram::weighted_sums(const PointSet& points, const std::v
     return region_sums(points, weights, region_->unit_length(), size_ / 2, fast_.get());
 }
 
+const HalfPlane& TaperedPeriodogram::node_sums(std::size_t taper)
+{
+    const bool are_all_kept = kept_.size() == tapers_->count();
+    std::optional<HalfPlane>& kept = kept_[are_all_kept ? taper : 0];
+    if (!kept || !are_all_kept) kept = weighted_sums(nodes_, tapers_->values(taper));
+    return *kept;
+}
+
 void TaperedPeriodogram::compute(const PointSet& points, std::size_t taper, HalfSpectrum& result)
 {
     std::vector<double> weights(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) weights[i] = tapers_->at(taper, {points[i][0], points[i][1]});
     const HalfPlane sums = weighted_sums(points, weights);
-    const HalfPlane pyramids = weighted_sums(nodes_, tapers_->values(taper));
+    const HalfPlane& pyramids = node_sums(taper);
     const auto n = static_cast<double>(points.size());
     result.dimension = 2;
     result.size = size_;

@@ -16,7 +16,9 @@
 // Transactions on Signal Processing 43(1), 1995).
 //
 // They are found among functions that are bilinear in the cells of a grid over the region's box, 0 at and beyond cells
-// that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form.
+// that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form. Of a pair of
+// equal frequency, as in a square, rounding decides the rotation: the two tapers can differ between machines, not the
+// sum of their spectra.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
@@ -26,6 +28,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace poissonlab {
@@ -76,12 +79,14 @@ public:
 
 private:
     HalfPlane weighted_sums(const PointSet& points, const std::vector<double>& weights);
+    const HalfPlane& node_sums(std::size_t taper);
 
     std::shared_ptr<const FramedRegion> region_;
     std::shared_ptr<const RegionTapers> tapers_;
     int size_;
     std::unique_ptr<NonuniformTransform> fast_; ///< none: exact
     PointSet nodes_;
+    std::vector<std::optional<HalfPlane>> kept_; ///< sums over nodes: of each taper, or of the last one
 };
 
 }

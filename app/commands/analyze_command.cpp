@@ -20,7 +20,7 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
   --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
-  --set analysis.tapers=9             with --region: the spectrum is the mean by so many orthogonal tapers
+  --set analysis.tapers=8             with --region: the spectrum is the mean by so many orthogonal tapers
   --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 

@@ -29,7 +29,7 @@ void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
 void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension)
 {
     if (!o.spectrum)
-        for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles"})
+        for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles", "tapers"})
             if (keys.is_given(key)) throw keys.invalid(key, "does not go with spectrum = \"none\"; leave it out");
     if (o.volume && dimension != 3)
         throw keys.invalid("volume", "needs dimension = 3: spectra of 2D sets are stored whole");

@@ -2,6 +2,7 @@
 
 #include "analysis/spectra/radial_statistics.hpp"
 #include "results/file_names.hpp"
+#include "results/periodograms.hpp"
 #include "version.hpp"
 
 #include <nlohmann/json.hpp>
@@ -70,12 +71,11 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     series.deterministic = task.deterministic;
     series.device_bytes = task.device_bytes;
     if (series.spectrum_size > 0) {
-        series.is_estimate = series.realizations > 1 && !task.deterministic;
+        const int periodograms = periodograms_of(series);
+        series.is_estimate = periodograms > 1 && !task.deterministic;
         series.spectrum_file = folder + file_names::spectrum;
         if (options.volume) series.volume_file = folder + file_names::spectrum_volume;
         series.radial_file = folder + file_names::radial;
-        const auto tapers = static_cast<int>(series.region ? std::max<std::size_t>(series.region->tapers, 1) : 1);
-        const int periodograms = series.realizations * tapers;
         series.background_anisotropy_db = background_anisotropy_db(periodograms) + 0.0; // no -0
     }
     const auto in_folder = [&](std::string& file) {

@@ -4,6 +4,7 @@
 #include "analysis/statistics/welch.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "reports/claims/findings.hpp"
+#include "results/periodograms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ Estimate peak_excess_anisotropy(const ReportSeries& series)
         if (largest == nullptr || ring->anisotropy_db > largest->anisotropy_db) largest = ring;
     if (largest == nullptr) return {};
     return {largest->anisotropy_db - series.curve.background_db,
-            anisotropy_standard_error_db(largest->samples, series.stored->realizations)};
+            anisotropy_standard_error_db(largest->samples, periodograms_of(*series.stored))};
 }
 
 RadialBin power_peak(const ReportSeries& series)

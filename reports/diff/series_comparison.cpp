@@ -2,12 +2,21 @@
 #include "reports/diff/run_comparison.hpp"
 #include "results/curve_tables.hpp"
 #include "results/measures.hpp"
+#include "results/periodograms.hpp"
 
 namespace poissonlab {
 
 namespace {
 
 std::size_t samples_of(const Series& series) { return static_cast<std::size_t>(series.realizations); }
+
+std::size_t spectral_samples_of(const Series& series) { return static_cast<std::size_t>(periodograms_of(series)); }
+
+/// An error of one set is that over its tapers.
+std::size_t samples_of(const MeasuredValue& value, const Series& series)
+{
+    return value.standard_error && series.realizations == 1 ? spectral_samples_of(series) : samples_of(series);
+}
 
 class SeriesNumbers
 {
@@ -54,7 +63,7 @@ private:
     static SampleMean mean_of(const Measure& measure, const MeasuredValue& value, const Series& series)
     {
         const bool is_of_all = measure.kind == MeasureKind::estimate;
-        return {value.value, value.standard_error.value_or(0), is_of_all ? samples_of(series) : 1};
+        return {value.value, value.standard_error.value_or(0), is_of_all ? samples_of(value, series) : 1};
     }
 
     void judge_both(NumberComparison& number, const Measure& measure, const MeasuredValue& before,
@@ -109,7 +118,7 @@ std::vector<CurvePoint> radial_curve(const Run& run, const Series& series)
 {
     std::vector<CurvePoint> curve;
     for (const auto& bin : read_radial_table(run.folder / series.radial_file))
-        curve.push_back({bin.frequency, {bin.power, bin.power_error, samples_of(series)}});
+        curve.push_back({bin.frequency, {bin.power, bin.power_error, spectral_samples_of(series)}});
     return curve;
 }
 

@@ -33,7 +33,7 @@ std::string caption(const ReportSeries& series)
                                    : std::string("Of one set,");
     if (tapers > 0)
         text = fmt::format("Mean over {} tapers of the region", tapers) +
-               (stored.is_estimate ? fmt::format(" and {} sets,", stored.realizations) : " of one set,");
+               (stored.realizations > 1 ? fmt::format(" and {} sets,", stored.realizations) : " of one set,");
     text += fmt::format(" {} × {} frequencies", side, in_space ? side + " × " + side : side);
     if (in_space)
         text += fmt::format(": the planes through frequency 0, from {} to {} along each axis",

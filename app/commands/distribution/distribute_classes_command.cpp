@@ -52,6 +52,8 @@ void throw_class_points(const ClassOptions& o)
     const KindSettings read = o.settings();
     const auto& settings = read.as<ClassSettings>();
     o.outs.check(o.command());
+    if (o.spectra.empty() && settings.sets > 1)
+        throw InputError(fmt::format("--sets {}: goes with --spectra", settings.sets));
     if (!o.spectra.empty()) {
         if (settings.dimension != 2) throw InputError("--spectra: is for points of the plane, --dimension 2");
         OutputFiles{{".csv"}, false, {o.spectra}}.check(o.command());
@@ -63,7 +65,7 @@ void throw_class_points(const ClassOptions& o)
     const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
     for (const std::string& out : o.outs.names) write_class_output(out, set, comment);
     if (!o.spectra.empty())
-        write_whole_file(o.spectra, spectra_csv(set.points, averaged_spectra(settings, o.seed(), o.place(), set)));
+        write_whole_file(o.spectra, spectra_csv(averaged_spectra(settings, o.seed(), o.place(), set)));
     if (o.prints_json()) print_numbers(class_numbers(set));
 }
 

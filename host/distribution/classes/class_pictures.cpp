@@ -27,11 +27,12 @@ std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
     return names;
 }
 
+/// Without places where no value is known.
 MarkCurve curve_of(const std::string& name, const std::string& color, const std::vector<double>& values, double unit)
 {
     MarkCurve curve{name, color, {}};
     for (std::size_t k = 0; k < values.size(); ++k)
-        curve.places.push_back({static_cast<double>(k + 1) / unit, values[k]});
+        if (!std::isnan(values[k])) curve.places.push_back({static_cast<double>(k + 1) / unit, values[k]});
     return curve;
 }
 
@@ -41,7 +42,7 @@ CurveAxis frequency_axis(const CrossSpectra& spectra, double unit)
     return {"frequency / sqrt(number of all points)", 0, static_cast<double>(spectra.bins()) / unit, 0.5};
 }
 
-double root_of_number(const ClassedPoints& points) { return std::sqrt(static_cast<double>(points.points.size())); }
+double root_of_number(std::size_t points) { return std::sqrt(static_cast<double>(points)); }
 
 }
 
@@ -77,28 +78,29 @@ CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins)
 {
     std::vector<PointSet> sets;
     for (const std::uint32_t i : used_classes(points)) sets.push_back(points.of_class(i));
-    const double reach = std::clamp(2.5 * root_of_number(points), 8.0, 1024.0);
+    const double reach = std::clamp(2.5 * root_of_number(points.points.size()), 8.0, 1024.0);
     return cross_spectra(sets, bins > 0 ? static_cast<int>(bins) : static_cast<int>(reach));
 }
 
-MarkPicture power_picture(const ClassedPoints& points, const CrossSpectra& spectra)
+MarkPicture power_picture(std::size_t points, const ClassSpectra& spectra)
 {
-    const std::vector<std::uint32_t> used = used_classes(points);
+    const std::vector<std::uint32_t>& used = spectra.classes;
     const double unit = root_of_number(points);
-    std::vector<MarkCurve> curves{curve_of("all", "#000000", spectra.power.back(), unit)};
+    std::vector<MarkCurve> curves{curve_of("all", "#000000", spectra.mean.power.back(), unit)};
     for (std::size_t i = 0; i < std::min(used.size(), most_curves); ++i)
-        curves.push_back(curve_of(fmt::format("class {}", used[i]), class_color(used[i]), spectra.power[i], unit));
-    return curve_marks(frequency_axis(spectra, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves);
+        curves.push_back(curve_of(fmt::format("class {}", used[i]), class_color(used[i]), spectra.mean.power[i], unit));
+    return curve_marks(frequency_axis(spectra.mean, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves);
 }
 
-MarkPicture cross_picture(const ClassedPoints& points, const CrossSpectra& spectra)
+MarkPicture cross_picture(std::size_t points, const ClassSpectra& spectra)
 {
-    const std::vector<std::string> names = pair_names(used_classes(points));
+    const std::vector<std::string> names = pair_names(spectra.classes);
     const double unit = root_of_number(points);
     std::vector<MarkCurve> curves;
     for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
-        curves.push_back(curve_of(names[i], class_color(i), spectra.cross[i], unit));
-    return curve_marks(frequency_axis(spectra, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves);
+        curves.push_back(curve_of(names[i], class_color(i), spectra.mean.cross[i], unit));
+    return curve_marks(frequency_axis(spectra.mean, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0,
+                       curves);
 }
 
 }

@@ -1,7 +1,7 @@
 // Points of several classes as pictures: where they are, and their spectra.
 #pragma once
 
-#include "analysis/spectra/cross_spectrum.hpp"
+#include "host/distribution/classes/class_means.hpp"
 #include "host/sampling/classes/class_darts.hpp"
 #include "results/pictures/mark_picture.hpp"
 
@@ -21,10 +21,10 @@ std::vector<std::uint32_t> used_classes(const ClassedPoints& points);
 /// interest. 2D only.
 CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins = 0);
 
-/// Radial power of each class and of all points.
-MarkPicture power_picture(const ClassedPoints& points, const CrossSpectra& spectra);
+/// Mean radial power of each class and of all points, of which there are so many in a set.
+MarkPicture power_picture(std::size_t points, const ClassSpectra& spectra);
 
-/// Radial cross power of each pair of classes.
-MarkPicture cross_picture(const ClassedPoints& points, const CrossSpectra& spectra);
+/// Mean radial cross power of each pair of classes.
+MarkPicture cross_picture(std::size_t points, const ClassSpectra& spectra);
 
 }

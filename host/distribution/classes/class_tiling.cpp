@@ -71,6 +71,12 @@ ClassSet tiled_classes(const ClassSettings& settings, std::uint64_t seed, const 
                        std::uint32_t number)
 {
     const auto tiles = std::make_shared<const PoissonTileSet>(set_with_classes(settings, seed, place));
+    return classes_by_tiles(tiles, settings, seed, place, number);
+}
+
+ClassSet classes_by_tiles(const std::shared_ptr<const PoissonTileSet>& tiles, const ClassSettings& settings,
+                          std::uint64_t seed, const DistributionPlace& place, std::uint32_t number)
+{
     const PoissonTileSet& set = *tiles;
     const TileClasses& classes = set.parameters.classes;
     const auto tiling_seed =

@@ -1,6 +1,5 @@
 #include "host/distribution/regions/nearest_in_plane.hpp"
 
-#include "analysis/measures/cell_grid.hpp"
 #include "base/geometry/plane_delaunay.hpp"
 
 #include <tbb/parallel_for.h>

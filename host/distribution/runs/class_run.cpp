@@ -56,7 +56,7 @@ void class_keys(Keys& keys, ClassSettings& s)
         .otherwise("no tiles are built");
     keys.integer("sets", s.sets, 1, 1000, "sets whose spectra are averaged; points are those of the first");
     keys.tiles(s.tiles).otherwise("darts are thrown");
-    keys.integer("torus", s.torus, 1, 4096, "with tiles: so many along each axis, whose opposite edges fit");
+    keys.integer("torus", s.torus, 1, 4096, "with tiles or colors: so many along each axis, whose opposite edges fit");
     if (keys.is_read() && s.sets > 1 && s.dimension != 2)
         throw keys.invalid("sets", "is about spectra, which are of the plane: dimension 2");
     if (!keys.is_read() || has_tiles(keys)) return;
@@ -101,19 +101,19 @@ std::vector<std::string> facts_of(const ClassSettings& s)
             s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
 }
 
-void add_class_spectra(const ClassedPoints& points, const ClassSpectra& spectra, DistributionFiles& files,
+void add_class_spectra(std::size_t points, const ClassSpectra& spectra, DistributionFiles& files,
                        DistributionResult& result)
 {
     const std::string of = spectra.sets == 1 ? "of this set alone" : fmt::format("the mean of {} sets", spectra.sets);
-    files.add_marks("power.json", power_picture(points, spectra.mean),
+    files.add_marks("power.json", power_picture(points, spectra),
                     fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
     if (!spectra.mean.cross.empty())
-        files.add_marks("cross-power.json", cross_picture(points, spectra.mean),
+        files.add_marks("cross-power.json", cross_picture(points, spectra),
                         fmt::format("Cross power of pairs of classes, {}: 0 where they know nothing of each other, "
                                     "below 0 where one has its points between those of the other.",
                                     of),
                         result);
-    write_whole_file(files.add("spectra.csv"), spectra_csv(points, spectra));
+    write_whole_file(files.add("spectra.csv"), spectra_csv(spectra));
     result.files.push_back("spectra.csv");
 }
 
@@ -140,9 +140,8 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
         write_tile_set(files.add("tiles.ptiles"), *set.tiles);
         result.files.emplace_back("tiles.ptiles");
     }
-    if (settings.dimension == 2) {
-        add_class_spectra(set.points, averaged_spectra(settings, seed, place, set), files, result);
-    }
+    if (settings.dimension == 2)
+        add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), files, result);
     result.numbers = class_numbers(set);
     result.tables.push_back(distance_table(set));
     return result;

@@ -110,9 +110,26 @@ TEST(ClassAverages, AreMeansOverSets)
         EXPECT_NEAR(spectra.mean.power[2][bin],
                     (each[0].power[2][bin] + each[1].power[2][bin] + each[2].power[2][bin]) / 3, 1e-12);
     }
-    const std::string text = spectra_csv(first.points, spectra);
+    const std::string text = spectra_csv(spectra);
     EXPECT_EQ(text.substr(0, text.find('\n')), "frequency,all,class_0,class_1,cross_0_1,all_error,class_0_error,"
                                                "class_1_error,cross_0_1_error");
+}
+
+/// A saturated set can leave a class without points: means are over the sets that have it, by its number.
+TEST(ClassAverages, AreOverSetsThatHaveTheClass)
+{
+    const UsedSpectra first{{0, 2}, {{{1}, {2}, {3}}, {{4}}}};
+    const UsedSpectra second{{0, 1, 2}, {{{3}, {6}, {8}, {5}}, {{7}, {10}, {9}}}};
+    const UsedSpectra third{{1}, {{{8}, {10}}, {}}};
+    const ClassSpectra means = mean_spectra({first, second, third});
+    EXPECT_EQ(means.sets, 3);
+    EXPECT_EQ(means.classes, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(means.mean.power, (std::vector<std::vector<double>>{{2}, {7}, {5}, {6}}));
+    EXPECT_EQ(means.mean.cross, (std::vector<std::vector<double>>{{7}, {7}, {9}}));
+    EXPECT_NEAR(means.error.cross[1][0], 3, 1e-12);
+    EXPECT_TRUE(std::isnan(means.error.cross[0][0])) << "of one set alone";
+    const ClassSpectra apart = mean_spectra({{{0}, {{{1}, {1}}, {}}}, {{1}, {{{1}, {1}}, {}}}});
+    EXPECT_TRUE(std::isnan(apart.mean.cross[0][0])) << "in no set at once";
 }
 
 /// Corner tiles are built for a torus of them; distances are proven in units of 1 / 65,536 of a tile.
