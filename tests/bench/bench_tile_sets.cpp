@@ -28,13 +28,16 @@ enum Set
     corner_8,
     edge_2,
     sphere_2,
+    chain_3,
     chain_4,
-    chain_8
+    chain_8,
+    even_3,
+    even_4
 };
 
-PoissonTileParameters with_chains(PoissonTileParameters parameters)
+PoissonTileParameters with_chains(PoissonTileParameters parameters, std::uint32_t equal_moments = 0)
 {
-    set_border(parameters, TileBorder::chain);
+    set_border(parameters, TileBorder::chain, {}, {}, equal_moments);
     return parameters;
 }
 
@@ -50,6 +53,12 @@ PoissonTileParameters parameters_of(std::int64_t set)
         return made(PoissonTileKind::corner, 2, 8, 64);
     case edge_2:
         return made(PoissonTileKind::edge, 2, 2, 64);
+    case chain_3:
+        return with_chains(made(PoissonTileKind::corner, 2, 3, 32));
+    case even_3:
+        return with_chains(made(PoissonTileKind::corner, 2, 3, 32), 2);
+    case even_4:
+        return with_chains(made(PoissonTileKind::corner, 2, 4, 32), 2);
     case chain_4:
         return with_chains(made(PoissonTileKind::corner, 2, 4, 32));
     case chain_8:
@@ -69,7 +78,8 @@ void build(benchmark::State& state)
     build_tile_set(small, Engine::opencl, provider);
     for (auto _ : state) benchmark::DoNotOptimize(build_tile_set(parameters, Engine::opencl, provider));
     state.SetLabel(kind_name(parameters) + (parameters.border == TileBorder::chain ? " with chains, " : ", ") +
-                   std::to_string(parameters.tiles) + " tiles");
+                   (parameters.equal_moments > 0 ? "equal moments, " : "") + std::to_string(parameters.tiles) +
+                   " tiles");
 }
 
 /// The ranks of 256 tiles with chains.
@@ -160,13 +170,20 @@ int main(int argc, char** argv)
     add("build", build, corner_8, 3);
     add("build", build, edge_2, 3);
     add("build", build, sphere_2, 1);
+    add("build", build, chain_3, 5);
+    add("build", build, even_3, 5);
     add("build", build, chain_4, 5);
+    add("build", build, even_4, 5);
     add("build", build, chain_8, 3);
     add("rank", rank, 32, 5);
     add("rank", rank, 64, 5);
     return run_benchmarks(
         argc, argv,
-        {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}},
+        {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6},
+         {"chains, C = 3: without / with equal second moments", fmt::format("build/{}", +chain_3),
+          fmt::format("build/{}", +even_3), 0.5},
+         {"chains, C = 4: without / with equal second moments", fmt::format("build/{}", +chain_4),
+          fmt::format("build/{}", +even_4), 0.5}},
         {{"strips, C = 4: ms", fmt::format("build/{}", +corner_4), 315},
          {"strips, C = 8: ms", fmt::format("build/{}", +corner_8), 3000},
          {"chains, C = 4: ms", fmt::format("build/{}", +chain_4), 1500},

@@ -10,6 +10,7 @@ namespace poissonlab {
 
 /// Adds the least movement after which the moments of all tiles, up to the order that is asked for, are nearly their
 /// mean. What counts is the mean square over a tiling, so points that many tiles have move no farther than others.
+/// Memory: 8 bytes a point of a tile that moves, axis and condition; 2.5 GB for 65,536 tiles of 64 points with chains.
 void add_moment_step(std::vector<Displacement>& displacements, const StoredPoints& points, const OwnPoints& own_points,
                      const PoissonTileParameters& parameters);
 

@@ -16,12 +16,6 @@
 
 namespace poissonlab {
 
-enum class LowWaves
-{
-    free,
-    held
-};
-
 class TileConditions
 {
 public:
@@ -43,7 +37,8 @@ public:
     /// Are tiles to stay as different as they are? If not, they are to become the same.
     bool stays(std::size_t condition) const { return condition >= monomials_.size(); }
 
-    /// What the square of missing the condition costs, over that of the movement that it takes; 0: it is not missed.
+    /// How softly the condition is held: one over what the square of missing it costs, where that of the movement that
+    /// it takes costs 1; 0: it is not missed.
     double softness(std::size_t condition) const;
 
 private:

@@ -11,9 +11,9 @@
 namespace poissonlab {
 namespace {
 
-/// Steps of nulling after moments are equal: making them so moves points, and the mean tile with them. With fewer,
+/// Steps of nulling when moments are near: bringing them there moves points, and the mean tile with them. With fewer,
 /// peaks beyond the first ring are higher than without equal moments; with more, the power between the peaks is.
-constexpr std::uint32_t nulling_steps = 24;
+constexpr std::uint32_t nulling_steps = 9;
 
 class MomentMaking
 {
@@ -24,32 +24,36 @@ public:
         : tiles_(tiles), progress_(progress)
     {}
 
-    /// Gives tiles the mean moments up to an order. Returns those that cannot have them.
-    Tiles without(const Tiles& all, std::uint32_t order) const
+    /// Gives tiles the mean moments up to an order: nearly, then, while peaks are nulled, exactly. Returns those that
+    /// cannot have them.
+    Tiles without(const Tiles& all, std::uint32_t order, bool nulls_peaks) const
     {
         const MomentTargets targets(tiles_.set(), order);
-        Tiles open = inexact(targets, all, tiles_.settle(targets, all));
-        for (std::uint32_t round = 0; round < tiles_.rounds && !open.empty(); ++round) {
-            open = inexact(targets, open, tiles_.settle_anew(targets, open, round));
+        std::uint32_t round = 0;
+        Tiles open = tiles_.settle(targets, all);
+        for (; round < tiles_.rounds && !open.empty(); ++round) {
+            open = tiles_.settle_anew(targets, open, round);
             if (progress_) progress_(all.size() - open.size(), all.size());
         }
+        if (!open.empty()) return open;
+        if (nulls_peaks) null_again(targets, all);
+        open = inexact(targets, all, {});
+        for (; round < tiles_.rounds && !open.empty(); ++round)
+            open = inexact(targets, open, tiles_.settle_anew(targets, open, round));
         return open;
     }
 
-    /// Steps of nulling that leave moments equal, where they are. Tiles that one does not suit stay as they are.
-    void null_again(const Tiles& all, std::uint32_t order) const
+private:
+    /// Steps of nulling that leave moments near. Tiles that one does not suit stay as they are.
+    void null_again(const MomentTargets& targets, const Tiles& all) const
     {
-        const MomentTargets targets(tiles_.set(), order);
-        const auto equal = tiles_.insides;
         for (std::uint32_t i = 0; i < nulling_steps; ++i) {
             const auto before = tiles_.insides;
             tiles_.null_peaks();
             for (const std::uint32_t tile : tiles_.settle(targets, all)) tiles_.insides[tile] = before[tile];
         }
-        for (const std::uint32_t tile : inexact(targets, all, {})) tiles_.insides[tile] = equal[tile];
     }
 
-private:
     /// Makes moments exact in tiles that did not fail. Returns the others, and those where it cannot be done.
     Tiles inexact(const MomentTargets& targets, const Tiles& all, const Tiles& failed) const
     {
@@ -77,14 +81,11 @@ void make_moments_equal(const PoissonTileParameters& p, const EvenableTiles& til
     std::iota(all.begin(), all.end(), 0u);
     EvenableTiles::Tiles failed;
     do {
-        failed = making.without(all, p.equal_moments);
-        if (failed.empty()) {
-            if (p.null_peaks && tiles.null_peaks) making.null_again(all, p.equal_moments);
-            return;
-        }
+        failed = making.without(all, p.equal_moments, p.null_peaks && tiles.null_peaks);
+        if (failed.empty()) return;
     } while (tiles.give_way(failed));
     std::uint32_t most = p.equal_moments - 1;
-    while (most > 0 && !making.without(failed, most).empty()) --most;
+    while (most > 0 && !making.without(failed, most, false).empty()) --most;
     throw invalid_value(
         {}, "equal_moments", fmt::format("{}", p.equal_moments),
         fmt::format("must be at most {} with these parameters: {} of {} tiles cannot have equal moments "

@@ -11,14 +11,25 @@
 namespace poissonlab {
 namespace {
 
-/// What the parts of the search may move a point by: rough steps, then along y, then along x.
-constexpr int rough_reach = 1, upright_reach = 1, level_reach = 2;
-static_assert(rough_reach + level_reach <= exact_reach && rough_reach + upright_reach <= exact_reach);
+/// What rough steps may move a point by, along each axis, and what is searched for then, along y.
+constexpr int rough_reach = 1, upright_reach = 1;
 
-constexpr std::size_t searched_points = 16;
-constexpr std::ptrdiff_t listed_points = 7;              ///< of them, all ways of which are in one table
-constexpr std::array<std::size_t, 2> level_points{7, 9}; ///< of the others, that move along x: first few, then more
-constexpr std::size_t rough_points = 32;                 ///< that are moved by pairs
+/// How far a search goes. Points move along y by a unit at most, and some of them along x. The ways to move those that
+/// are listed are in a table; it should fit into a fast memory, and ways of the others are looked up in it.
+struct SearchSize
+{
+    std::size_t listed, others, level_others;
+    int level_reach;
+
+    std::size_t points() const { return listed + others; }
+};
+
+/// Those that are done sooner come first.
+constexpr std::array<SearchSize, 3> search_sizes{{{9, 9, 9, 1}, {7, 9, 7, 2}, {7, 9, 9, 2}}};
+static_assert(std::ranges::all_of(search_sizes, [](const SearchSize& size) {
+    return rough_reach + size.level_reach <= exact_reach && rough_reach + upright_reach <= exact_reach;
+}));
+constexpr std::size_t rough_points = 32; ///< that are moved by pairs
 constexpr int most_rough_steps = 200;
 
 /// The indices of monomials_up_to(2, 2): x, y, xx, xy, yy.
@@ -56,9 +67,10 @@ public:
     {
         if (!settle_first_moments()) return false;
         approach();
-        choose_points();
-        const std::vector<UprightWay> upright = upright_ways();
-        return std::ranges::any_of(level_points, [&](std::size_t count) { return search(upright, level_ways(count)); });
+        return std::ranges::any_of(search_sizes, [&](const SearchSize& size) {
+            choose_points(size);
+            return search(upright_ways(), level_ways());
+        });
     }
 
 private:
@@ -158,21 +170,19 @@ private:
     }
 
     /// Those nearest to the middle: they change second moments by the smallest numbers.
-    void choose_points()
+    void choose_points(const SearchSize& size)
     {
         std::vector<std::size_t> order(points_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::ranges::stable_sort(order, {},
                                  [&](std::size_t i) { return std::abs(points_[i][0]) + std::abs(points_[i][1]); });
-        order.resize(std::min(order.size(), searched_points));
-        for (std::size_t i = 0; i < order.size(); ++i) halves_[i % 2].points.push_back(order[i]);
-        // Few ways fit into a fast memory, and those of the others are looked at until one is found.
-        auto& first = halves_[0].points;
-        auto& second = halves_[1].points;
-        if (std::ssize(first) > listed_points) {
-            second.insert(second.end(), first.begin() + listed_points, first.end());
-            first.resize(listed_points);
-        }
+        order.resize(std::min(order.size(), size.points()));
+        halves_ = {};
+        for (std::size_t i = 0; i < order.size(); ++i)
+            halves_[halves_[0].points.size() == size.listed ? 1 : i % 2].points.push_back(order[i]);
+        level_ = halves_;
+        level_[1].points.resize(std::min(size.level_others, level_[1].points.size()));
+        level_reach_ = size.level_reach;
     }
 
     /// Finds the ways along y, those first that leave least of the sum of products.
@@ -191,18 +201,16 @@ private:
         return found;
     }
 
-    /// Finds the ways along x of the first half and of so many points of the second, sorted by their product.
-    std::vector<LevelWay> level_ways(std::size_t count)
+    /// Finds the ways along x, sorted by their product.
+    std::vector<LevelWay> level_ways() const
     {
-        level_ = halves_;
-        level_[1].points.resize(std::min(count, level_[1].points.size()));
         const auto change = [&](std::size_t i, std::int64_t by) { return mixture(by, (2 * points_[i][0] + by) * by); };
         const auto product = [&](std::size_t i, std::int64_t by) {
             return static_cast<std::uint64_t>(points_[i][1] * by);
         };
         const std::uint64_t wanted = mixture(lacking_[in_x], lacking_[in_xx]);
         std::vector<LevelWay> found;
-        for_each_way(level_, level_reach, change, product, wanted, [&](const Ways& ways, std::int64_t changed) {
+        for_each_way(level_, level_reach_, change, product, wanted, [&](const Ways& ways, std::int64_t changed) {
             found.push_back({changed, ways});
         });
         std::ranges::sort(found, {}, [](const LevelWay& way) { return std::tuple(way.product, way.ways); });
@@ -228,12 +236,12 @@ private:
     {
         for (const UprightWay& up : upright) {
             // Both ways together change the sum by at most this.
-            constexpr auto most = static_cast<std::int64_t>(searched_points * upright_reach * level_reach);
+            const auto most = static_cast<std::int64_t>(points_.size()) * upright_reach * level_reach_;
             auto across = std::ranges::lower_bound(level, up.left - most, {}, &LevelWay::product);
             for (; across != level.end() && across->product <= up.left + most; ++across)
                 if (across->product + common_product(up.ways, across->ways) == up.left) {
                     move_all(halves_, up.ways, 1, upright_reach);
-                    move_all(level_, across->ways, 0, level_reach);
+                    move_all(level_, across->ways, 0, level_reach_);
                     return true;
                 }
         }
@@ -243,12 +251,13 @@ private:
     /// The sum of products of movements along both axes.
     std::int64_t common_product(Ways upright, Ways across) const
     {
-        constexpr std::size_t upright_base = 2 * upright_reach + 1, level_base = 2 * level_reach + 1;
+        const auto base = [](int reach) { return static_cast<std::size_t>(2 * reach + 1); };
+        const std::size_t upright_base = base(upright_reach), level_base = base(level_reach_);
         std::int64_t sum = 0;
         for (std::size_t h = 0; h < 2; ++h)
             for (std::size_t i = 0; i < level_[h].points.size(); ++i) {
                 sum += (static_cast<std::int64_t>(upright[h] % upright_base) - upright_reach) *
-                       (static_cast<std::int64_t>(across[h] % level_base) - level_reach);
+                       (static_cast<std::int64_t>(across[h] % level_base) - level_reach_);
                 upright[h] /= upright_base;
                 across[h] /= level_base;
             }
@@ -265,7 +274,8 @@ private:
     std::vector<StoredFromMiddle>& points_;
     std::vector<StoredFromMiddle> moved_; ///< by rough steps
     std::array<Half, 2> halves_, level_;  ///< of all searched points, and of those that move along x
-    Conditions lacking_{};                ///< wanted less found
+    int level_reach_ = 0;
+    Conditions lacking_{}; ///< wanted less found
 };
 
 /// By single units, each point at most by the reach.

@@ -2,6 +2,7 @@
 #include "host/tile_construction/joint/joint_moments.hpp"
 #include "host/tile_construction/joint/tile_conditions.hpp"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +30,8 @@ TEST(TileConditions, HaveTheSlopesOfTheirValues)
 {
     const TileConditions conditions(parameters_with(TileBorder::chain));
     EXPECT_EQ(conditions.count(), 5U + 2 * 16);
-    constexpr double step = 1e-5; // differences are right to step squared times third derivatives, below 5 pi / 4 cubed
+    constexpr double step =
+        1e-5; // differences are right to step squared times third derivatives, below (3 pi / 2) cubed
     for (const TileConditions::Position at :
          {TileConditions::Position{0.3, -0.8, 0}, {-1.05, 0.1, 0}, {0.9, 0.95, 0}}) {
         std::vector<double> slopes(2 * conditions.count()), above(conditions.count()), below(conditions.count());
@@ -156,6 +158,109 @@ TEST_F(TileMovement, BringsMomentsTogether)
         EXPECT_LT(spread(evened(border)), 0.1 * spread(pushed_)); // a step, of what is not linear
     }
 }
+
+/// Tiles with points that others have, too, at another place, and with points that do not move.
+class SharedMovement : public testing::TestWithParam<TileBorder>
+{
+protected:
+    SharedMovement()
+    {
+        std::mt19937 random(9);
+        std::uniform_int_distribution<std::int32_t> place(0, tile_units - 1);
+        const auto add = [&](std::size_t count, bool moves) {
+            std::vector<UnitPosition> points;
+            for (std::size_t i = 0; i < count; ++i) points.push_back({place(random), place(random), 0});
+            stored_.add(points, 1, moves);
+        };
+        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) add(20, true); // insides
+        add(6, true);                                                        // what all have, at its left and right
+        add(4, false);
+        std::normal_distribution<double> push(0, 100);
+        for (std::size_t i = 0; i < stored_.count(); ++i)
+            pushed_.push_back(stored_.mean_tile()[i].moves ? Displacement{push(random), push(random), 0}
+                                                           : Displacement{});
+        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
+            own_.emplace_back();
+            add_own(tile, tile, {});
+            add_own(tile, p_.tiles, {});
+            if (tile % 2 == 0) add_own(tile, p_.tiles, {1, 0, 0});
+            add_own(tile, p_.tiles + 1, {});
+        }
+    }
+
+    void add_own(std::uint32_t tile, std::size_t piece, const std::array<std::int8_t, 3>& base)
+    {
+        for (std::size_t i = stored_.first(piece); i < stored_.end(piece); ++i)
+            own_[tile].push_back({static_cast<std::uint32_t>(i), base});
+    }
+
+    PoissonTileParameters p_ = parameters_with(GetParam());
+    StoredPoints stored_;
+    std::vector<Displacement> pushed_;
+    std::vector<std::vector<OwnPoint>> own_;
+};
+
+/// The least movement W^-1 A' m, with (A W^-1 A' + S) m = b and W how many tiles have a point, by a dense solution.
+TEST_P(SharedMovement, IsTheLeastThatConditionsAllow)
+{
+    const TileConditions conditions(p_);
+    const auto count = static_cast<Eigen::Index>(conditions.count());
+    const Eigen::Index rows = count * p_.tiles, columns = 2 * static_cast<Eigen::Index>(stored_.count());
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(rows, columns);
+    Eigen::VectorXd lacking = Eigen::VectorXd::Zero(rows), owners = Eigen::VectorXd::Zero(columns);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows);
+    for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
+        for (const OwnPoint& own : own_[tile])
+            owners.segment(2 * own.stored, 2).array() += stored_.mean_tile()[own.stored].moves ? 1 : 0;
+    for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
+        for (const OwnPoint& own : own_[tile]) {
+            const WeightedPoint& point = stored_.mean_tile()[own.stored];
+            TileConditions::Position before{}, after{};
+            for (std::size_t k = 0; k < 2; ++k) {
+                before[k] = (point.position[k] + own.base[k] * tile_units) / (tile_units / 2.0) - 1;
+                after[k] = before[k] + pushed_[own.stored][k] / (tile_units / 2.0);
+            }
+            std::vector<double> was(conditions.count()), is(conditions.count()), slope(2 * conditions.count());
+            conditions.values(before, was);
+            conditions.values(after, is);
+            conditions.slopes(after, slope);
+            for (Eigen::Index c = 0; c < count; ++c) {
+                const auto number = static_cast<std::size_t>(c);
+                const Eigen::Index row = tile * count + c;
+                lacking[row] -= is[number] - (conditions.stays(number) ? was[number] : 0);
+                if (!point.moves) continue;
+                for (Eigen::Index k = 0; k < 2; ++k) {
+                    const double along = slope[static_cast<std::size_t>(k * count + c)];
+                    slopes(row, 2 * own.stored + k) += along;
+                    squares[row] += along * along / owners[2 * own.stored];
+                }
+            }
+        }
+    for (Eigen::Index row = 0; row < count; ++row) {
+        double mean = 0;
+        for (Eigen::Index tile = 0; tile < p_.tiles; ++tile) mean += lacking[tile * count + row] / p_.tiles;
+        for (Eigen::Index tile = 0; tile < p_.tiles; ++tile) lacking[tile * count + row] -= mean;
+    }
+    const Eigen::VectorXd shares = owners.array().max(1).inverse() * (owners.array() > 0).cast<double>();
+    Eigen::MatrixXd matrix = slopes * shares.asDiagonal() * slopes.transpose();
+    for (Eigen::Index row = 0; row < rows; ++row)
+        matrix(row, row) += conditions.softness(static_cast<std::size_t>(row % count)) * squares[row];
+    const Eigen::VectorXd multipliers = matrix.completeOrthogonalDecomposition().solve(lacking);
+    const Eigen::VectorXd movement = shares.asDiagonal() * (slopes.transpose() * multipliers) * (tile_units / 2.0);
+
+    std::vector<Displacement> moved = pushed_;
+    add_moment_step(
+        moved, stored_, [&](std::uint32_t tile) { return own_[tile]; }, p_);
+    const double longest = movement.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < moved.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            EXPECT_NEAR(moved[i][k] - pushed_[i][k], movement[static_cast<Eigen::Index>(2 * i + k)], 1e-3 * longest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Borders, SharedMovement, testing::Values(TileBorder::strip, TileBorder::chain),
+                         [](const auto& border) {
+                             return std::string(border.param == TileBorder::strip ? "strips" : "chains");
+                         });
 
 }
 }
