@@ -6,6 +6,7 @@
 #include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "results/measures.hpp"
+#include "results/periodograms.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ constexpr std::string_view measures_file = "measures.csv";
 constexpr std::string_view curves_file = "curves.csv";
 
 constexpr std::string_view methods_header =
-    "name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label";
+    "name,dimension,points,periodograms,min_distance,sampler,seed,program,parameters,label";
 constexpr std::string_view measures_header = "name,measure,value,standard_error";
 constexpr std::string_view curves_header = "name,frequency,power,power_error,anisotropy_db";
 
@@ -64,7 +65,7 @@ void add_gallery_method(const GallerySource& source, GalleryTables& tables)
     const Series& stored = *source.stored;
     const std::string name = gallery_name(source);
     fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},{},{},{},{},{}\n", name,
-                   source.curve->dimension, stored.points, stored.realizations,
+                   source.curve->dimension, stored.points, periodograms_of(stored),
                    stored.min_distance ? stored.min_distance->mean : 0, stored.sampler, source.seed, source.program,
                    csv_quoted(stored.parameters_json), csv_quoted(source.label));
     for (const Measure& measure : measures()) {
@@ -85,8 +86,8 @@ GalleryMethod gallery_method_of(const TableReader& line)
     method.name = line.text(0);
     method.curve.dimension = static_cast<int>(line.number(1));
     method.curve.points = static_cast<std::size_t>(line.number(2));
-    method.curve.realizations = static_cast<int>(line.number(3));
-    method.curve.background_db = background_anisotropy_db(method.curve.realizations);
+    method.curve.periodograms = static_cast<int>(line.number(3));
+    method.curve.background_db = background_anisotropy_db(method.curve.periodograms);
     if (const double distance = line.number(4); distance > 0) method.curve.principal_frequency = 1 / distance;
     method.sampler = line.text(5);
     method.seed = line.text(6);

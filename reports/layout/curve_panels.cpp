@@ -96,7 +96,7 @@ Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunP
             .picture = anisotropy_alone(plots.anisotropy, index, series.curve),
             .title = "Anisotropy",
             .caption = fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
-                                   format_fixed(series.curve.background_db, 1), series.curve.realizations),
+                                   format_fixed(series.curve.background_db, 1), series.curve.periodograms),
             .guide =
                 fmt::format("How much power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
                             "On the line: no direction is preferred. Far above it: a grid, tiles, or rows. The "

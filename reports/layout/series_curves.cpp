@@ -74,7 +74,7 @@ Curve read_curve(const Run& run, const Series& stored)
     curve.dimension = run.dimension;
     if (stored.has_spectrum()) curve.bins = read_radial_table(run.folder / stored.radial_file);
     curve.background_db = stored.background_anisotropy_db;
-    curve.realizations = periodograms_of(stored);
+    curve.periodograms = periodograms_of(stored);
     if (stored.min_distance && stored.min_distance->mean > 0) curve.principal_frequency = 1 / stored.min_distance->mean;
     if (stored.spectrum_size > 0)
         curve.max_frequency = stored.spectrum_size / 2;

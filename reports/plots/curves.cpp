@@ -214,7 +214,7 @@ Plot anisotropy_alone(const Plot& all, std::size_t index, const Curve& curve)
     Plot plot = with_principal_frequency(alone(all, index), curve);
     plot.references = {
         {curve.background_db,
-         fmt::format("−10 log_{{10}} {} = {} dB", curve.realizations, format_fixed(curve.background_db, 1)), -1.2}};
+         fmt::format("−10 log_{{10}} {} = {} dB", curve.periodograms, format_fixed(curve.background_db, 1)), -1.2}};
     return plot;
 }
 

@@ -18,7 +18,7 @@ struct Curve
     int dimension = 2;
     std::vector<RadialBin> bins;
     double background_db = 0;                  ///< anisotropy of white noise, -10 log10 K
-    int realizations = 0;                      ///< K
+    int periodograms = 0;                      ///< K
     std::optional<double> principal_frequency; ///< 1 / minimum distance
     double max_frequency = 0;                  ///< end of the axis
 

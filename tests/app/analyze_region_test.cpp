@@ -1,9 +1,14 @@
 // `poissonlab analyze --region`: sets in a region of the plane, made elsewhere, and the same by a config.
+#include "results/curve_tables.hpp"
 #include "tests/support/program.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <random>
 
 namespace poissonlab {
 namespace {
@@ -45,6 +50,46 @@ TEST(AnalyzeRegion, WritesCurvesAndAReport)
     for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "out/c"))
         if (entry.path().filename() == "region.csv") found = content_of(entry.path());
     EXPECT_EQ(found, content_of(out / "trees/region.csv"));
+}
+
+std::string random_lines(int count)
+{
+    std::mt19937 random(7);
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        const double x = random() * 0x1p-32, y = random() * 0x1p-32;
+        text += fmt::format("{},{}\n", x, y);
+    }
+    return text;
+}
+
+/// One set by eight tapers is as good as eight sets, everywhere: a power spectrum estimate, whose anisotropy is that of
+/// eight periodograms. Eight part no pair of equal frequency in a square.
+TEST(AnalyzeRegion, CountsAPeriodogramForEachTaper)
+{
+    const TemporaryFolder folder;
+    folder.write("points.csv", random_lines(4000));
+    const Outcome outcome =
+        run_program(folder.path(), {"analyze", "points.csv", "--region", "rectangle 0 0 1 1", "--set",
+                                    "analysis.tapers=8", "--set", "analysis.envelope=0", "--quiet"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const fs::path out = folder.path() / "out/points";
+    const auto series = nlohmann::json::parse(content_of(out / "results.json"))["series"][0];
+    EXPECT_EQ(series["spectrum"]["kind"], "power spectrum estimate");
+    EXPECT_NEAR(series["radial"]["background_anisotropy_db"].get<double>(), -10 * std::log10(8.0), 1e-6);
+    EXPECT_THAT(content_of(out / "points/index.html"), testing::HasSubstr("dB for K\u00a0=\u00a08."));
+
+    double sum = 0, rings = 0, samples = 0;
+    for (const RadialBin& ring : read_radial_table(out / "points/radial.csv"))
+        if (ring.frequency >= 20 && ring.frequency <= 60) {
+            sum += std::pow(10, ring.anisotropy_db / 10);
+            ++rings;
+            samples += static_cast<double>(ring.samples) / 2; // f and -f have one power
+        }
+    // Means of eight exponential variates have the squared deviation 1/8, whose estimate from n of them has the
+    // relative one (2 + 6/8) / n. Frequencies that are three apart along each axis are independent, nearly: n is a
+    // ninth.
+    EXPECT_NEAR(8 * sum / rings, 1, 5 * std::sqrt(2.75 / (samples / 9)));
 }
 
 }

@@ -60,7 +60,7 @@ TEST(GalleryConfigs, MakeTheGallery)
         EXPECT_EQ(method.sampler, plan.sampler->name);
         EXPECT_EQ(method.seed, fmt::format("{}", plan.request.seed));
         EXPECT_EQ(method.curve.dimension, plan.request.dimension);
-        EXPECT_EQ(method.curve.realizations, static_cast<int>(plan.realizations));
+        EXPECT_EQ(method.curve.periodograms, static_cast<int>(plan.realizations));
         // Lattices and tilings have as many points as they can; windows of tiles of 8 kinds differ the most.
         EXPECT_NEAR(static_cast<double>(method.curve.points) / static_cast<double>(plan.request.points), 1, 0.05);
         std::set<std::string> given, stored;

@@ -72,8 +72,17 @@ double plain_part(const test::Picture& picture)
 class ShippedReports : public testing::TestWithParam<std::string>
 {
 protected:
-    static void SetUpTestSuite() { browser_ = std::make_unique<test::Browser>(std::chrono::minutes(5)); }
-    static void TearDownTestSuite() { browser_.reset(); }
+    /// Tile sets are those of this build, and of none that the user has.
+    static void SetUpTestSuite()
+    {
+        ::setenv("POISSONLAB_CACHE", (fs::path(program_file()).parent_path() / "tests/tile-sets").c_str(), 1);
+        browser_ = std::make_unique<test::Browser>(std::chrono::minutes(5));
+    }
+    static void TearDownTestSuite()
+    {
+        browser_.reset();
+        ::unsetenv("POISSONLAB_CACHE");
+    }
 
     /// Makes the report of a config at small sizes.
     void make_report(const std::string& name)

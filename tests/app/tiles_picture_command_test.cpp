@@ -21,7 +21,7 @@
 namespace poissonlab {
 namespace {
 
-/// A point of a picture: its place in pixels.
+/// A point of a picture: its place in pixels, on the torus.
 struct PixelPoint
 {
     std::uint32_t number = 0;
@@ -34,9 +34,11 @@ std::vector<PixelPoint> points_of_pixels(const test::RawPng& picture)
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column) {
             const std::uint16_t* const values = picture.pixel(column, row);
+            // A value of 255 is the pixel's far border, in the last pixel that of the torus.
+            const double x = std::fmod(column + values[0] / 255.0, picture.width);
+            const double y = std::fmod(row + values[1] / 255.0, picture.height);
             if (values[3] > 0)
-                points.push_back(
-                    {(values[3] - 1U) * 256U + values[2], {column + values[0] / 255.0, row + values[1] / 255.0}});
+                points.push_back({(values[3] - 1U) * 256U + values[2], {x, y}});
             else
                 EXPECT_EQ(values[0] + values[1] + values[2], 0);
         }

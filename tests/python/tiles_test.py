@@ -19,15 +19,21 @@ class TileSets(FolderTest):
 
     def test_have_the_points_of_the_program_bit_for_bit(self):
         files = sorted(FOLDER.glob("*.ptiles"))
-        self.assertEqual(len(files), 10)
+        self.assertEqual(len(files), 11)
+        self.assertEqual([file.name for file in files if pl.TileSet(file).class_points],
+                         ["corner-classes-c3-n8-16-40-r070.ptiles"])
         for file in files:
             with self.subTest(file.name):
                 tiles = pl.TileSet(file)
                 window = (-3, 5, 4, 2) if tiles.dimension == 2 else (-3, 5, 1, 2, 1, 2)
                 corner = numpy.array(window[:tiles.dimension])
+                of_program = self.points_of_program(file, window, "--seed", 9)
+                points = tiles.points(*window, seed=9)
+                if tiles.class_points:
+                    self.assert_same_bytes(tiles.class_of(points.index), of_program["class"])
+                    of_program = numpy.stack([of_program["x"], of_program["y"]], axis=1)
                 # The program says them from the window's corner: multiples of 2^-16, so that nothing is rounded.
-                self.assert_same_bytes(tiles.window(*window, seed=9) - corner,
-                                       self.points_of_program(file, window, "--seed", 9))
+                self.assert_same_bytes(points.position - corner, of_program)
 
     def test_thin_out_without_moving_a_point(self):
         tiles = pl.TileSet(TILE_SET)

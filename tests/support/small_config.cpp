@@ -17,13 +17,15 @@ std::map<std::string, long> largest_values(const std::string& toml)
         {"points", 256},         {"realizations", 2}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
         {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
         {"points_per_tile", 16}, {"size", 256},       {"colors", 2}};
-    if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
-    if (toml.find("equal_moments = 2") != std::string::npos) values["points_per_tile"] = 32;
-    if (toml.find("compare = true") != std::string::npos) values["sets"] = 1;
-    if (toml.find("levels = ") != std::string::npos) values["points"] = 1024;
-    // The fourth power of these is the number of tiles to build. Lists keep several, and textures are fast.
-    if (toml.find("colors = [") != std::string::npos) values["colors"] = 3;
-    if (toml.find("[[texture]]") != std::string::npos) values["colors"] = 4;
+    const auto has = [&](const char* line) { return toml.find(line) != std::string::npos; };
+    if (has("dimension = 3")) values.at("points") = 2048, values.at("points_per_tile") = 128;
+    if (has("equal_moments = 2")) values.at("points_per_tile") = 32;
+    if (has("compare = true")) values.at("sets") = 1;
+    if (has("levels = ")) values.at("points") = 1024;
+    // The fourth power of these is the number of tiles to build. Lists keep several; textures are fast, and so are
+    // tiles with classes.
+    if (has("colors = [") || has("kind = \"classes\"")) values.at("colors") = 3;
+    if (has("[[texture]]")) values.at("colors") = 4;
     return values;
 }
 

@@ -78,7 +78,8 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
                 "radius of a disk")
         .otherwise("0.36, with one stage 0");
     keys.flag("joint", r.joint,
-              "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles fit by it");
+              "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
+              "fit by it");
     keys.integer(
         "rounds", r.rounds, 1, most_joint_rounds,
         "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "

@@ -17,9 +17,9 @@ enum
     MAX_MONOMIALS = 19,  ///< up to order 3, in space
     HALF_TILE_BITS = 15, ///< moments are taken from the middle of a tile
     COARSE_BITS = 5,     ///< that slopes of moments leave out of coordinates, so that sums of their products are exact
-    NEAR_POINTS = 4,     ///< moments are near where they lack less than these and all points, moved by so much of a unit:
-    NEAR_SHIFT = 2,      ///< 2^-NEAR_SHIFT
-    ALIKE_SHIFT = 1      ///< the same where first moments are all: points move alike, and less than half a unit is none
+    NEAR_POINTS = 4,     ///< a moment is near if all points and so many more make up for what it lacks, each of which
+    NEAR_SHIFT = 2,      ///< moves by 2^-NEAR_SHIFT of a unit,
+    ALIKE_SHIFT = 1      ///< or by half a unit among first moments alone: points move alike then, by whole units
 };
 
 /// A condition on moments that has less than this part of its own left, beside those before it, is dropped.

@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -77,62 +80,162 @@ TEST(RegionTapers, OfADiskHaveTheEigenvaluesOfBesselsZeros)
     }
 }
 
-TEST(RegionTapers, AreOrthogonalAndZeroOutside)
+constexpr std::size_t five = 5;
+
+/// The places of Gauss's rule of two along each axis, in each cell of the grid over `bent`, and tapers there. They are
+/// exact for products of two bilinear functions.
+struct GaussPlace
 {
-    const auto region = framed_text(bent);
-    const RegionTapers tapers(*region, 5);
-    // Four places of Gauss's rule in each cell are exact for products of two bilinear functions.
+    std::array<double, 2> place{}; ///< in the frame
+    std::array<double, five> tapers{};
+};
+
+std::vector<GaussPlace> gauss_places(const RegionTapers& tapers)
+{
     const double near = 0.5 - 0.5 / std::sqrt(3.0), step = 1.0 / 128;
-    const double weight = tapers.step()[0] * tapers.step()[1] / 4;
-    std::array<std::array<double, 5>, 5> products{};
+    std::vector<GaussPlace> places;
     for (int row = 0; row < 128; ++row)
         for (int column = 0; column < 128; ++column)
             for (const double dy : {near, 1 - near})
                 for (const double dx : {near, 1 - near}) {
-                    const std::array<double, 2> place{(column + dx) * step, (row + dy) * step};
-                    std::array<double, 5> at{};
-                    for (std::size_t k = 0; k < 5; ++k) at[k] = tapers.at(k, place);
-                    if (!region->contains(place)) {
-                        ASSERT_EQ(at, (std::array<double, 5>{}));
-                    }
-                    for (std::size_t k = 0; k < 5; ++k)
-                        for (std::size_t l = 0; l < 5; ++l) products[k][l] += at[k] * at[l] * weight;
+                    GaussPlace at{{(column + dx) * step, (row + dy) * step}, {}};
+                    for (std::size_t k = 0; k < five; ++k) at.tapers[k] = tapers.at(k, at.place);
+                    places.push_back(at);
                 }
-    for (std::size_t k = 0; k < 5; ++k)
-        for (std::size_t l = 0; l < 5; ++l) EXPECT_NEAR(products[k][l], k == l, 1e-9) << k << ", " << l;
+    return places;
 }
 
-/// The mean over tapers and sets of independent points is 1 - |H|^2, and it varies as that of so many periodograms.
-TEST(TaperedPeriodogram, OfRandomPointsIsOneWithTheSpreadOfTapers)
+/// The part of the region's area that a place stands for.
+double weight_of_place(const RegionTapers& tapers) { return tapers.step()[0] * tapers.step()[1] / 4; }
+
+TEST(RegionTapers, AreOrthogonalAndZeroOutside)
 {
     const auto region = framed_text(bent);
-    constexpr std::size_t count = 5, sets = 60, n = 200;
-    const auto tapers = std::make_shared<const RegionTapers>(*region, count);
-    const RandomInRegion random(*region, nullptr);
-    TaperedPeriodogram periodogram(region, tapers, 16, false);
-    double sum = 0, squares = 0;
-    int frequencies = 0;
-    std::vector<double> mean(9 * 17);
-    for (std::uint32_t set = 0; set < sets; ++set) {
-        const PointSet points = random.points(n, set);
-        std::vector<double> of_set(mean.size());
-        for (std::size_t k = 0; k < count; ++k) {
-            HalfSpectrum power;
-            periodogram.compute(points, k, power);
-            for (std::size_t i = 0; i < mean.size(); ++i) of_set[i] += power.power[i] / count;
+    const RegionTapers tapers(*region, five);
+    std::array<std::array<double, five>, five> products{};
+    for (const GaussPlace& p : gauss_places(tapers)) {
+        if (!region->contains(p.place)) {
+            ASSERT_EQ(p.tapers, (std::array<double, five>{}));
         }
-        for (std::size_t u = 4; u < 9; ++u)
-            for (std::size_t v = 0; v < 17; ++v) {
-                const double power = of_set[u * 17 + v];
-                sum += power;
-                squares += (power - 1) * (power - 1);
-                ++frequencies;
+        for (std::size_t k = 0; k < five; ++k)
+            for (std::size_t l = 0; l < five; ++l)
+                products[k][l] += p.tapers[k] * p.tapers[l] * weight_of_place(tapers);
+    }
+    for (std::size_t k = 0; k < five; ++k)
+        for (std::size_t l = 0; l < five; ++l) EXPECT_NEAR(products[k][l], k == l, 1e-9) << k << ", " << l;
+}
+
+struct Moments
+{
+    double mean = 0, square = 0; ///< of a value, of its square
+};
+
+/// Expectations of what an independent point adds to the sums of five tapers: g = h(x) exp(-2 pi i f x) - H, which is 0
+/// on average.
+class PointSums
+{
+public:
+    PointSums(const std::vector<GaussPlace>& places, const RegionTapers& tapers, const std::array<double, 2>& frequency)
+    {
+        const double weight = weight_of_place(tapers);
+        const auto wave = [&](const GaussPlace& p) {
+            return std::polar(1.0, -2 * std::numbers::pi * (frequency[0] * p.place[0] + frequency[1] * p.place[1]));
+        };
+        std::array<Complex, five> transform{}, g{};
+        for (const GaussPlace& p : places)
+            for (std::size_t k = 0; k < five; ++k) transform[k] += weight * p.tapers[k] * wave(p);
+        double inside = 0;
+        for (const GaussPlace& p : places) {
+            if (p.tapers == std::array<double, five>{}) continue;
+            for (std::size_t k = 0; k < five; ++k) g[k] = p.tapers[k] * wave(p) - transform[k];
+            add(g, weight);
+            inside += weight;
+        }
+        for (std::size_t k = 0; k < five; ++k) g[k] = -transform[k]; // where tapers are 0
+        add(g, 1 - inside);
+    }
+
+    /// Of the mean over tapers of periodograms of n points, and of its square: of all quadruples of points, those are
+    /// left that are two equal pairs, and those of one point.
+    Moments of_periodograms(double n) const
+    {
+        Moments moments;
+        for (std::size_t k = 0; k < five; ++k) {
+            moments.mean += conjugate_[k][k].real() / five;
+            for (std::size_t l = 0; l < five; ++l) {
+                const double pairs = conjugate_[k][k].real() * conjugate_[l][l].real() + std::norm(conjugate_[k][l]) +
+                                     std::norm(product_[k][l]);
+                moments.square += ((1 - 1 / n) * pairs + squares_[k][l] / n) / (five * five);
+            }
+        }
+        return moments;
+    }
+
+private:
+    using Complex = std::complex<double>;
+
+    void add(const std::array<Complex, five>& g, double part)
+    {
+        for (std::size_t k = 0; k < five; ++k)
+            for (std::size_t l = 0; l < five; ++l) {
+                product_[k][l] += part * g[k] * g[l];
+                conjugate_[k][l] += part * g[k] * std::conj(g[l]);
+                squares_[k][l] += part * std::norm(g[k]) * std::norm(g[l]);
             }
     }
-    // Periodograms of a set are independent from some frequencies away on: errors count those of a ninth of all.
-    const double effective = frequencies / 9.0;
-    EXPECT_NEAR(sum / frequencies, 1, 5 / std::sqrt(count * effective));
-    EXPECT_NEAR(squares / frequencies * count, 1, 5 * std::sqrt(8.0 / effective)); // of squares of exponential variates
+
+    std::array<std::array<Complex, five>, five> product_{}, conjugate_{}; ///< of g of two tapers
+    std::array<std::array<double, five>, five> squares_{};                ///< of |g|^2 of two tapers
+};
+
+/// Values of independent sets, whose mean differs from what is expected by five of its standard errors at most.
+void expect_mean(const std::vector<double>& values, double expected)
+{
+    const auto n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    EXPECT_NEAR(mean, expected, 5 * std::sqrt(squares / (n - 1) / n));
+}
+
+/// Of random points, the mean over tapers has the mean and the spread that the tapers' integrals say.
+TEST(TaperedPeriodogram, OfRandomPointsHasTheMomentsOfTapers)
+{
+    const auto region = framed_text(bent);
+    constexpr std::size_t sets = 600, n = 50;
+    const auto tapers = std::make_shared<const RegionTapers>(*region, five);
+    const RandomInRegion random(*region, nullptr);
+    TaperedPeriodogram periodogram(region, tapers, 16, false);
+    constexpr std::array<std::array<int, 2>, 5> frequencies{{{0, 1}, {1, 0}, {3, -3}, {5, 4}, {8, -7}}};
+    std::array<std::vector<double>, frequencies.size()> means, squares;
+    for (std::uint32_t set = 0; set < sets; ++set) {
+        const PointSet points = random.points(n, set);
+        std::array<double, frequencies.size()> mean{};
+        for (std::size_t k = 0; k < five; ++k) {
+            HalfSpectrum power;
+            periodogram.compute(points, k, power);
+            for (std::size_t i = 0; i < mean.size(); ++i) {
+                const auto [u, v] = frequencies[i];
+                mean[i] += power.power[static_cast<std::size_t>(u) * 17 + static_cast<std::size_t>(v + 8)] / five;
+            }
+        }
+        for (std::size_t i = 0; i < mean.size(); ++i) {
+            means[i].push_back(mean[i]);
+            squares[i].push_back(mean[i] * mean[i]);
+        }
+    }
+    const std::vector<GaussPlace> places = gauss_places(*tapers);
+    for (std::size_t i = 0; i < frequencies.size(); ++i) {
+        SCOPED_TRACE(i);
+        const std::array<double, 2> in_frame{frequencies[i][0] / region->unit_length(),
+                                             frequencies[i][1] / region->unit_length()};
+        const Moments expected = PointSums(places, *tapers, in_frame).of_periodograms(n);
+        expect_mean(means[i], expected.mean);
+        expect_mean(squares[i], expected.square);
+        if (i > 1) { // 2 is what a single periodogram has
+            EXPECT_LT(expected.square, 1.3);
+        }
+    }
 }
 
 TEST(RegionTapers, NeedRoom)

@@ -19,7 +19,7 @@ Curve small_curve()
 {
     Curve curve;
     curve.points = 100;
-    curve.realizations = 10;
+    curve.periodograms = 10;
     for (int k = 1; k <= 5; ++k) curve.bins.push_back({static_cast<double>(k), 0.1 * k, -10.5, 6, 0.01});
     return curve;
 }
@@ -96,7 +96,7 @@ TEST(Gallery, MistakesAreSaidWithTableAndLine)
     };
     EXPECT_EQ(error_of([](auto& t) { t.methods = "x\n"; }),
               "methods.csv:1: must be the header "
-              "name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label");
+              "name,dimension,points,periodograms,min_distance,sampler,seed,program,parameters,label");
     EXPECT_EQ(error_of([](auto& t) { t.methods += "a,2,100\n"; }), "methods.csv:3: must have 10 columns");
     EXPECT_EQ(error_of([](auto& t) { t.methods += "a,2,100,10,0,x,1,0.1,\"{}\",\"A\n"; }),
               "methods.csv:3: must close its quotes, with a comma behind");
@@ -150,7 +150,7 @@ void expect_curve(const std::string& name, const std::function<double(std::array
 {
     const GalleryMethod* method = method_of_gallery(name);
     ASSERT_TRUE(method) << name;
-    ASSERT_EQ(method->curve.realizations, 10);
+    ASSERT_EQ(method->curve.periodograms, 10);
     const std::vector<double> expected = expected_powers(method->curve, power);
     double squares = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -89,7 +89,7 @@ struct Comparison
         const double own = ours.standard_error.value_or(published.error);
         if (published.points_of_one_set == 0) return own;
         // Deviations of means over a set's points fall with the root of their number.
-        const double sets = method.curve.realizations * static_cast<double>(method.curve.points);
+        const double sets = method.curve.periodograms * static_cast<double>(method.curve.points);
         return own * std::sqrt(1 + sets / published.points_of_one_set);
     }
 
