@@ -24,7 +24,7 @@ constexpr std::string_view measures_file = "measures.csv";
 constexpr std::string_view curves_file = "curves.csv";
 
 constexpr std::string_view methods_header =
-    "name,dimension,points,periodograms,min_distance,sampler,seed,program,parameters,label";
+    "name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label";
 constexpr std::string_view measures_header = "name,measure,value,standard_error";
 constexpr std::string_view curves_header = "name,frequency,power,power_error,anisotropy_db";
 

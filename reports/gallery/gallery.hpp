@@ -29,7 +29,7 @@ struct GalleryMethod
 /// The texts of the tables.
 struct GalleryTables
 {
-    /// name,dimension,points,periodograms,min_distance,sampler,seed,program,parameters,label; the last two in quotes.
+    /// name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label; the last two in quotes.
     std::string methods;
     /// name,measure,value,standard_error; the error may be empty.
     std::string measures;

@@ -96,7 +96,7 @@ TEST(Gallery, MistakesAreSaidWithTableAndLine)
     };
     EXPECT_EQ(error_of([](auto& t) { t.methods = "x\n"; }),
               "methods.csv:1: must be the header "
-              "name,dimension,points,periodograms,min_distance,sampler,seed,program,parameters,label");
+              "name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label");
     EXPECT_EQ(error_of([](auto& t) { t.methods += "a,2,100\n"; }), "methods.csv:3: must have 10 columns");
     EXPECT_EQ(error_of([](auto& t) { t.methods += "a,2,100,10,0,x,1,0.1,\"{}\",\"A\n"; }),
               "methods.csv:3: must close its quotes, with a comma behind");
