@@ -230,8 +230,15 @@ int main(int argc, char** argv)
     std::regex filter{""}; // which all names match
     bool is_csv = false;
     for (int i = 1; i < argc; ++i) {
-        if (std::string(argv[i]).starts_with(key)) filter = argv[i] + key.size();
-        is_csv = is_csv || std::string(argv[i]) == "--csv";
+        const std::string option = argv[i];
+        if (option.starts_with(key))
+            filter = option.substr(key.size());
+        else if (option == "--csv")
+            is_csv = true;
+        else {
+            std::fprintf(stderr, "bench_scale: %s: must be --benchmark_filter=REGEX or --csv\n", argv[i]);
+            return 2;
+        }
     }
     bool are_reached = true;
     if (is_csv) std::puts("sampler,keys,dimension,points,seconds,gigabytes");
