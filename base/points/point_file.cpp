@@ -73,13 +73,6 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
     return range;
 }
 
-double to_unit(double value, const CoordinateRange& range)
-{
-    if (range.high == any_coordinates.high) return value;
-    // The quotient can round to 1.
-    return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
-}
-
 std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
 {
     const std::string content = read_whole_file(path);

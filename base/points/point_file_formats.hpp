@@ -69,7 +69,12 @@ inline bool is_coordinate(double value, const CoordinateRange& range)
 }
 
 /// The coordinate mapped from its range to [0, 1); unchanged if that is its range, or if the range has no end.
-double to_unit(double value, const CoordinateRange& range);
+inline double to_unit(double value, const CoordinateRange& range)
+{
+    if (range.high == any_coordinates.high) return value;
+    // The quotient can round to 1.
+    return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
+}
 
 /// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
 void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates);

@@ -1,6 +1,5 @@
-#include "base/points/hdf5_reading.hpp"
-
 #include "base/errors/errors.hpp"
+#include "base/points/hdf5_files.hpp"
 #include "base/points/hdf5_objects.hpp"
 
 #include <fmt/format.h>
@@ -97,7 +96,7 @@ auto as_input(const std::filesystem::path& path, const Work& work)
 
 }
 
-std::pair<std::uint64_t, int> size_of_hdf5_points(const std::filesystem::path& path)
+std::pair<std::uint64_t, int> size_of_hdf5_file(const std::filesystem::path& path)
 {
     return as_input(path, [&] {
         const PointTable table = open_table(path, CoordinateRange{});
@@ -105,7 +104,7 @@ std::pair<std::uint64_t, int> size_of_hdf5_points(const std::filesystem::path& p
     });
 }
 
-void stream_hdf5_points(const std::filesystem::path& path, std::optional<CoordinateRange> range, const PieceSink& sink)
+void stream_hdf5_file(const std::filesystem::path& path, std::optional<CoordinateRange> range, const PieceSink& sink)
 {
     as_input(path, [&] {
         const PointTable table = open_table(path, range);
@@ -122,16 +121,6 @@ void stream_hdf5_points(const std::filesystem::path& path, std::optional<Coordin
             sink(static_cast<int>(table.columns), numbers, nullptr);
         }
     });
-}
-
-PointSet read_hdf5_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
-{
-    PointSet set{2, {}};
-    stream_hdf5_points(path, range, [&](int dimension, std::span<const double> coordinates, const char* /*done*/) {
-        set.dimension = dimension;
-        set.coordinates.insert(set.coordinates.end(), coordinates.begin(), coordinates.end());
-    });
-    return set;
 }
 
 }

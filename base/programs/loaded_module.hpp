@@ -1,0 +1,14 @@
+// Modules of the laboratory: shared libraries that hold a library which few commands need and which takes long to load.
+#pragma once
+
+#include <string>
+
+namespace poissonlab {
+
+/// The address of a function of the module `name`, such as "poissonlab_pictures", which is loaded and stays so. The
+/// module is beside the program, or where it is when it is installed with the program or the Python package, or where
+/// it was built. Throws StorageError where it, or a library of it, cannot be loaded: `need` begins the message, such as
+/// "pictures need OpenImageIO".
+void* function_of_module(const std::string& name, const char* function, const char* need);
+
+}
