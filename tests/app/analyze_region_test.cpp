@@ -57,7 +57,7 @@ std::string random_lines(int count)
     std::mt19937 random(7);
     std::string text;
     for (int i = 0; i < count; ++i) {
-        const double x = random() * 0x1p-32, y = random() * 0x1p-32;
+        const double x = static_cast<double>(random()) * 0x1p-32, y = static_cast<double>(random()) * 0x1p-32;
         text += fmt::format("{},{}\n", x, y);
     }
     return text;
