@@ -345,25 +345,17 @@ TEST(ChainMoments, TakeThePowerOutOfLowFrequencies)
     EXPECT_LT(mean_power(even_three_colors(), 48, 0.245, 0.255), 2e-4);
 }
 
-const PoissonTileSet& uneven_three_colors()
-{
-    static const PoissonTileSet set = relaxed_set(0);
-    return set;
-}
-
-/// The mean of 1,700 powers, each of which varies by itself, varies by a fortieth. Sets have 1.16 times the power, and
-/// 1.5 times where transforms of tiles are free to change in their own ways.
-TEST(ChainMoments, HardlyAddPowerBetweenThePeaks)
-{
-    EXPECT_LT(mean_power(even_three_colors(), 24, 0.6, 1.5), 1.3 * mean_power(uneven_three_colors(), 24, 0.6, 1.5));
-}
+/// The mean of 1,700 powers, each of which varies by itself, varies by a fortieth. Such sets have 0.0175, and 0.0225
+/// where transforms of tiles are free to change in their own ways; sets without equal moments have from 0.013 to 0.016.
+TEST(ChainMoments, HardlyAddPowerBetweenThePeaks) { EXPECT_LT(mean_power(even_three_colors(), 24, 0.6, 1.5), 0.0195); }
 
 TEST(ChainMoments, LeavePeaksOfTheLatticeNoHigher)
 {
+    const PoissonTileSet without = relaxed_set(0);
     const double root = std::sqrt(32);
     for (const auto& [low, high] : {std::pair{0.1, 1.1}, std::pair{1.1, 1.4}, std::pair{1.4, 2.0}})
         EXPECT_LE(power_of_mean_tile(even_three_colors(), low * root, high * root),
-                  power_of_mean_tile(uneven_three_colors(), low * root, high * root))
+                  power_of_mean_tile(without, low * root, high * root))
             << low;
 }
 
