@@ -1,15 +1,14 @@
 # Sourced by tests of shaders in the WebGPU of headless Chromium. They end with status 77 where there is no node, no Chromium
 # or no WebGPU.
 
-chromium=$(command -v chromium-headless-shell || command -v chromium) && command -v node >/dev/null ||
-    { echo 'needs node and Chromium'; exit 77; }
+command -v node >/dev/null && command -v chromium >/dev/null || { echo 'needs node and Chromium'; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 # Opens the page $folder/page.html. What it says between double brackets is `said`.
 open_page()
 {
-    "$chromium" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --remote-debugging-port=0 \
+    chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --remote-debugging-port=0 \
         --enable-logging=stderr --enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-features=Vulkan \
         "file://$folder/page.html" 2>"$folder/log" &
     local browser=$! tenths
