@@ -109,7 +109,7 @@ private:
         return at;
     }
 
-    /// What tiles lack of the mean.
+    /// Tiles are to have the mean, so it is subtracted from what each of them lacks.
     void subtract_mean()
     {
         std::vector<double> mean(count_);
@@ -181,7 +181,7 @@ private:
         });
     }
 
-    /// What the conditions get from the movements that multipliers make, and from the misses that they allow.
+    /// The system's matrix adds what the movements of multipliers change to the misses that soft conditions allow.
     std::vector<double> times_matrix(const std::vector<double>& multipliers) const
     {
         std::vector<double> image = times_slopes(moved_by(multipliers));

@@ -1,4 +1,4 @@
-// What points of a tile are asked for when tiles are moved together: docs/chain-tiles.md.
+// Tile conditions are what each tile has to meet when all tiles are moved together: docs/chain-tiles.md.
 //
 // A condition is a sum over a tile's points of a function of where they are. Moments are to be the same in all tiles.
 // Low waves are only to change by the same, nearly: the power of tilings between the peaks of the lattice is how the
@@ -28,7 +28,7 @@ public:
 
     std::size_t count() const { return monomials_.size() + 2 * waves_.size(); }
 
-    /// What a point at a position adds to each condition.
+    /// Finds the values that a point at a position adds to the conditions.
     void values(const Position& at, std::span<double> values) const;
 
     /// How that changes along each axis: axis after axis, condition after condition.

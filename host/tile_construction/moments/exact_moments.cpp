@@ -11,7 +11,7 @@
 namespace poissonlab {
 namespace {
 
-/// What rough steps may move a point by, along each axis, and what is searched for then, along y.
+/// A reach is how far a point may move along an axis: in rough steps, and along y in the search that follows.
 constexpr int rough_reach = 1, upright_reach = 1;
 
 /// How far a search goes. Points move along y by a unit at most, and some of them along x. The ways to move those that
@@ -24,7 +24,7 @@ struct SearchSize
     std::size_t points() const { return listed + others; }
 };
 
-/// Those that are done sooner come first.
+/// Quick searches come before long ones.
 constexpr std::array<SearchSize, 3> search_sizes{{{9, 9, 9, 1}, {7, 9, 7, 2}, {7, 9, 9, 2}}};
 static_assert(std::ranges::all_of(search_sizes, [](const SearchSize& size) {
     return rough_reach + size.level_reach <= exact_reach && rough_reach + upright_reach <= exact_reach;

@@ -155,8 +155,8 @@ public:
         add(g, 1 - inside);
     }
 
-    /// Of the mean over tapers of periodograms of n points, and of its square: of all quadruples of points, those are
-    /// left that are two equal pairs, and those of one point.
+    /// The moments are those of the mean over tapers of periodograms of n points. To its square, only quadruples of
+    /// points add that are two equal pairs or one point four times.
     Moments of_periodograms(double n) const
     {
         Moments moments;
@@ -198,7 +198,7 @@ void expect_mean(const std::vector<double>& values, double expected)
     EXPECT_NEAR(mean, expected, 5 * std::sqrt(squares / (n - 1) / n));
 }
 
-/// Of random points, the mean over tapers has the mean and the spread that the tapers' integrals say.
+/// The mean over tapers of random points has the mean and the spread that the tapers' integrals say.
 TEST(TaperedPeriodogram, OfRandomPointsHasTheMomentsOfTapers)
 {
     const auto region = framed_text(bent);
