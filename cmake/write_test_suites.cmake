@@ -3,6 +3,9 @@
 #
 # A suite is one process. gtest_discover_tests() makes one of each test, which starts the program, and makes what the
 # suite's tests have in common, again and again.
+#
+# Suites of tests that are instantiated as Nightly have the label nightly: `./lab nightly` runs them, `./lab test` does
+# not.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${listed}")
 set(text "")
@@ -14,5 +17,8 @@ foreach(line IN LISTS lines)
   set(suite ${CMAKE_MATCH_1})
   string(APPEND text "add_test([=[${NAME}.${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n"
                      "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT})\n")
+  if(suite MATCHES "^Nightly/")
+    string(APPEND text "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES LABELS nightly)\n")
+  endif()
 endforeach()
 file(WRITE ${OUTPUT} "${text}")

@@ -161,18 +161,10 @@ void TaperedPeriodogram::compute(const PointSet& points, std::size_t taper, Half
     const HalfPlane sums = weighted_sums(points, weights);
     const HalfPlane& pyramids = node_sums(taper);
     const auto n = static_cast<double>(points.size());
-    result.dimension = 2;
-    result.size = size_;
-    const std::size_t rows = result.rows();
-    result.power.resize(result.columns() * rows);
-    const int reach = size_ / 2;
     const std::array<double, 2>& step = tapers_->step();
-    for (int u = 0; u <= reach; ++u)
-        for (int v = -reach; v <= reach; ++v) {
-            const auto expected = n * pyramid_along(u, step[0]) * pyramid_along(v, step[1]) * pyramids.at(u, v);
-            result.power[static_cast<std::size_t>(u) * rows + static_cast<std::size_t>(v + reach)] =
-                u == 0 && v == 0 ? n : std::norm(sums.at(u, v) - expected) / n;
-        }
+    fill_with_powers(result, size_, n, [&](int u, int v) {
+        return sums.at(u, v) - n * pyramid_along(u, step[0]) * pyramid_along(v, step[1]) * pyramids.at(u, v);
+    });
 }
 
 }

@@ -137,15 +137,7 @@ void RegionPeriodogram::compute(const PointSet& points, HalfSpectrum& result)
 {
     const HalfPlane sums = region_sums(points, {}, region_->unit_length(), size_ / 2, fast_.get());
     const auto n = static_cast<double>(points.size());
-    result.dimension = 2;
-    result.size = size_;
-    const std::size_t rows = result.rows();
-    result.power.resize(result.columns() * rows);
-    const int reach = size_ / 2;
-    for (int u = 0; u <= reach; ++u)
-        for (int v = -reach; v <= reach; ++v)
-            result.power[static_cast<std::size_t>(u) * rows + static_cast<std::size_t>(v + reach)] =
-                u == 0 && v == 0 ? n : std::norm(sums.at(u, v) - n * window_.at(u, v)) / n;
+    fill_with_powers(result, size_, n, [&](int u, int v) { return sums.at(u, v) - n * window_.at(u, v); });
 }
 
 }

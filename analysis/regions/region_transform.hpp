@@ -43,6 +43,21 @@ HalfPlane region_transforms(const FramedRegion& region, int reach, NonuniformTra
 HalfPlane region_sums(const PointSet& points, std::span<const double> weights, double unit, int reach,
                       NonuniformTransform* fast);
 
+/// A periodogram of n points of an even size: the squares of deviations(u, v) over n, and n at frequency 0.
+template <class Deviations>
+void fill_with_powers(HalfSpectrum& result, int size, double n, const Deviations& deviations)
+{
+    result.dimension = 2;
+    result.size = size;
+    const std::size_t rows = result.rows();
+    result.power.resize(result.columns() * rows);
+    const int reach = size / 2;
+    for (int u = 0; u <= reach; ++u)
+        for (int v = -reach; v <= reach; ++v)
+            result.power[static_cast<std::size_t>(u) * rows + static_cast<std::size_t>(v + reach)] =
+                u == 0 && v == 0 ? n : std::norm(deviations(u, v)) / n;
+}
+
 class RegionPeriodogram
 {
 public:

@@ -6,6 +6,8 @@
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/random_region.hpp"
 
+#include <fmt/format.h>
+
 namespace poissonlab::bench {
 namespace {
 
@@ -85,20 +87,36 @@ void kernel_to_saturation(benchmark::State& state)
         benchmark::DoNotOptimize(thrower.throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
-/// A million points at 0.75.
-void million_points(benchmark::State& state)
+/// Asks for the same set in a polygon of 10,000 corners with three holes and an island: distances become as much
+/// smaller as its area is. The region is made ready once.
+void in_polygon(DartThrowingRequest& request)
 {
-    constexpr std::size_t points = 1'000'000;
+    request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
+    request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
+    // As programs do, see block_of_regions(): the region lies in a quarter of the torus.
+    request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
+}
+
+/// Throws one set an iteration; each has at least so many points.
+void throw_sets(benchmark::State& state, DartThrowingRequest& request, std::size_t least_points)
+{
     DartThrower thrower(Device::open({}, threads));
-    DartThrowingRequest request;
-    request.min_distance = min_distance_for(0.75, points, 2);
-    request.points = points;
     thrower.throw_darts(request); // builds the kernels
     std::uint32_t realization = 0;
     for (auto _ : state) {
         request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
-        benchmark::DoNotOptimize(thrower.throw_darts(request));
+        const std::size_t points = thrower.throw_darts(request).size();
+        if (points < least_points) throw std::runtime_error(fmt::format("only {} points have room", points));
     }
+}
+
+/// A million points at 0.75.
+void million_points(benchmark::State& state)
+{
+    DartThrowingRequest request;
+    request.points = 1'000'000;
+    request.min_distance = min_distance_for(0.75, request.points, 2);
+    throw_sets(state, request, request.points);
 }
 
 void plain_million_points(benchmark::State& state)
@@ -108,45 +126,23 @@ void plain_million_points(benchmark::State& state)
         benchmark::DoNotOptimize(plain_dart_throwing<2>(1'000'000, min_distance_for(0.75, 1'000'000, 2), ++seed));
 }
 
-/// As many points at 0.7, on the torus and in a polygon of 10,000 corners with three holes and an island. The region is
-/// made ready once.
+/// As many points at 0.7, on the torus and in the polygon.
 void many_darts(benchmark::State& state)
 {
-    constexpr std::size_t points = 100'000;
     DartThrowingRequest request;
-    request.min_distance = min_distance_for(0.7, points, 2);
-    request.points = points;
-    if (state.range(0) == 1) {
-        request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
-        request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
-        // As programs do, see block_of_regions(): the region lies in a quarter of the torus.
-        request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
-    }
-    DartThrower thrower(Device::open({}, threads));
-    thrower.throw_darts(request); // builds the kernels
-    std::uint32_t realization = 0;
-    for (auto _ : state) {
-        request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
-        benchmark::DoNotOptimize(thrower.throw_darts(request));
-    }
+    request.points = 100'000;
+    request.min_distance = min_distance_for(0.7, request.points, 2);
+    if (state.range(0) == 1) in_polygon(request);
+    throw_sets(state, request, request.points);
 }
 
-/// The polygon of many_darts with some million points, between which no further one fits.
+/// The polygon with some million points, between which no further one fits.
 void saturated_polygon(benchmark::State& state)
 {
     DartThrowingRequest request;
-    request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
-    request.min_distance =
-        min_distance_for(0.77, 1'000'000, 2) * std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
-    request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
-    DartThrower thrower(Device::open({}, threads));
-    thrower.throw_darts(request); // builds the kernels
-    std::uint32_t realization = 0;
-    for (auto _ : state) {
-        request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
-        const std::size_t points = thrower.throw_darts(request).size();
-        if (points < 1'000'000) throw std::runtime_error("the polygon has room for less than a million points");
-    }
+    request.min_distance = min_distance_for(0.77, 1'000'000, 2);
+    in_polygon(request);
+    throw_sets(state, request, 1'000'000);
 }
 
 BENCHMARK(saturated_polygon)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace poissonlab {
@@ -83,7 +83,7 @@ public:
         // A tile on the way meets the line, and so its middle is not farther from it than its radius.
         const double way = (reach + tile_radius) * (reach + tile_radius);
         std::vector<NearTiles> open{{first_, first_, Pose{}}}, found;
-        std::set<NearTiles> known(open.begin(), open.end());
+        std::unordered_set<std::uint64_t> known{key_of(open.back())};
         while (!open.empty()) {
             const NearTiles from = open.back();
             open.pop_back();
@@ -91,8 +91,7 @@ public:
             for (auto pair = begin; pair != all_.pairs.end() && pair->first == from.second; ++pair) {
                 const NearTiles next{first_, pair->second, composed(from.pose, pair->pose)};
                 const double squared = squared_step(all_.rule.shape, next.pose);
-                if (squared > way || known.contains(next) || !is_possible(next)) continue;
-                known.insert(next);
+                if (squared > way || !known.insert(key_of(next)).second || !is_possible(next)) continue;
                 open.push_back(next);
                 if (squared <= reach * reach) found.push_back(next);
             }
@@ -102,6 +101,14 @@ public:
     }
 
 private:
+    /// Different numbers for different tiles of views that are less than 4,096 cells wide.
+    static std::uint64_t key_of(const NearTiles& pair)
+    {
+        const auto low_bits = [](std::int64_t x) { return static_cast<std::uint64_t>(x) & 0xfff; };
+        const std::uint64_t place = low_bits(pair.pose.shift.x) << 12 | low_bits(pair.pose.shift.y);
+        return std::uint64_t{pair.second} << 32 | place << 8 | static_cast<std::uint64_t>(pair.pose.turn);
+    }
+
     bool is_possible(const NearTiles& pair) const
     {
         if (pair.pose == Pose{}) return false;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -67,13 +69,17 @@ public:
     void place(const RowVectors& vectors)
     {
         places_.resize(members_.size());
-        grid_.assign(static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_), {});
+        starts_.assign(cell_at(0, cells_) + 1, 0);
         for (std::size_t i = 0; i < members_.size(); ++i) {
             const Member& m = members_[i];
             const auto& [u, v] = vectors[m.index];
             places_[i] = {m.corner[0] + u * m.frame[0] - v * m.frame[1], m.corner[1] + u * m.frame[1] + v * m.frame[0]};
-            grid_[cell_at(cell_of(places_[i][0]), cell_of(places_[i][1]))].push_back(i);
+            ++starts_[cell_at(places_[i]) + 1];
         }
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+        in_cells_.resize(members_.size());
+        std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+        for (std::size_t i = 0; i < members_.size(); ++i) in_cells_[next[cell_at(places_[i])]++] = {places_[i], i};
     }
 
     /// The way of each inner point to the centroid of its Voronoi cell.
@@ -81,7 +87,10 @@ public:
     {
         add_movements(change, 5, [&](std::size_t i, PlaneVector& movement) {
             ConvexCell cell(4 * spacing_);
-            for (const auto& [squared, x, y] : near(i, 3)) cell.cut(x, y);
+            for (const auto& [squared, x, y] : near(i, 3)) {
+                if (!cell.is_reached_from(squared)) break;
+                cell.cut(x, y);
+            }
             movement = cell.centroid();
             return true;
         });
@@ -145,6 +154,8 @@ private:
         }
     }
 
+    std::size_t cell_at(const PlaneVector& place) const { return cell_at(cell_of(place[0]), cell_of(place[1])); }
+
     int cell_of(double c) const { return std::clamp(static_cast<int>(c * cells_), 0, cells_ - 1); }
 
     std::size_t cell_at(int column, int row) const
@@ -156,15 +167,17 @@ private:
     std::vector<std::array<double, 3>> near(std::size_t i, int reach) const
     {
         std::vector<std::array<double, 3>> others;
+        others.reserve(static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 2)));
         const auto& [x, y] = places_[i];
         const int column = cell_of(x), row = cell_of(y);
+        const int first = std::max(0, column - reach), last = std::min(cells_ - 1, column + reach);
         for (int r = std::max(0, row - reach); r <= std::min(cells_ - 1, row + reach); ++r)
-            for (int c = std::max(0, column - reach); c <= std::min(cells_ - 1, column + reach); ++c)
-                for (const std::size_t other : grid_[cell_at(c, r)]) {
-                    if (other == i) continue;
-                    const double dx = places_[other][0] - x, dy = places_[other][1] - y;
-                    others.push_back({dx * dx + dy * dy, dx, dy});
-                }
+            for (std::size_t at = starts_[cell_at(first, r)]; at < starts_[cell_at(last, r) + 1]; ++at) {
+                const auto& [place, other] = in_cells_[at];
+                if (other == i) continue;
+                const double dx = place[0] - x, dy = place[1] - y;
+                others.push_back({dx * dx + dy * dy, dx, dy});
+            }
         std::ranges::sort(others);
         return others;
     }
@@ -173,7 +186,8 @@ private:
     double spacing_ = 0; ///< the largest minimum distance of so many points
     int cells_ = 1;
     std::vector<PlaneVector> places_;
-    std::vector<std::vector<std::size_t>> grid_;
+    std::vector<std::size_t> starts_;                           ///< of cells, and the end
+    std::vector<std::pair<PlaneVector, std::size_t>> in_cells_; ///< places and numbers of points, cell after cell
 };
 
 std::vector<PenrosePatch> patches_of(const PenroseTiling& tiling, const PenroseRow& row)
