@@ -251,8 +251,8 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
     label: the name for readers, and for messages.
     domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says.
     options: keys of a config's [analysis], such as region="park.geojson" (the sets lie in that region, in its units;
-        or anything with a `__geo_interface__`), spectrum="exact" or "none", window=True (the sets are windows, not
-        tori), tiles=8 (the sets are made of 8 x 8 tiles), spectrum_size=2048, measures="distances".
+        GeoJSON as a dict, or anything with a `__geo_interface__`), spectrum="exact" or "none", window=True (the sets
+        are windows, not tori), tiles=8 (the sets are made of 8 x 8 tiles), spectrum_size=2048, measures="distances".
     Returns an Analysis. Raises InputError.
     """
     if options.get("region") is not None:

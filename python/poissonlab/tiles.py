@@ -1,6 +1,5 @@
 """Poisson disk tile sets: endless point sets with a proven minimum distance, looked up wherever one likes."""
 
-import json
 import operator
 import os
 from collections.abc import Callable
@@ -12,6 +11,7 @@ import numpy.typing
 from . import _poissonlab
 from . import kinds as _kinds
 from ._poissonlab import InputError
+from .toml import geojson_of
 
 
 class TilePoints(NamedTuple):
@@ -112,7 +112,7 @@ class TileSet:
                   density: Density = 1.0, planar: bool = False) -> TilePoints:
         """The points in a region of the plane, in its own units: those of `poissonlab tiles points --region`.
 
-        region: a file or a text, as distribute.darts takes them, or an object with a `__geo_interface__`.
+        region: a file or a text, as distribute.darts takes them, GeoJSON as a dict, or an object with a `__geo_interface__`.
         min_distance: in the region's units, which the proven distance of the tiles becomes.
         points: instead, how many there are; a number is found that is nearest to it where chance lets none be exact.
         seed: which tiling. Regions beside each other fit together at the same min_distance and seed.
@@ -130,7 +130,7 @@ class TileSet:
         number = 1.0 if callable(density) else float(density)
         if not 0 < number <= 1:
             raise InputError(f"in_region: density = {density}: must be a number above 0 and at most 1, or a function")
-        text = json.dumps(region.__geo_interface__) if hasattr(region, "__geo_interface__") else os.fspath(region)
+        text = geojson_of(region) or os.fspath(region)
         found = self._set.in_region(text, bool(planar), float(min_distance or 0), int(points or 0), checked_seed(seed),
                                     number)
         columns = TilePoints(**found)

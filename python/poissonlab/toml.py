@@ -23,13 +23,21 @@ def key_of(key):
     return key if plain else text_of(key)
 
 
+def geojson_of(value):
+    """The GeoJSON of what has a `__geo_interface__`, such as polygons of shapely, or is such an object as a dict; None
+    of everything else."""
+    value = getattr(value, "__geo_interface__", value)
+    is_geojson = isinstance(value, dict) and isinstance(value.get("type"), str) \
+        and not value.keys().isdisjoint(("coordinates", "geometry", "geometries", "features"))
+    return json.dumps(value) if is_geojson else None
+
+
 def value_of(value):
-    """A value as it would be typed. Objects with a method `to_toml` say it themselves, and those with a
-    `__geo_interface__`, such as polygons of shapely, are regions in GeoJSON."""
+    """A value as it would be typed. Objects with a method `to_toml` say it themselves, and GeoJSON is a region."""
     if hasattr(value, "to_toml"):
         return value.to_toml()
-    if hasattr(value, "__geo_interface__"):
-        return text_of(json.dumps(value.__geo_interface__))
+    if (geojson := geojson_of(value)) is not None:
+        return text_of(geojson)
     if isinstance(value, numpy.generic):
         value = value.item()
     if isinstance(value, bool):

@@ -115,8 +115,8 @@ void million_points(benchmark::State& state)
 {
     DartThrowingRequest request;
     request.points = 1'000'000;
-    request.min_distance = min_distance_for(0.75, request.points, 2);
-    throw_sets(state, request, request.points);
+    request.min_distance = min_distance_for(0.75, *request.points, 2);
+    throw_sets(state, request, *request.points);
 }
 
 void plain_million_points(benchmark::State& state)
@@ -131,9 +131,9 @@ void many_darts(benchmark::State& state)
 {
     DartThrowingRequest request;
     request.points = 100'000;
-    request.min_distance = min_distance_for(0.7, request.points, 2);
+    request.min_distance = min_distance_for(0.7, *request.points, 2);
     if (state.range(0) == 1) in_polygon(request);
-    throw_sets(state, request, request.points);
+    throw_sets(state, request, *request.points);
 }
 
 /// The polygon with some million points, between which no further one fits.

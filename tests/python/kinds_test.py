@@ -120,6 +120,8 @@ class Kinds(unittest.TestCase):
             __geo_interface__ = {"type": "Polygon", "coordinates": [[(0, 0), (4000, 0), (0, 3000), (0, 0)]]}
 
         made = distribute.darts(region=Triangle(), points=50, engine="reference")
+        as_dict = distribute.darts(region=Triangle.__geo_interface__, points=50, engine="reference")
+        numpy.testing.assert_array_equal(as_dict.points, made.points)
         self.assertEqual(made.points.shape, (50, 2))
         self.assertTrue((made.points @ [3000, 4000] <= 12_000_000 * (1 + 1e-9)).all())
         self.assertEqual(made.numbers["area"], 6_000_000)

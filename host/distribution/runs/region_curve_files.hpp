@@ -8,7 +8,7 @@
 namespace poissonlab {
 
 /// Adds region.csv, as analyses have it, and the numbers that say how it was made: of two points or more, up to
-/// 300,000. Points are in the region's units.
+/// 300,000; up to 5,000, with the bands of random sets. Points are in the region's units.
 void add_region_curves(const PlaneRegion& region, const PointSet& points, DistributionFiles& files,
                        DistributionResult& result);
 
