@@ -26,6 +26,13 @@ public:
         distances_[i * classes_ + j] = distances_[j * classes_ + i] = distance;
     }
 
+    ClassDistances scaled(double by) const
+    {
+        ClassDistances all = *this;
+        for (double& distance : all.distances_) distance *= by;
+        return all;
+    }
+
     bool operator==(const ClassDistances&) const = default;
 
 private:

@@ -23,8 +23,9 @@ constexpr auto distribute_classes_notes =
 distance of the density that both, and all classes of larger distances, have together. Each point is of the class that is
 least filled: darts of it are thrown until one fits. --points ends there; else the set ends when no further point of any
 class fits, which is proven. Distances are those of --distances, in sides of the torus, or of --relative-radius for so
-many points, or of all pairs: --matrix, row after row. With --tiles the points are those of a torus of tiles whose points
-have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
+many points, or of all pairs: --matrix, row after row. With --factor all distances are multiplied by it wherever a class
+has no room for its next point, until there is room for --points. With --tiles the points are those of a torus of
+tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .svg and .png (disks in colours). --spectra FILE.csv has the
 radially averaged power of each class and of all, and cross power of pairs: with --sets means over so many sets, and errors.

@@ -73,6 +73,7 @@ ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t
                              .distances = asked_distances(settings),
                              .shares = {settings.points.begin(), settings.points.end()},
                              .points = settings.points,
+                             .factor = settings.factor,
                              .stream = stream_key(seed, Purpose::class_darts, number)};
     if (settings.points.empty())
         for (std::size_t i = 0; i < request.distances.classes(); ++i)
@@ -96,6 +97,7 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
         set.points = ClassDartThrower(device).throw_darts(set.request);
     }
     check_numbers(settings, set.points);
+    set.request.distances = set.request.distances.scaled(set.points.scale);
     return set;
 }
 

@@ -29,7 +29,7 @@ bool has_tiles(const Keys& keys)
     const bool has_tiles = keys.is_given("tiles");
     if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
         throw keys.invalid("torus", fmt::format("goes with {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
-    for (const char* key : {"points", "distances", "matrix", "relative_radius", "dimension", "colors"})
+    for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors"})
         if (has_tiles && keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
     return has_tiles;
 }
@@ -50,6 +50,9 @@ void class_keys(Keys& keys, ClassSettings& s)
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");
+    keys.number("factor", s.factor, {0.5, 0.9999},
+                "what all distances are multiplied by where a class has no room for its points: relaxation")
+        .otherwise("distances stay");
     keys.integer("dimension", s.dimension, 2, 3, "of the torus: a square or a cube");
     keys.integer("colors", s.colors, 1, 16,
                  "corner tiles of so many colors are built: points are those of a tile, distances in tiles")
@@ -71,6 +74,9 @@ void class_keys(Keys& keys, ClassSettings& s)
         throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
     if (!s.points.empty() && !s.distances.empty() && s.distances.size() != s.points.size())
         throw keys.invalid("distances", fmt::format("must be {}, one of each class", s.points.size()));
+    if (keys.is_given("factor") && (s.points.empty() || s.colors > 0))
+        throw keys.invalid(
+            "factor", fmt::format("goes with {}, and not with {}", keys.name_of("points"), keys.name_of("colors")));
     if (s.colors > 0 && s.points.empty()) throw keys.problem("needs " + keys.name_of("points") + ", of each tile");
     if (s.colors > 0 && s.dimension != 2) throw keys.invalid("dimension", "must be 2 for tiles");
     keys.check(!s.points.empty()  ? "points"
@@ -97,7 +103,9 @@ std::vector<std::string> facts_of(const ClassSettings& s)
     if (s.colors > 0)
         return {fmt::format("a torus of {0} x {0} corner tiles over {1} colors", s.torus, s.colors),
                 "distances of pairs proven for every tiling"};
-    return {s.points.empty() ? "saturated: no further point of any class fits" : "as many of each class as asked for",
+    return {s.points.empty()  ? "saturated: no further point of any class fits"
+            : s.factor == 1.0 ? "as many of each class as asked for"
+                              : fmt::format("distances multiplied by {} until there is room for all", s.factor),
             s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
 }
 

@@ -58,8 +58,8 @@ class ThrowingClasses
 public:
     ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          order_(request.shares, request.points), open_(request.distances.classes(), whole_torus(request.dimension)),
-          lists_(open_.size())
+          order_(request.shares, request.points), distances_(request.distances),
+          open_(request.distances.classes(), whole_torus(request.dimension)), lists_(open_.size())
     {
         const KernelProgram program = kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}});
         find_ = device.kernel(program, "find_darts");
@@ -67,7 +67,7 @@ public:
         cover_ = device.kernel(program, "cover_cells");
         reserve(device, class_buffers(buffers, request));
         const ClassGrids grids = class_grids(request);
-        buffers.pairs.write(class_pairs(request.distances));
+        buffers.pairs.write(class_pairs(distances_));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
         write_lists();
@@ -134,7 +134,7 @@ private:
     bool refine(std::uint32_t own)
     {
         if (open_[own].level == 0) {
-            open_[own] = all_cells(first_level(request_.distances, own) - 1, request_.dimension);
+            open_[own] = all_cells(first_level(distances_, own) - 1, request_.dimension);
             write_lists();
         }
         ClassDartBuffers& b = buffers_;
@@ -144,9 +144,21 @@ private:
         cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], level, b.pairs, b.grids, b.cells, b.heads,
                    b.points, b.kept);
         open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension);
-        if (open_[own].cells.empty()) order_.close(own);
+        const bool goes_on = !open_[own].cells.empty() || shrink();
+        if (!goes_on) order_.close(own);
         write_lists();
-        return !open_[own].cells.empty();
+        return goes_on;
+    }
+
+    /// Makes all distances smaller. Returns whether they may be.
+    bool shrink()
+    {
+        if (request_.points.empty() || request_.factor >= 1) return false;
+        scale_ *= request_.factor;
+        distances_ = request_.distances.scaled(scale_);
+        buffers_.pairs.write(class_pairs(distances_));
+        open_.assign(open_.size(), whole_torus(request_.dimension));
+        return true;
     }
 
     void write_lists()
@@ -173,6 +185,7 @@ private:
         for (std::size_t i = 0; i < classes_.size(); ++i)
             for (std::size_t k = 0; k < axes; ++k) result.points.coordinates.push_back(points[i * all + k] * 0x1p-32);
         for (std::uint32_t i = 0; i < open_.size(); ++i) result.is_full.push_back(order_.is_closed(i));
+        result.scale = scale_;
         return result;
     }
 
@@ -183,6 +196,8 @@ private:
     const ClassDartRequest& request_;
     std::size_t group_size_;
     FillOrder order_;
+    double scale_ = 1;
+    ClassDistances distances_; ///< those of the request, scaled
     std::vector<OpenCells> open_;
     std::vector<ClassCells> lists_;      ///< where those are on the device
     std::vector<std::uint32_t> classes_; ///< of the points so far

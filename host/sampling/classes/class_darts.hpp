@@ -5,6 +5,10 @@
 // pair of classes. A class is full when no further point of it fits, which is proven: then the others go on. Points are
 // never taken away again; the paper does so where a class of large distances finds no room.
 //
+// Relaxation: where `factor` is less than 1, a full class that lacks points makes all distances smaller by it, and all
+// classes go on (McCool and Fiume, Hierarchical Poisson disk sampling distributions, Graphics Interface 1992, with the
+// proof that nothing fits in the place of a number of failures).
+//
 // The darts of a slot, the place of one point, fall uniformly into cells that may have room for its class: the whole
 // torus at first, and, each time that TRIES darts of a slot failed, the parts of half the size that no single point
 // covers. Those are never more than what is left, so the law is that of darts that fall anywhere.
@@ -27,6 +31,7 @@ struct ClassDartRequest
     ClassDistances distances;
     std::vector<double> shares;      ///< see FillOrder
     std::vector<std::size_t> points; ///< of each class, where it stops; empty: at saturation
+    double factor = 1;               ///< all distances are multiplied by it where a class with an end is full
     StreamKey stream{};
 };
 
@@ -35,6 +40,7 @@ struct ClassedPoints
     PointSet points;                    ///< in the order in which they came; coordinates are multiples of 2^-32
     std::vector<std::uint32_t> classes; ///< of each point
     std::vector<bool> is_full;          ///< of each class: no further point of it fits, proven
+    double scale = 1;                   ///< what all distances have been multiplied by
 
     std::vector<std::size_t> counts() const; ///< points of each class
     PointSet of_class(std::uint32_t wanted) const;

@@ -41,8 +41,8 @@ class ThrowingInSlots
 {
 public:
     explicit ThrowingInSlots(const ClassDartRequest& request)
-        : request_(request), order_(request.shares, request.points), pairs_(class_pairs(request.distances)),
-          open_(request.distances.classes(), whole_torus(D))
+        : request_(request), order_(request.shares, request.points), distances_(request.distances),
+          pairs_(class_pairs(distances_)), open_(request.distances.classes(), whole_torus(D))
     {
         for (const ClassGrid& grid : class_grids(request).grids) {
             bits_.push_back(grid.bits);
@@ -67,6 +67,7 @@ public:
         }
         result.points = to_point_set<D>(std::span<const TorusPoint<D>>(points_));
         for (std::uint32_t i = 0; i < open_.size(); ++i) result.is_full.push_back(order_.is_closed(i));
+        result.scale = scale_;
         return result;
     }
 
@@ -80,8 +81,19 @@ private:
                 if (!is_covered({dart, 0}, own)) return dart;
             }
             refine(own);
-            if (open_[own].cells.empty()) return {};
+            if (open_[own].cells.empty() && !shrink()) return {};
         }
+    }
+
+    /// Makes all distances smaller. Returns whether they may be.
+    bool shrink()
+    {
+        if (request_.points.empty() || request_.factor >= 1) return false;
+        scale_ *= request_.factor;
+        distances_ = request_.distances.scaled(scale_);
+        pairs_ = class_pairs(distances_);
+        open_.assign(open_.size(), whole_torus(D));
+        return true;
     }
 
     TorusPoint<D> draw(std::uint32_t slot, std::uint32_t number, std::uint32_t own) const
@@ -99,7 +111,7 @@ private:
 
     void refine(std::uint32_t own)
     {
-        if (open_[own].level == 0) open_[own] = all_cells(first_level(request_.distances, own) - 1, D);
+        if (open_[own].level == 0) open_[own] = all_cells(first_level(distances_, own) - 1, D);
         const OpenCells& list = open_[own];
         const bool is_split = list.level < last_level;
         const std::uint32_t level = list.level + (is_split ? 1 : 0);
@@ -159,6 +171,8 @@ private:
 
     const ClassDartRequest& request_;
     FillOrder order_;
+    double scale_ = 1;
+    ClassDistances distances_; ///< those of the request, scaled
     std::vector<ClassPair> pairs_;
     std::vector<OpenCells> open_;
     std::vector<std::uint32_t> bits_;                            ///< of each class' grid

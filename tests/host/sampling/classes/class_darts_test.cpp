@@ -40,12 +40,14 @@ struct ClassCase
     std::vector<double> distances;
     std::vector<std::size_t> points; ///< empty: to saturation
     double between = 0;              ///< of all pairs of classes; 0: by Wei's matrix
+    double factor = 1;
 };
 
 void PrintTo(const ClassCase& c, std::ostream* out)
 {
     *out << c.dimension << "D, " << c.distances.size() << " classes from " << c.distances.front() << ", "
-         << (c.points.empty() ? "saturated" : "to numbers") << (c.between > 0 ? ", own matrix" : "");
+         << (c.points.empty() ? "saturated" : "to numbers") << (c.between > 0 ? ", own matrix" : "")
+         << (c.factor < 1 ? ", relaxed" : "");
 }
 
 ClassDartRequest request_of(const ClassCase& c, std::uint32_t realization = 0)
@@ -54,6 +56,7 @@ ClassDartRequest request_of(const ClassCase& c, std::uint32_t realization = 0)
                              .distances = wei_distances(c.distances, c.dimension),
                              .shares = {},
                              .points = c.points,
+                             .factor = c.factor,
                              .stream = stream_key(5, Purpose::class_darts, realization)};
     for (const double d : c.distances) request.shares.push_back(std::pow(d, -c.dimension));
     if (!c.points.empty()) request.shares.assign(c.points.begin(), c.points.end());
@@ -96,14 +99,14 @@ TEST_P(ClassDartSets, AreTheSameByKernels)
 
 TEST_P(ClassDartSets, KeepTheDistanceOfEachPair)
 {
-    const ClassDartRequest request = request_of(GetParam());
-    const ClassedPoints set = reference::throw_class_darts(request);
-    for (std::uint32_t a = 0; a < request.distances.classes(); ++a)
+    const ClassedPoints set = reference::throw_class_darts(request_of(GetParam()));
+    const ClassDistances distances = request_of(GetParam()).distances.scaled(set.scale);
+    for (std::uint32_t a = 0; a < distances.classes(); ++a)
         for (std::uint32_t b = 0; b <= a; ++b) {
-            EXPECT_GE(least_distance(set, a, b), request.distances.at(a, b) * (1 - 1e-15)) << a << " and " << b;
+            EXPECT_GE(least_distance(set, a, b), distances.at(a, b) * (1 - 1e-15)) << a << " and " << b;
             // Many points come near to it; few need not.
             if (set.points.size() > 500) {
-                EXPECT_LT(least_distance(set, a, b), request.distances.at(a, b) * 1.2) << a << " and " << b;
+                EXPECT_LT(least_distance(set, a, b), distances.at(a, b) * 1.2) << a << " and " << b;
             }
         }
 }
@@ -127,13 +130,16 @@ TEST_P(ClassDartSets, FillClassesEvenly)
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, ClassDartSets,
-                         testing::Values(ClassCase{2, {0.4, 0.2}, {1, 4}}, ClassCase{3, {1, 0.9}, {}}));
+                         testing::Values(ClassCase{2, {0.4, 0.2}, {1, 4}}, ClassCase{3, {1, 0.9}, {}},
+                                         ClassCase{2, {0.9, 0.5}, {2, 5}, 0, 0.8}));
 INSTANTIATE_TEST_SUITE_P(Sizes, ClassDartSets,
                          testing::Values(ClassCase{2, {0.1, 0.05, 0.025}, {40, 160, 640}},
                                          ClassCase{2, {0.1, 0.05, 0.025}, {}}, ClassCase{2, {0.03}, {}},
                                          ClassCase{2, {0.06, 0.06, 0.06, 0.06}, {}},
                                          ClassCase{2, {0.02, 0.02}, {200, 700}, 0.05}, ClassCase{3, {0.25, 0.12}, {}},
-                                         ClassCase{3, {0.2, 0.2, 0.1}, {50, 50, 330}}, ClassCase{3, {0.7, 0.5}, {}}));
+                                         ClassCase{3, {0.2, 0.2, 0.1}, {50, 50, 330}},
+                                         ClassCase{2, {0.16, 0.08, 0.04}, {40, 160, 640}, 0, 0.98},
+                                         ClassCase{3, {0.4, 0.24}, {40, 300}, 0, 0.95}, ClassCase{3, {0.7, 0.5}, {}}));
 
 /// Circles of the distances that class `own` keeps cross at the corners of what they leave free. Returns how far the
 /// freest of these places is from the nearest disk.
@@ -174,6 +180,28 @@ TEST(SaturatedClasses, LeaveNoGap)
     const std::uint32_t last = less.classes.back();
     less.classes.pop_back();
     EXPECT_GT(largest_gap(less, request.distances, last), 1e-4);
+}
+
+/// Had distances been a step larger at the end, the last point that needed this step would not have fitted.
+TEST(RelaxedClasses, KeepTheFirstDistancesThatHaveRoomForAll)
+{
+    const ClassCase c{2, {0.2, 0.1}, {30, 120}, 0, 0.97};
+    const ClassedPoints set = reference::throw_class_darts(request_of(c));
+    EXPECT_EQ(set.counts(), c.points);
+    const double steps = std::log(set.scale) / std::log(0.97);
+    EXPECT_NEAR(steps, std::round(steps), 1e-9);
+    EXPECT_GE(steps, 1);
+    double nearest = INFINITY; // over the pair's distance before the last step
+    for (std::uint32_t a = 0; a < 2; ++a)
+        for (std::uint32_t b = 0; b <= a; ++b)
+            nearest =
+                std::min(nearest, least_distance(set, a, b) * 0.97 / (set.scale * request_of(c).distances.at(a, b)));
+    EXPECT_LT(nearest, 1);
+    // Where there is room at once, nothing changes.
+    ClassCase roomy{2, {0.1, 0.05}, {30, 120}};
+    const ClassedPoints as_before = reference::throw_class_darts(request_of(roomy));
+    roomy.factor = 0.97;
+    EXPECT_EQ(reference::throw_class_darts(request_of(roomy)), as_before);
 }
 
 /// The share of 2,000 sets whose second point has less than `within` to the first one, of two classes.
