@@ -74,7 +74,7 @@ std::int64_t Assembly::seam_cost(SourcePixel first, SourcePixel second, Neighbou
     if (second.x - first.x == dx && second.y - first.y == dy) return 0;
     const int levels = distance(first.x, first.y, second.x - dx, second.y - dy) +
                        distance(first.x + dx, first.y + dy, second.x, second.y);
-    return seam_unit + step_weights_[static_cast<std::size_t>(dy)] * levels;
+    return cost_of_levels(levels, neighbour);
 }
 
 std::int64_t Assembly::seams() const

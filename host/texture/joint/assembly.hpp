@@ -69,6 +69,15 @@ public:
     /// exemplar's steps are alike in both directions.
     std::int64_t seam_cost(SourcePixel first, SourcePixel second, Neighbour neighbour) const;
 
+    /// The sum over channels of the differences of two pixels of the exemplar.
+    int levels(SourcePixel a, SourcePixel b) const { return distance(a.x, a.y, b.x, b.y); }
+
+    /// The cost of a pair whose two windows differ by so many levels over both pixels.
+    std::int64_t cost_of_levels(int levels, Neighbour neighbour) const
+    {
+        return seam_unit + step_weights_[neighbour == Neighbour::east ? 0 : 1] * levels;
+    }
+
     /// All seams of all tiles, with those across their eastern and southern borders.
     std::int64_t seams() const;
 

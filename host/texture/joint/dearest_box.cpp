@@ -7,38 +7,47 @@
 namespace poissonlab {
 namespace {
 
-/// The costs of the seams at each place of a site, from (-T, -T) to (T, T).
+/// The costs of the seams of a site, summed from its corner (-T, -T) to each place up to (T, T).
 class SeamMap
 {
 public:
     SeamMap(const Assembly& assembly, const Site& site)
-        : size_(assembly.cover().size()), costs_(static_cast<std::size_t>(4 * size_ * size_))
+        : size_(assembly.cover().size()), line_(static_cast<std::size_t>(2 * size_ + 1)), sums_(line_ * line_)
     {
-        const SetCover& cover = assembly.cover();
-        for (const PlacedTile& tile : site.tiles)
-            for (int y = 0; y < size_; ++y)
-                for (int x = 0; x < size_; ++x) {
-                    const SourcePixel here = assembly.source(cover.pixel(tile.tile, x, y)),
-                                      east = assembly.source(cover.pixel(tile.tile, x + 1, y)),
-                                      south = assembly.source(cover.pixel(tile.tile, x, y + 1));
-                    costs_[at(x + tile.x, y + tile.y)] += assembly.seam_cost(here, east, Neighbour::east) +
-                                                          assembly.seam_cost(here, south, Neighbour::south);
-                }
+        for (const PlacedTile& tile : site.tiles) add_seams(assembly, tile);
+        for (std::size_t i = line_ + 1; i < sums_.size(); ++i)
+            if (i % line_ != 0) sums_[i] += sums_[i - 1] + sums_[i - line_] - sums_[i - line_ - 1];
     }
 
     std::int64_t cost(const SiteBox& box) const
     {
-        std::int64_t sum = 0;
-        for (int y = box.y; y < box.y + box.side; ++y)
-            for (int x = box.x; x < box.x + box.side; ++x) sum += costs_[at(x, y)];
-        return sum;
+        const int right = box.x + box.side, below = box.y + box.side;
+        return sums_[at(right, below)] - sums_[at(box.x, below)] - sums_[at(right, box.y)] + sums_[at(box.x, box.y)];
     }
 
 private:
-    std::size_t at(int x, int y) const { return static_cast<std::size_t>((y + size_) * 2 * size_ + x + size_); }
+    /// The place of the sum of all that is west and north of a place.
+    std::size_t at(int x, int y) const
+    {
+        return static_cast<std::size_t>(y + size_) * line_ + static_cast<std::size_t>(x + size_);
+    }
+
+    void add_seams(const Assembly& assembly, const PlacedTile& tile)
+    {
+        const SetCover& cover = assembly.cover();
+        for (int y = 0; y < size_; ++y)
+            for (int x = 0; x < size_; ++x) {
+                const SourcePixel here = assembly.source(cover.pixel(tile.tile, x, y)),
+                                  east = assembly.source(cover.pixel(tile.tile, x + 1, y)),
+                                  south = assembly.source(cover.pixel(tile.tile, x, y + 1));
+                sums_[at(x + tile.x + 1, y + tile.y + 1)] +=
+                    assembly.seam_cost(here, east, Neighbour::east) + assembly.seam_cost(here, south, Neighbour::south);
+            }
+    }
 
     int size_;
-    std::vector<std::int64_t> costs_;
+    std::size_t line_;
+    std::vector<std::int64_t> sums_;
 };
 
 }

@@ -76,7 +76,7 @@ std::int64_t ExpansionMove::cost(const std::vector<std::uint8_t>& choice) const
     return sum;
 }
 
-std::vector<std::uint8_t> ExpansionMove::best() const
+ExpansionMove::Choice ExpansionMove::best() const
 {
     // A pair costs kept_kept, what taking adds to each pixel by itself, and the rest where the first keeps alone.
     CutProblem problem{kept_, taken_, {}, 0};
@@ -90,10 +90,10 @@ std::vector<std::uint8_t> ExpansionMove::best() const
     }
     // Graphs of ints are faster; flows that they could not hold are left to doubles, which hold integers up to 2^53.
     const bool is_small = problem.largest_flow() < std::int64_t{1} << 30;
-    std::vector<std::uint8_t> choice(pixels());
-    const std::int64_t flow =
-        is_small ? cut<maxflow::Graph_III>(problem, choice) : cut<maxflow::Graph_DDD>(problem, choice);
-    if (cost(choice) != flow) throw std::logic_error("a move that does not cost its flow");
+    Choice choice{std::vector<std::uint8_t>(pixels()), 0};
+    choice.cost =
+        is_small ? cut<maxflow::Graph_III>(problem, choice.taken) : cut<maxflow::Graph_DDD>(problem, choice.taken);
+    if (cost(choice.taken) != choice.cost) throw std::logic_error("a move that does not cost its flow");
     return choice;
 }
 

@@ -17,6 +17,8 @@ namespace poissonlab {
 struct PairChoice
 {
     std::int64_t kept_kept = 0, kept_taken = 0, taken_kept = 0, taken_taken = 0;
+
+    bool operator==(const PairChoice&) const = default;
 };
 
 class ExpansionMove
@@ -39,8 +41,14 @@ public:
     /// The cost of a choice: 1 stands for pixels that take the proposal.
     std::int64_t cost(const std::vector<std::uint8_t>& choice) const;
 
+    struct Choice
+    {
+        std::vector<std::uint8_t> taken; ///< 1: the pixel takes the proposal
+        std::int64_t cost = 0;
+    };
+
     /// The choice that costs least. By libmaxflow; its flow is compared with the cost.
-    std::vector<std::uint8_t> best() const;
+    Choice best() const;
 
 private:
     struct Pair

@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace poissonlab {
+namespace {
+
+bool is_beside(SourcePixel first, SourcePixel second, Neighbour neighbour)
+{
+    const bool is_east = neighbour == Neighbour::east;
+    return second.x == first.x + (is_east ? 1 : 0) && second.y == first.y + (is_east ? 0 : 1);
+}
+
+}
 
 SiteMove::SiteMove(const Assembly& assembly, const Site& site, const SiteBox& box)
     : assembly_(assembly), site_(site), box_(box), layers_(layers())
@@ -105,14 +114,18 @@ std::vector<SiteMove::Option> SiteMove::options(const Overlay& overlay,
                                                 const std::function<bool(int x, int y)>& is_taken) const
 {
     std::vector<Option> options;
+    options.reserve(pixels_.size());
     int nodes = 0;
     for (const Pixel& pixel : pixels_) {
         Option& option = options.emplace_back();
+        option.kept = assembly_.source(pixel.number);
         const int x = overlay.x + pixel.x, y = overlay.y + pixel.y;
         if (x < 0 || y < 0 || x >= assembly_.exemplar().width || y >= assembly_.exemplar().height) continue;
         option.taken = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+        option.levels = assembly_.levels(option.kept, option.taken);
         option.is_taken = is_taken && is_taken(pixel.x, pixel.y);
-        if (!option.is_taken) option.node = nodes++;
+        // What shows the window already has no choice to make.
+        if (!option.is_taken && option.taken != option.kept) option.node = nodes++;
     }
     return options;
 }
@@ -127,14 +140,13 @@ SiteChange SiteMove::best(const Overlay& overlay, const std::function<bool(int x
             move.add_pixel(static_cast<std::size_t>(all[i].node), 0,
                            std::llround(assembly_.change_cost(changed(pixels_[i], all[i].taken), layers_)));
     for (const Pair& pair : pairs_) add_pair(move, pair, all);
-    const std::vector<std::uint8_t> choice = move.best();
+    const ExpansionMove::Choice choice = move.best();
     SiteChange change;
-    const std::vector<std::uint8_t> none(choice.size(), 0);
-    change.gain = static_cast<double>(move.cost(none) - move.cost(choice));
+    const std::vector<std::uint8_t> none(choice.taken.size(), 0);
+    change.gain = static_cast<double>(move.cost(none) - choice.cost);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].node >= 0) all[i].is_taken = choice[static_cast<std::size_t>(all[i].node)] != 0;
-        if (all[i].is_taken && all[i].taken != assembly_.source(pixels_[i].number))
-            change.pixels.push_back(changed(pixels_[i], all[i].taken));
+        if (all[i].node >= 0) all[i].is_taken = choice.taken[static_cast<std::size_t>(all[i].node)] != 0;
+        if (all[i].is_taken && all[i].taken != all[i].kept) change.pixels.push_back(changed(pixels_[i], all[i].taken));
     }
     change.seam_gain = seam_gain(all);
     return change;
@@ -145,42 +157,58 @@ ChangedPixel SiteMove::changed(const Pixel& pixel, SourcePixel source)
     return {pixel.number, source, pixel.tile_x, pixel.tile_y, pixel.tiles};
 }
 
-SiteMove::Option SiteMove::option_of(const std::vector<Option>& all, int pixel)
+SiteMove::Option SiteMove::option_of(const std::vector<Option>& all, int place, std::size_t pixel) const
 {
-    return pixel < 0 ? Option{} : all[static_cast<std::size_t>(pixel)];
+    if (place >= 0) return all[static_cast<std::size_t>(place)];
+    Option fixed;
+    fixed.kept = assembly_.source(pixel);
+    return fixed;
+}
+
+PairChoice SiteMove::costs(const Pair& pair, const Option& first, const Option& second) const
+{
+    if (is_beside(first.kept, second.kept, pair.neighbour)) {
+        // The usual case: both show one window, and may show another one.
+        const std::int64_t apart = pair.tiles * assembly_.cost_of_levels(first.levels + second.levels, pair.neighbour);
+        return {0, apart, apart, 0};
+    }
+    const auto cost = [&](SourcePixel a, SourcePixel b) {
+        return pair.tiles * assembly_.seam_cost(a, b, pair.neighbour);
+    };
+    return {cost(first.kept, second.kept), cost(first.kept, second.taken), cost(first.taken, second.kept),
+            cost(first.taken, second.taken)};
 }
 
 void SiteMove::add_pair(ExpansionMove& move, const Pair& pair, const std::vector<Option>& all) const
 {
-    const Option first = option_of(all, pair.first_in_pixels), second = option_of(all, pair.second_in_pixels);
-    const SourcePixel first_kept = assembly_.source(pair.first), second_kept = assembly_.source(pair.second);
+    const Option first = option_of(all, pair.first_in_pixels, pair.first),
+                 second = option_of(all, pair.second_in_pixels, pair.second);
+    if (first.node >= 0 && second.node >= 0) {
+        const PairChoice its = costs(pair, first, second);
+        if (its != PairChoice{})
+            move.add_pair(static_cast<std::size_t>(first.node), static_cast<std::size_t>(second.node), its);
+        return;
+    }
     const auto cost = [&](SourcePixel a, SourcePixel b) {
         return pair.tiles * assembly_.seam_cost(a, b, pair.neighbour);
     };
-    const SourcePixel first_fixed = first.is_taken ? first.taken : first_kept;
-    const SourcePixel second_fixed = second.is_taken ? second.taken : second_kept;
-    if (first.node >= 0 && second.node >= 0)
-        move.add_pair(static_cast<std::size_t>(first.node), static_cast<std::size_t>(second.node),
-                      {cost(first_kept, second_kept), cost(first_kept, second.taken), cost(first.taken, second_kept),
-                       cost(first.taken, second.taken)});
-    else if (first.node >= 0)
-        move.add_pixel(static_cast<std::size_t>(first.node), cost(first_kept, second_fixed),
-                       cost(first.taken, second_fixed));
+    if (first.node >= 0)
+        move.add_pixel(static_cast<std::size_t>(first.node), cost(first.kept, second.shown()),
+                       cost(first.taken, second.shown()));
     else if (second.node >= 0)
-        move.add_pixel(static_cast<std::size_t>(second.node), cost(first_fixed, second_kept),
-                       cost(first_fixed, second.taken));
+        move.add_pixel(static_cast<std::size_t>(second.node), cost(first.shown(), second.kept),
+                       cost(first.shown(), second.taken));
 }
 
 std::int64_t SiteMove::seam_gain(const std::vector<Option>& all) const
 {
     std::int64_t gain = 0;
     for (const Pair& pair : pairs_) {
-        const Option first = option_of(all, pair.first_in_pixels), second = option_of(all, pair.second_in_pixels);
+        const Option first = option_of(all, pair.first_in_pixels, pair.first),
+                     second = option_of(all, pair.second_in_pixels, pair.second);
         if (!first.is_taken && !second.is_taken) continue;
-        const SourcePixel first_kept = assembly_.source(pair.first), second_kept = assembly_.source(pair.second);
-        gain += pair.tiles * (assembly_.seam_cost(first_kept, second_kept, pair.neighbour) -
-                              assembly_.seam_cost(first.is_taken ? first.taken : first_kept,
-                                                  second.is_taken ? second.taken : second_kept, pair.neighbour));
+        gain += pair.tiles * (assembly_.seam_cost(first.kept, second.kept, pair.neighbour) -
+                              assembly_.seam_cost(first.shown(), second.shown(), pair.neighbour));
     }
     return gain;
 }

@@ -75,7 +75,10 @@ private:
     {
         int node = -1; ///< in the move; -1: no choice
         bool is_taken = false;
-        SourcePixel taken;
+        SourcePixel kept, taken;
+        int levels = 0; ///< that these two differ by
+
+        SourcePixel shown() const { return is_taken ? taken : kept; }
     };
 
     /// Places in pixels_ of pixels of the cover.
@@ -87,7 +90,8 @@ private:
     int layers() const;
     std::vector<Option> options(const Overlay& overlay, const std::function<bool(int x, int y)>& is_taken) const;
     static ChangedPixel changed(const Pixel& pixel, SourcePixel source);
-    static Option option_of(const std::vector<Option>& all, int pixel);
+    Option option_of(const std::vector<Option>& all, int place, std::size_t pixel) const;
+    PairChoice costs(const Pair& pair, const Option& first, const Option& second) const;
     void add_pair(ExpansionMove& move, const Pair& pair, const std::vector<Option>& all) const;
     std::int64_t seam_gain(const std::vector<Option>& all) const;
 

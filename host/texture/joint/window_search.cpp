@@ -23,6 +23,29 @@ PieceMask coarse_mask(int side, const std::vector<std::uint8_t>& counts)
     return mask;
 }
 
+/// The sum of squared differences of values, at most 65,536 of them.
+std::uint32_t squared_distance(const std::uint8_t* a, const std::uint8_t* b, std::size_t count)
+{
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const int difference = a[i] - b[i];
+        sum += static_cast<std::uint32_t>(difference * difference);
+    }
+    return sum;
+}
+
+/// The same of those whose factor is 1; others have 0.
+std::uint32_t squared_distance(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
+                               const std::uint8_t* factors)
+{
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const int difference = (a[i] - b[i]) * factors[i];
+        sum += static_cast<std::uint32_t>(difference * difference);
+    }
+    return sum;
+}
+
 bool is_near(const ExemplarWindow& a, const ExemplarWindow& b)
 {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) < least_distance;
@@ -45,25 +68,21 @@ PngPixels halved(const PngPixels& picture)
 }
 
 WindowSearch::WindowSearch(const PngPixels& features, int side, const std::vector<std::uint8_t>& counts)
-    : features_(features), side_(side), counts_(counts), squares_(halved(features), coarse_mask(side, counts))
-{}
+    : features_(features), side_(side), squares_(halved(features), coarse_mask(side, counts))
+{
+    for (const std::uint8_t is_counted : counts)
+        factors_.insert(factors_.end(), static_cast<std::size_t>(features.channels), is_counted == 0 ? 0 : 1);
+}
 
 std::uint64_t WindowSearch::difference(const PngPixels& canvas, const ExemplarWindow& window) const
 {
     std::uint64_t sum = 0;
     const auto row_values = static_cast<std::size_t>(side_ * features_.channels);
     for (int y = 0; y < side_; ++y) {
-        const std::uint8_t* const shown = &canvas.values[canvas.at(0, y, 0)];
+        const std::size_t first = canvas.at(0, y, 0);
         const std::uint8_t* const there = &features_.values[features_.at(window.x, window.y + y, 0)];
-        std::uint32_t row = 0;
-        for (std::size_t i = 0; i < row_values; ++i) {
-            if (!counts_.empty() &&
-                counts_[static_cast<std::size_t>(y * side_) + i / static_cast<std::size_t>(features_.channels)] == 0)
-                continue;
-            const int difference = shown[i] - there[i];
-            row += static_cast<std::uint32_t>(difference * difference);
-        }
-        sum += row;
+        sum += factors_.empty() ? squared_distance(&canvas.values[first], there, row_values)
+                                : squared_distance(&canvas.values[first], there, row_values, &factors_[first]);
     }
     return sum;
 }

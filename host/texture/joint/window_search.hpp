@@ -32,7 +32,7 @@ private:
 
     const PngPixels& features_;
     int side_;
-    std::vector<std::uint8_t> counts_;
+    std::vector<std::uint8_t> factors_; ///< of each value of a window: 1 where it counts; none: all do
     MaskedSquares squares_;
 };
 

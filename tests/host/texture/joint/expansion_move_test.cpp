@@ -98,7 +98,7 @@ TEST(ExpansionMove, CostsTheLeastOfAllChoices)
         Labels labels(places);
         for (std::size_t& label : labels) label = random() % SmallGrid::pictures;
         const std::size_t proposed = seed % SmallGrid::pictures;
-        const std::vector<std::uint8_t> best = grid.move(labels, proposed).best();
+        const auto [best, foreseen] = grid.move(labels, proposed).best();
         std::int64_t least = INT64_MAX;
         for_each_number(places, 2, [&](const Labels& choice) {
             const std::int64_t cost = grid.cost(expanded(labels, {choice.begin(), choice.end()}, proposed));
@@ -106,6 +106,7 @@ TEST(ExpansionMove, CostsTheLeastOfAllChoices)
             least = std::min(least, cost);
         });
         EXPECT_EQ(grid.cost(expanded(labels, best, proposed)), least) << seed;
+        EXPECT_EQ(foreseen, least) << seed;
         for_each_number(places, 2, [&](const Labels& choice) {
             if (grid.cost(expanded(labels, {choice.begin(), choice.end()}, proposed)) != least) return;
             for (std::size_t i = 0; i < places; ++i) EXPECT_LE(best[i], choice[i]) << seed;
@@ -126,7 +127,7 @@ TEST(ExpansionMove, EndsNearTheLeastOfAllLabelings)
         for (bool is_better = true; is_better;) {
             is_better = false;
             for (std::size_t proposed = 0; proposed < SmallGrid::pictures; ++proposed) {
-                labels = expanded(labels, grid.move(labels, proposed).best(), proposed);
+                labels = expanded(labels, grid.move(labels, proposed).best().taken, proposed);
                 EXPECT_LE(grid.cost(labels), cost);
                 is_better = is_better || grid.cost(labels) < cost;
                 cost = grid.cost(labels);
@@ -149,9 +150,9 @@ TEST(ExpansionMove, HoldsCostsBeyondInts)
     move.add_pixel(0, huge + 1, huge);
     move.add_pixel(1, 0, huge);
     move.add_pair(0, 1, {0, huge, 2, 0});
-    EXPECT_EQ(move.best(), (std::vector<std::uint8_t>{0, 0}));
+    EXPECT_EQ(move.best().taken, (std::vector<std::uint8_t>{0, 0}));
     move.add_pixel(0, 2, 0);
-    EXPECT_EQ(move.best(), (std::vector<std::uint8_t>{1, 0}));
+    EXPECT_EQ(move.best().taken, (std::vector<std::uint8_t>{1, 0}));
 }
 
 TEST(ExpansionMove, RefusesWhatNoCutMinimises)
