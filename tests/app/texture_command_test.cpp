@@ -156,6 +156,31 @@ TEST_F(TextureCommand, MapsPictures)
                  "hexagons.png: --lookup exact: is for texture sets; must be repeated");
 }
 
+/// Around the camera, other methods are mapped as the functions of the plane that `texture endless` draws: straight
+/// above the middle of tile (10^9 + 7, -5), 128 x 128 pixels of them.
+TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
+{
+    const std::string small = " --above 1 --pitch 90 --field 90 --filter nearest --engine reference --seed 3 --out ";
+    for (const std::string method : {"repeated", "offsets --restored", "hexagons --gain 2 --cell 20", "blended"}) {
+        SCOPED_TRACE(method);
+        printed("map noise.png --method " + method + " --laid 4 --size 128 128 --tile 1000000007 -5" + small + "m.png");
+        printed("endless " + method + " --exemplar noise.png --window 64000000416 224 128 128 --seed 3 --quiet " +
+                "--engine reference --out e.png");
+        EXPECT_EQ(read_png(folder_.path() / "m.png").values, read_png(folder_.path() / "e.png").values);
+    }
+    printed("endless quilted --exemplar noise.png --block 32 --window 0 0 256 256 --seed 3 --quiet --out q.png");
+    printed("map noise.png --method quilted --block 32 --laid 4 --size 99 70 --tile 1 2" + small + "m.png");
+    printed("map q.png --size 99 70 --tile 1 2" + small + "e.png");
+    EXPECT_EQ(read_png(folder_.path() / "m.png").values, read_png(folder_.path() / "e.png").values);
+    expect_error("map noise.png --method blended --tile 0 -35184372088833 --out a.png",
+                 "noise.png: --tile 0 -35184372088833: must be within 2^45 tiles");
+    expect_error("map noise.png --method hexagons --cell 80 --out a.png", "noise.png: cell = 80");
+    expect_error("map noise.png --method hexagon --out a.png", "texture map: --method: \"hexagon\"");
+    printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 1 --candidates 1 --quiet --out set");
+    expect_error("map set --method hexagons --out a.png",
+                 "set: --method hexagons: is for pictures; this is a texture set");
+}
+
 TEST_F(TextureCommand, MakesTilesWithMarkedCorners)
 {
     const std::string build = "build wang --colors 2 --exemplar noise.png --marked-exemplar noise.png --size 16 "

@@ -1,13 +1,16 @@
-// poissonlab texture map: an endless plane with texture tiles in perspective.
-#include "app/commands/work_options.hpp"
+// poissonlab texture map: an endless plane with texture tiles, or with another endless texture, in perspective.
+#include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
+#include "host/distribution/textures/endless_keys.hpp"
+#include "host/distribution/textures/endless_run.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +20,12 @@ namespace poissonlab {
 namespace {
 
 constexpr auto texture_map_notes =
-    R"(DIR has a texture set, or is a picture, such as one of `texture endless`, which is repeated. Complete sets of corner
-or Wang tiles are laid by a hash, anywhere; of others, a window of --laid N x N tiles is laid in scanlines and repeated,
-with seams where windows meet. The camera is above the middle of a tile and looks to the north; a
---pitch of 90 looks straight down. Filters:
+    R"(DIR has a texture set, or is a picture. Complete sets of corner or Wang tiles are laid by a hash, anywhere; of others,
+a window of --laid N x N tiles is laid in scanlines and repeated, with seams where windows meet. A picture is repeated,
+or is the exemplar of an endless texture by another --method, as `texture endless` has them, with the same options: a
+window of --laid N x N tiles of 64 x 64 pixels around the camera shows that, and is repeated beyond, with seams. With --laid
+plain repetition is such a method, too; without, its picture must be a square whose side is a power of two. The camera is
+above the middle of a tile and looks to the north; a --pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
   mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance
@@ -34,15 +39,25 @@ Look-ups:
 Averages are of light. The same tiles lie where the program of runtime/texture_tiles.h, C, OpenCL C or GLSL, sees them.
 --frames writes a fly-through: PICTURE gets a number before its suffix.
   poissonlab texture map gravel --size 1024 576 --pitch 12 --out plain.png
-  poissonlab texture map gravel --frames 60 --advance 6 --out fly.png)";
+  poissonlab texture map gravel --frames 60 --advance 6 --out fly.png
+  poissonlab texture map gravel.png --method hexagons --laid 64 --size 1024 576 --pitch 12 --out hexagons.png)";
 
 constexpr std::uint32_t not_laid = std::numeric_limits<std::uint32_t>::max(); // --laid is not given
 constexpr int usual_laid_root = 5;
 
-struct TextureMapOptions
+/// What a picture is mapped as, with the keys of endless textures.
+void mapped_method_keys(Keys& keys, EndlessRequest& request)
 {
+    request.method = EndlessMethod::repeated;
+    keys.word("method", request.method, endless_methods,
+              "of a picture: the endless texture that it is the exemplar of");
+    endless_keys(keys, request);
+}
+
+struct TextureMapOptions : KindOptions
+{
+    using KindOptions::KindOptions;
     std::filesystem::path folder;
-    std::filesystem::path out;
     std::vector<std::int64_t> size{1024, 576}, tile{0, 0};
     double above = 2, pitch = 15, yaw = 0, field = 60;
     std::uint32_t samples = 1;
@@ -51,8 +66,13 @@ struct TextureMapOptions
     std::uint32_t laid = not_laid;
     std::uint32_t frames = 1;
     double advance = 0;
-    WorkOptions work;
 };
+
+/// Pixels of a texture without tiles that count as a tile: of the camera's height, of --tile and of --laid.
+constexpr int tile_of_pixels = 64;
+
+/// Tiles from 0 whose pixels `texture endless` has as well.
+constexpr std::int64_t farthest_endless_tile = std::int64_t{1} << 45;
 
 constexpr std::int64_t most_map_pixels = 16'384;
 constexpr std::uint32_t most_map_samples = 16, most_map_frames = 100'000;
@@ -127,12 +147,41 @@ TextureLookup lookup_of(const TextureMapOptions& o, const TextureSet& set)
     return TextureLookup::repeated;
 }
 
+/// The window of an endless texture around the camera's tile, which moves to where it lies in the window. Quilted
+/// pictures begin at 0.
+TexturePyramid endless_pyramid(const TextureMapOptions& o, const EndlessRequest& request,
+                               const DistributionPlace& place, TextureCamera& camera)
+{
+    const int root = checked_laid_root(o), tiles = root * root, side = tiles * tile_of_pixels;
+    EndlessSettings settings{request, o.folder, {0, 0, side, side}};
+    if (request.method != EndlessMethod::quilted) {
+        if (std::max(std::abs(camera.tile_x), std::abs(camera.tile_y)) > farthest_endless_tile)
+            throw InputError(fmt::format("--tile {}: must be within 2^45 tiles", fmt::join(o.tile, " ")));
+        const std::int64_t west = camera.tile_x - tiles / 2, south = camera.tile_y - tiles / 2;
+        settings.window[0] = west * tile_of_pixels;
+        settings.window[1] = -(south + tiles) * tile_of_pixels; // tiles count to the north, pixels to the south
+        camera.tile_x = camera.tile_y = tiles / 2;
+    }
+    return picture_pyramid(endless_picture(settings, o.seed(), place), root);
+}
+
 /// A picture has no other look-up than to be repeated.
-PngPixels mapped_picture(const TextureMapOptions& o)
+TexturePyramid mapped_picture(const TextureMapOptions& o, const EndlessRequest& request, const DistributionPlace& place,
+                              TextureCamera& camera)
 {
     if (!o.lookup.empty() && o.lookup != texture_lookups[TextureLookup::repeated])
         throw InputError(fmt::format("--lookup {}: is for texture sets; must be repeated", o.lookup));
-    return read_exemplar(o.folder);
+    if (request.method != EndlessMethod::repeated || o.laid != not_laid)
+        return endless_pyramid(o, request, place, camera);
+    return picture_pyramid(read_exemplar(o.folder));
+}
+
+/// Throws InputError for --method beside a texture set.
+void check_has_no_method(const EndlessRequest& request)
+{
+    if (request.method != EndlessMethod::repeated)
+        throw InputError(
+            fmt::format("--method {}: is for pictures; this is a texture set", endless_methods[request.method]));
 }
 
 std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame)
@@ -148,20 +197,20 @@ void map_texture_plane(const TextureMapOptions& o)
     TextureCamera camera = checked_camera(o);
     if (!o.lookup.empty()) value_of_word("texture map", "--lookup", o.lookup, texture_lookups);
     const int laid_root = checked_laid_root(o);
-    const DistributionPlace place = o.work.place("texture map");
+    const EndlessRequest request = o.settings().as<EndlessRequest>();
+    const DistributionPlace place = o.place();
     if (o.out.extension() != ".png")
         throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
     TextureLookup lookup = TextureLookup::repeated;
     const TexturePyramid pyramid = [&] {
         try {
-            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown)) {
-                check_is_laid(o, "a picture");
-                return picture_pyramid(mapped_picture(o));
-            }
+            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
+                return mapped_picture(o, request, place, camera);
+            check_has_no_method(request);
             const TextureSet set = read_texture_set(o.folder);
             lookup = lookup_of(o, set);
             if (has_places(set)) check_is_laid(o, "a complete set of corner or Wang tiles");
-            return has_places(set) ? texture_pyramid(set, o.work.seed()) : laid_pyramid(set, o.work.seed(), laid_root);
+            return has_places(set) ? texture_pyramid(set, o.seed()) : laid_pyramid(set, o.seed(), laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({o.folder.string()});
@@ -179,37 +228,48 @@ void map_texture_plane(const TextureMapOptions& o)
                          : reference_map_texture(pyramid, lookup, view);
         const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
         write_png(frame_file(o, frame), pixels);
-        place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
+        if (place.on_step) place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
     }
+    if (!o.prints_json()) return;
+    const nlohmann::ordered_json json{{"file", printable(frame_file(o, 0).string())},
+                                      {"frames", o.frames},
+                                      {"width", camera.width},
+                                      {"height", camera.height},
+                                      {"channels", pyramid.channels}};
+    fmt::print("{}\n", json.dump(2));
 }
 
 }
 
 Command texture_map_command()
 {
-    const auto o = std::make_shared<TextureMapOptions>();
+    static const Kind mapped =
+        described_command("texture map", "Draw an endless plane of texture tiles in perspective", mapped_method_keys);
+    const auto o = std::make_shared<TextureMapOptions>(mapped);
     return {
-        "map", "Draw the endless plane that texture tiles cover, in perspective",
-        joined({{{"DIR", &o->folder, "What texture build made, or a picture"},
-                 allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
-                          Integers{1, most_map_pixels}),
-                 {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
-                 {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
-                 {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
-                 {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
-                 {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
-                 {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
-                 {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
-                 {"--laid", &o->laid,
-                  "Of sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25",
-                  "N"},
-                 allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
-                          Integers{1, most_map_samples}),
-                 allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
-                          Integers{1, most_map_frames}),
-                 {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
-                 {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
-                o->work.options()}),
+        "map", mapped.summary,
+        joined(
+            {{{"DIR", &o->folder, "What texture build made, or a picture"},
+              allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
+                       Integers{1, most_map_pixels}),
+              {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
+              {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
+              {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
+              {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
+              {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
+              {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
+              {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+              {"--laid", &o->laid,
+               "Of sets without a hash, and of a --method: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or "
+               "64; default: 25",
+               "N"},
+              allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
+                       Integers{1, most_map_samples}),
+              allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
+                       Integers{1, most_map_frames}),
+              {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
+              {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
+             o->options()}),
         texture_map_notes, action_on(o, map_texture_plane)};
 }
 

@@ -127,7 +127,11 @@ TexturePyramid picture_pyramid(const PngPixels& picture)
     if (picture.width != picture.height || !std::has_single_bit(side) || side < 64 || side > most_laid_pixels)
         throw InputError(fmt::format("{} x {} pixels: must be a square whose side is a power of two from 64 to {}",
                                      picture.width, picture.height, most_laid_pixels));
-    const int n = side <= 4 * most_tile_pixels ? 2 : 4;
+    return picture_pyramid(picture, side <= 4 * most_tile_pixels ? 2 : 4);
+}
+
+TexturePyramid picture_pyramid(const PngPixels& picture, int n)
+{
     return pyramid_of(picture, picture.width / (n * n), n, 0);
 }
 

@@ -76,6 +76,9 @@ inline constexpr std::uint64_t most_laid_pixels = 8192;
 /// pixels. Throws InputError for one that is no square whose side is a power of two from 64 to most_laid_pixels.
 TexturePyramid picture_pyramid(const PngPixels& picture);
 
+/// The same of a square picture that counts as n^2 x n^2 tiles, whose side is a power of two.
+TexturePyramid picture_pyramid(const PngPixels& picture, int n);
+
 /// The atlas at a level as it is stored: north first, encoded.
 PngPixels level_pixels(const TexturePyramid& pyramid, int level);
 
