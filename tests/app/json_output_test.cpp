@@ -80,6 +80,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"texture cells", {"cells.toml --window 0 0 5 4 --quiet --out a.csv", "cells", "20"}},
         {"texture export", {"texture --formats dds --out engine", "layers", "16"}},
         {"texture endless", {"hexagons --exemplar grey.pgm --window 0 0 16 9 --quiet --out a.png", "height", "9"}},
+        {"texture map", {"texture --size 4 3 --engine reference --quiet --out a.png", "height", "3"}},
         {"merge", {"run --out all", "merged"}},
         {"diff", {"run run", "changed", "false"}},
         {"devices", {"", "devices"}},

@@ -174,8 +174,11 @@ TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
     EXPECT_EQ(read_png(folder_.path() / "m.png").values, read_png(folder_.path() / "e.png").values);
     expect_error("map noise.png --method blended --tile 0 -35184372088833 --out a.png",
                  "noise.png: --tile 0 -35184372088833: must be within 2^45 tiles");
-    expect_error("map noise.png --method hexagons --cell 80 --out a.png", "noise.png: cell = 80");
-    expect_error("map noise.png --method hexagon --out a.png", "texture map: --method: \"hexagon\"");
+    expect_error("map noise.png --cell 40 --out a.png",
+                 "texture map: --cell 40: is for --method offsets, hexagons, blended or quilted");
+    expect_error("map noise.png --method hexagon --out a.png",
+                 "texture map: --method hexagon: must be one of \"repeated\", \"offsets\", \"hexagons\", \"blended\", "
+                 "\"quilted\"; did you mean \"hexagons\"?");
     printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 1 --candidates 1 --quiet --out set");
     expect_error("map set --method hexagons --out a.png",
                  "set: --method hexagons: is for pictures; this is a texture set");

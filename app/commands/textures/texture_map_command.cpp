@@ -45,13 +45,16 @@ Averages are of light. The same tiles lie where the program of runtime/texture_t
 constexpr std::uint32_t not_laid = std::numeric_limits<std::uint32_t>::max(); // --laid is not given
 constexpr int usual_laid_root = 5;
 
-/// What a picture is mapped as, with the keys of endless textures.
+/// The keys of an endless texture that a picture is mapped as.
 void mapped_method_keys(Keys& keys, EndlessRequest& request)
 {
     request.method = EndlessMethod::repeated;
     keys.word("method", request.method, endless_methods,
               "of a picture: the endless texture that it is the exemplar of");
     endless_keys(keys, request);
+    if (request.method != EndlessMethod::repeated) return;
+    for (const char* const key : {"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"})
+        if (keys.is_given(key)) throw keys.invalid(key, "is for --method offsets, hexagons, blended or quilted");
 }
 
 struct TextureMapOptions : KindOptions

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -211,13 +212,14 @@ private:
         if (!is_taken)
             for (const Overlay& overlay : move.shown())
                 shown.push_back({overlay.x + box.x, overlay.y + box.y, box.side});
-        std::vector<Candidate> found;
-        for (const ExemplarWindow& window : search.best(move.canvas(search.features()), used_, shown, count)) {
-            const SiteChange change = move.best({window.x - box.x, window.y - box.y}, is_taken);
-            const auto place = std::ranges::find_if(found, [&](const Candidate& c) { return c.gain < change.gain; });
-            found.insert(place, {window, runs_of(change.pixels), change.seam_gain, change.gain});
-            if (found.size() > kept_moves) found.pop_back();
-        }
+        const std::vector<ExemplarWindow> windows = search.best(move.canvas(search.features()), used_, shown, count);
+        std::vector<Candidate> found(windows.size());
+        tbb::parallel_for(std::size_t{0}, windows.size(), [&](std::size_t i) {
+            const SiteChange change = move.best({windows[i].x - box.x, windows[i].y - box.y}, is_taken);
+            found[i] = {windows[i], runs_of(change.pixels), change.seam_gain, change.gain};
+        });
+        std::ranges::stable_sort(found, std::greater{}, &Candidate::gain);
+        if (found.size() > kept_moves) found.resize(kept_moves);
         return found;
     }
 
