@@ -124,7 +124,7 @@ std::vector<SiteMove::Option> SiteMove::options(const Overlay& overlay,
         option.taken = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
         option.levels = assembly_.levels(option.kept, option.taken);
         option.is_taken = is_taken && is_taken(pixel.x, pixel.y);
-        // What shows the window already has no choice to make.
+        // A pixel that shows the window already has no choice.
         if (!option.is_taken && option.taken != option.kept) option.node = nodes++;
     }
     return options;
