@@ -58,4 +58,10 @@ struct PlyHeader
 /// Throws InputError with file and line.
 PlyHeader read_ply_header(const PointFileContent& file);
 
+/// Columns of an element without lists, row after row: `element` and `columns` count as the header has them. Numbers
+/// lie in the file's range, and are mapped from it. Throws InputError, also where an element with lists comes before it
+/// in a binary file.
+std::vector<double> read_ply_columns(const PointFileContent& file, const PlyHeader& header, std::size_t element,
+                                     const std::vector<std::size_t>& columns);
+
 }

@@ -1,4 +1,4 @@
-// Surfaces as triangles, read from files of polygons: OFF, OBJ, PLY and STL, by CGAL.
+// Surfaces as triangles, read from files of polygons: OFF, OBJ, PLY and STL, by CGAL, and glTF, by assimp.
 #pragma once
 
 #include <array>
@@ -12,18 +12,41 @@ namespace poissonlab {
 using MeshPoint = std::array<double, 3>;
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
+/// Texture coordinates (u, v).
+using TexturePoint = std::array<double, 2>;
+
+/// In place of the number of a texture point: the corner has none.
+inline constexpr std::uint32_t no_texture_point = UINT32_MAX;
+
 struct TriangleMesh
 {
     std::vector<MeshPoint> vertices;     ///< all of them finite
     std::vector<MeshTriangle> triangles; ///< numbers of vertices, counterclockwise as seen from outside
     std::size_t divided = 0;             ///< faces of four corners or more, which became triangles
     std::size_t dropped = 0;             ///< faces of fewer than three corners, or that no triangles fill
+
+    std::vector<TexturePoint> texture_points = {}; ///< all of them finite
+    /// Numbers of texture points, of each triangle, or no_texture_point. Empty: they were not read, or there are none.
+    std::vector<MeshTriangle> texture_triangles = {};
 };
 
-/// Reads a mesh; the end of its name says the format: .off, .obj, .ply or .stl. Materials, colours, texture coordinates
-/// and normals of files are left alone. Throws InputError, a line that names the file: what is no mesh, has no faces,
-/// coordinates that are no finite numbers, or faces with vertices that are not there.
-TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
+/// Parts of a mesh that are read.
+enum class MeshParts
+{
+    faces,
+    faces_and_texture ///< and texture coordinates, if there are any
+};
+
+/// Reads a mesh; the end of its name says the format: .off, .obj, .ply, .stl, .gltf or .glb. Materials, colours and
+/// normals of files are left alone. Texture coordinates are `vt` of OBJ, s and t, u and v, or texture_u and texture_v
+/// of a PLY file's vertices, and TEXCOORD_0 of glTF, whose v is counted from below as in OBJ; other formats have none.
+/// Meshes of glTF are joined, each where its nodes put it. Throws InputError, a line that names the file: what is no
+/// mesh, has no faces, coordinates that are no finite numbers, or faces with vertices that are not there; StorageError
+/// where glTF is read without its module.
+TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts = MeshParts::faces);
+
+/// Files that hold a part of a mesh that was read: those of numbers that .gltf names.
+std::vector<std::filesystem::path> files_beside_mesh(const std::filesystem::path& file);
 
 /// The corners of a polygon, which may be concave and need not be quite plane, as triangles of their numbers: those of
 /// least area that fill it. Nothing where none do.

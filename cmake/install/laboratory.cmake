@@ -1,6 +1,6 @@
 # The program with its manual page, configs and documentation, and the Debian package of everything.
 install(TARGETS poissonlab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS poissonlab_pictures poissonlab_particles LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poissonlab)
+install(TARGETS poissonlab_pictures poissonlab_particles poissonlab_meshes LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poissonlab)
 install(DIRECTORY configs DESTINATION ${data_folder})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN site EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Writes the meshes that configs/surfaces.toml and docs/surfaces.md use: a torus (OBJ, quads) and a bumpy sphere (OFF).
+"""Writes the meshes that configs/surfaces.toml and docs/surfaces.md use: a torus (OBJ, quads), a bumpy sphere (OFF),
+and a vase with texture coordinates (OBJ).
 
     /usr/bin/python3 configs/surfaces/make_meshes.py [FOLDER]
 """
@@ -59,12 +60,47 @@ def bumpy_sphere():
     return waved, faces
 
 
-def write_obj(path, vertices, faces):
+def vase(around=32, rings=20):
+    """Vertices, texture coordinates and quads of a vase around the z axis, open above and below. u goes around it, from 0
+    to 1, v is the length of its profile in parts of the mean circle. One seam runs from below to above: its vertices are
+    there once, its texture coordinates twice."""
+    def profile(t):
+        return 0.45 + 0.2 * math.sin(2 * math.pi * (0.9 * t + 0.05)), 1.6 * t
+
+    lengths, radii = [0.0], []
+    for i in range(rings):
+        here, there = profile(i / rings), profile((i + 1) / rings)
+        step = math.dist(here, there)
+        lengths.append(lengths[-1] + step)
+        radii.append((here[0] + there[0]) / 2 * step)
+    circle = 2 * math.pi * sum(radii) / lengths[-1]
+    vertices, texture, faces = [], [], []
+    for i in range(rings + 1):
+        radius, height = profile(i / rings)
+        for j in range(around + 1):
+            angle = 2 * math.pi * j / around
+            if j < around:
+                vertices.append((radius * math.cos(angle), radius * math.sin(angle), height))
+            texture.append((j / around, lengths[i] / circle))
+    for i in range(rings):
+        for j in range(around):
+            right = (j + 1) % around
+            corners = (i * around + j, i * around + right, (i + 1) * around + right, (i + 1) * around + j)
+            first = i * (around + 1) + j
+            faces.append(tuple(zip(corners, (first, first + 1, first + around + 2, first + around + 1))))
+    return vertices, texture, faces
+
+
+def write_obj(path, vertices, faces, texture=()):
+    """Corners of faces are numbers of vertices, or, with texture coordinates, pairs."""
     with open(path, "w", encoding="ascii") as file:
         for v in vertices:
             file.write("v %.6g %.6g %.6g\n" % v)
+        for t in texture:
+            file.write("vt %.6g %.6g\n" % t)
         for face in faces:
-            file.write("f " + " ".join(str(i + 1) for i in face) + "\n")
+            corners = ("/".join(str(i + 1) for i in corner) if texture else str(corner + 1) for corner in face)
+            file.write("f " + " ".join(corners) + "\n")
 
 
 def write_off(path, vertices, faces):
@@ -79,6 +115,8 @@ def write_off(path, vertices, faces):
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     write_obj(folder / "torus.obj", *torus())
+    vertices, texture, faces = vase()
+    write_obj(folder / "vase.obj", vertices, faces, texture)
     write_off(folder / "bumpy-sphere.off", *bumpy_sphere())
 
 

@@ -17,7 +17,7 @@ PoissonTileSet default_object_tiles(int dimension, const DistributionPlace& plac
     p.dimension = dimension;
     p.colors = dimension == 3 ? 2 : 3;
     p.tiles = tile_count(p.kind, dimension, p.colors);
-    p.points_per_tile = dimension == 3 ? 128 : 32; // with fewer, spheres around corners would meet
+    p.points_per_tile = dimension == 3 ? 128 : points_per_default_tile; // with fewer, spheres around corners would meet
     p.relative_radius = 0.75;
     p.lloyd_iterations = 20;
     p.repulsion = dimension == 3; // without it, edges fall short of the radius

@@ -118,6 +118,10 @@ protected:
         folder_.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n");
         folder_.write("infinite.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1e999 1 0\n3 0 1 2\n");
         folder_.write("far.off", "OFF\n3 1 0\n1e12 0 0\n1000000000001 0 0\n1e12 1e-5 0\n3 0 1 2\n");
+        folder_.write("textured.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n");
+        folder_.write("line.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/2 3/2\n");
+        folder_.write("wrong.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/2 3/2\n");
+        folder_.write("broken.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 5");
         std::filesystem::create_directory(folder_.path() / "folder");
         std::filesystem::current_path(folder_.path());
         said_of("tiles build corner --colors 2 --points 4 --relative-radius 0.4 --lloyd 1 --engine reference --quiet "

@@ -68,6 +68,18 @@ class Kinds(unittest.TestCase):
         self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 0.2)
         self.assertEqual(made.numbers["uncovered"], 0)
 
+    def test_tiles_lie_on_texture_coordinates(self):
+        mesh = SOURCE / "configs/surfaces/vase.obj"
+        made = distribute.surface(mesh=str(mesh), tiles=TILE_SET, tiles_per_unit=6, closed=True, rng=2)
+        nearest = scipy.spatial.cKDTree(made.points).query(made.points, k=2)[0][:, 1]
+        self.assertAlmostEqual(made.numbers["least_of_any"], nearest.min(), 12)
+        self.assertLessEqual(made.numbers["surface_distance"] * 0.95, nearest.min())
+        self.assertEqual(made.numbers["broken_by_seams"], 0)
+        distance = 1.2 * nearest.min()
+        thinned = distribute.surface(mesh=str(mesh), tiles=TILE_SET, tiles_per_unit=6, min_distance=distance,
+                                     normal_angle=180, rng=2).points
+        self.assertGreaterEqual(scipy.spatial.cKDTree(thinned).query(thinned, k=2)[0][:, 1].min(), distance)
+
     def test_darts_fall_into_regions_in_their_own_units(self):
         made = distribute.darts(region="rectangle 500 -20 540 10", min_distance=2, engine="reference")
         low, high = made.points.min(axis=0), made.points.max(axis=0)

@@ -59,7 +59,8 @@ class Wheels(FolderTest):
         files = {file.name for file in (SOURCE / "python/poissonlab").iterdir() if file.suffix in (".py", ".pyi", ".typed")}
         module = pathlib.Path(pl._poissonlab.__file__).name
         self.assertEqual({file.name for file in (installed / "poissonlab").iterdir()},
-                         files | {module, "samplers.pyi", "libpoissonlab_pictures.so", "libpoissonlab_particles.so", "py.typed"})
+                         files | {module, "samplers.pyi", "libpoissonlab_pictures.so", "libpoissonlab_particles.so",
+                                  "libpoissonlab_meshes.so", "py.typed"})
         self.assertEqual(sorted(path.name for path in installed.iterdir()), ["poissonlab", f"poissonlab-{version}.dist-info"])
         metadata = (installed / f"poissonlab-{version}.dist-info/METADATA").read_text()
         self.assertRegex(metadata, r"(?m)^Requires-Dist: numpy")

@@ -23,6 +23,28 @@ inline TriangleMesh square_mesh(std::uint32_t rows = 1, double height = 0)
     return mesh;
 }
 
+/// A surface over texture coordinates (u, v) in the unit square, which `place` puts into space: `columns` x `rows`
+/// squares of two triangles.
+template <class Place>
+TriangleMesh textured_mesh(std::uint32_t columns, std::uint32_t rows, const Place& place)
+{
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i <= rows; ++i)
+        for (std::uint32_t j = 0; j <= columns; ++j) {
+            const TexturePoint at{double(j) / columns, double(i) / rows};
+            mesh.texture_points.push_back(at);
+            mesh.vertices.push_back(place(at[0], at[1]));
+        }
+    for (std::uint32_t i = 0; i < rows; ++i)
+        for (std::uint32_t j = 0; j < columns; ++j) {
+            const std::uint32_t a = i * (columns + 1) + j, b = a + 1, c = b + columns + 1, d = c - 1;
+            mesh.triangles.push_back({a, b, c});
+            mesh.triangles.push_back({a, c, d});
+        }
+    mesh.texture_triangles = mesh.triangles;
+    return mesh;
+}
+
 /// Squares at heights 0 and `thickness`, whose normals point away from each other.
 inline TriangleMesh sheet_mesh(double thickness)
 {

@@ -12,18 +12,23 @@ namespace poissonlab {
 namespace {
 
 constexpr auto distribute_surface_notes =
-    R"help(MESH is a file of polygons: .obj, .ply, .off or .stl. Points lie on its triangles, and distances are straight through
+    R"help(MESH is a file of polygons: .obj, .ply, .off, .stl, .gltf or .glb. Points lie on its triangles, and distances are straight through
 space, in units of the mesh. Points whose normals are more than --normal-angle apart do not see each other: the two
 sides of a thin sheet are each even by themselves, and points of different sides may be near.
   --min-distance D                       darts until no further one fits: all of the surface is nearer than D to a point
   --points N --min-distance D            darts until there are N, or --relative-radius instead of --min-distance
   --points N                             darts at a distance that shrinks until N fit
   --points N --method elimination        N of five times as many random points; each beginning of the file is even, too
+  --tiles SET --tiles-per-unit T         the points of a tiling laid over texture coordinates (u, v) of the mesh, or
+                                         --points N instead of T; with --min-distance D those are left out, in the order
+                                         of ranks, that are nearer than D to others. What stretch and seams of the
+                                         coordinates make of distances is measured.
 Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
 --out, as often as you like: .ply (binary, with normals nx, ny, nz), .png (views from the front and from behind, --pixels
 wide; z is up), and point files such as .npy, .csv and text.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
-  poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json)help";
+  poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
+  poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";
 
 void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, int pixels,
                           const std::string& comment)
@@ -38,6 +43,7 @@ void place_on_surface(const KindOptions& o)
     const auto settings = o.read<MeshPointSettings>();
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
+    for (const std::string& note : set.notes) o.say_note(note);
     std::string what = fmt::format("{} points, {}", set.points.size(), surface_fact(set, settings));
     if (set.min_distance > 0)
         what += fmt::format("; {}at least {:.17g} apart", set.angle < 180 ? "those that see each other " : "",

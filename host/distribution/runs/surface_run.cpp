@@ -1,4 +1,5 @@
-// kind = "surface": points on the triangles of a mesh, by dart throwing or by sample elimination.
+// kind = "surface": points on the triangles of a mesh, by dart throwing, by sample elimination, or by tiles
+// over its texture coordinates.
 //
 // Cline et al., Dart throwing on surfaces, EGSR 2009; Yuksel, Sample elimination for generating Poisson disk sample
 // sets, Computer Graphics Forum 34(2), 2015.
@@ -8,16 +9,37 @@
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
+#include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace poissonlab {
 namespace {
 
+void check_tile_keys(Keys& keys, MeshPointSettings& s)
+{
+    for (const char* key : {"relative_radius", "factor", "candidates"})
+        if (keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
+    if (!s.points && !s.tiles_per_unit)
+        throw keys.problem(fmt::format("tiles need {} or {}", keys.name_of("points"), keys.name_of("tiles_per_unit")));
+    if (!s.tiles.empty()) keys.check("tiles", [&] { s.read_tiles = surface_tiles(s, {}); });
+    if (s.is_closed && (!s.tiles_per_unit || std::floor(*s.tiles_per_unit) != *s.tiles_per_unit))
+        throw keys.invalid("closed", fmt::format("needs {}, a whole number", keys.name_of("tiles_per_unit")));
+    keys.check("mesh", [&] {
+        s.read = surface_mesh(s);
+        check_texture(*s.read);
+    });
+    if (s.min_distance) keys.check("min_distance", [&] { surface_distance(s, *s.read); });
+    keys.check(s.tiles_per_unit ? "tiles_per_unit" : "points", [&] { check_tiled_surface(s, *s.read); });
+}
+
 void check_surface_keys(Keys& keys, MeshPointSettings& s)
 {
+    if (s.method == SurfaceMethod::tiles) return check_tile_keys(keys, s);
     if (s.method == SurfaceMethod::elimination && !s.points)
         throw keys.problem(fmt::format("elimination needs {}", keys.name_of("points")));
     if (!s.points && !s.min_distance)
@@ -39,8 +61,9 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
 
 void surface_keys(Keys& keys, MeshPointSettings& s)
 {
-    keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off or .stl", "a mesh").required();
-    keys.word("method", s.method, surface_methods, "how points are made");
+    keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
+        .required();
+    keys.word("method", s.method, surface_methods, "how points are made; tiles, where there are any");
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
     keys.number("min_distance", s.min_distance, {1e-100, 1e100},
                 "the least distance of two points, straight through space")
@@ -57,12 +80,29 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
-    if (keys.is_read()) check_surface_keys(keys, s);
+    keys.tiles(s.tiles);
+    if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
+    const bool has_tiles = s.method == SurfaceMethod::tiles;
+    if (keys.is_given("tiles") && !has_tiles)
+        throw keys.invalid("tiles",
+                           fmt::format("does not go with {} = {}", keys.name_of("method"), surface_methods[s.method]));
+    keys.number("tiles_per_unit", s.tiles_per_unit, {1e-6, 1e6},
+                "how many tiles lie along a unit of the mesh's texture coordinates")
+        .only_if(has_tiles, "method = tiles")
+        .excludes("points")
+        .otherwise("as many as have the points");
+    keys.flag("closed", s.is_closed,
+              "whether the tiling repeats after a unit of texture coordinates, so that a seam between 0 and 1 fits")
+        .only_if(has_tiles, "method = tiles");
+    if (!keys.is_read()) return;
+    check_surface_keys(keys, s);
+    for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
 }
 
 std::string surface_label(const MeshPointSettings& s)
 {
-    return fmt::format("Points on {}, {}", name_of_input(s.mesh.string()), surface_methods[s.method]);
+    return fmt::format("Points on {}, {}", name_of_input(s.mesh.string()),
+                       s.method == SurfaceMethod::tiles ? words_for_tiles(s) : std::string(surface_methods[s.method]));
 }
 
 DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
@@ -74,6 +114,7 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     result.facts = {fmt::format("{} points", set.points.size()), surface_fact(set, settings),
                     fmt::format("{} triangles", surface.triangles.size())};
     for (const std::string& note : set.mesh->notes()) result.facts.push_back(note);
+    for (const std::string& note : set.notes) result.facts.push_back(note);
     write_png(files.add("points.png"), surface_view(surface, set.points, dots_of(set)));
     result.pictures.push_back(
         {"points.png", "The points on their surface, from the front above and from behind above."});

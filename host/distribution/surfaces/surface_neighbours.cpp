@@ -1,5 +1,7 @@
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 
+#include "base/geometry/torus.hpp"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -56,19 +58,6 @@ std::uint64_t SurfaceNeighbours::key_of(std::int64_t x, std::int64_t y, std::int
 {
     return (static_cast<std::uint64_t>(z + 1) << 2 * cell_bits) | (static_cast<std::uint64_t>(y + 1) << cell_bits) |
            static_cast<std::uint64_t>(x + 1);
-}
-
-/// Calls visit(number of a point) for all points in the 27 cells around a place.
-template <typename Visit>
-void SurfaceNeighbours::for_each_around(const MeshPlace& place, const Visit& visit) const
-{
-    const std::int64_t x = place[0] / reach_;
-    for (std::int64_t z = place[2] / reach_ - 1; z <= place[2] / reach_ + 1; ++z)
-        for (std::int64_t y = place[1] / reach_ - 1; y <= place[1] / reach_ + 1; ++y) {
-            const std::uint64_t last = key_of(x + 1, y, z);
-            auto i = static_cast<std::size_t>(std::ranges::lower_bound(keys_, key_of(x - 1, y, z)) - keys_.begin());
-            for (; i < keys_.size() && keys_[i] <= last; ++i) visit(order_[i]);
-        }
 }
 
 std::uint64_t SurfaceNeighbours::squared_nearest(std::size_t own, std::int32_t least_cosine) const
@@ -132,6 +121,26 @@ SurfaceDistances surface_distances(const FixedSurface& surface, const std::vecto
     const auto any = squared_nearest_of_all(surface, points, std::numeric_limits<std::int32_t>::min());
     return {length_of(std::ranges::min(seen), surface), length_of(std::ranges::min(any), surface),
             mean_of_finite(seen, surface)};
+}
+
+std::vector<bool> kept_in_order(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
+                                const std::vector<std::uint32_t>& order, double distance, std::int32_t least_cosine)
+{
+    const double units = surface.units_of(distance);
+    const std::uint64_t squared = squared_threshold(units * 0x1p-32);
+    const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(units) + 1);
+    std::vector<bool> kept(points.size(), false);
+    for (const std::uint32_t i : order) {
+        bool is_free = true;
+        near.for_each_around(place_of(points[i]), [&](std::size_t j) {
+            if (!is_free || !kept[j]) return;
+            is_free = squared_distance(place_of(points[i]), place_of(points[j])) >= squared ||
+                      cosine_between(surface.triangles[points[i].triangle], surface.triangles[points[j].triangle]) <
+                          least_cosine;
+        });
+        kept[i] = is_free;
+    }
+    return kept;
 }
 
 bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,

@@ -5,6 +5,7 @@
 
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -23,9 +24,11 @@ public:
     /// Is a point nearer to a place of a triangle than the root of `squared`, which is no more than the reach?
     bool is_near(const SurfacePoint& place, std::uint64_t squared, std::int32_t least_cosine) const;
 
-private:
+    /// Calls visit(number of a point) for all points in the 27 cells around a place: all that are in reach, and others.
     template <typename Visit>
     void for_each_around(const MeshPlace& place, const Visit& visit) const;
+
+private:
     std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) const;
 
     const FixedSurface& surface_;
@@ -34,6 +37,23 @@ private:
     std::vector<std::uint64_t> keys_;  ///< of cells, ascending: of each point
     std::vector<std::uint32_t> order_; ///< numbers of points
 };
+
+template <typename Visit>
+void SurfaceNeighbours::for_each_around(const MeshPlace& place, const Visit& visit) const
+{
+    const std::int64_t x = place[0] / reach_;
+    for (std::int64_t z = place[2] / reach_ - 1; z <= place[2] / reach_ + 1; ++z)
+        for (std::int64_t y = place[1] / reach_ - 1; y <= place[1] / reach_ + 1; ++y) {
+            const std::uint64_t last = key_of(x + 1, y, z);
+            auto i = static_cast<std::size_t>(std::ranges::lower_bound(keys_, key_of(x - 1, y, z)) - keys_.begin());
+            for (; i < keys_.size() && keys_[i] <= last; ++i) visit(order_[i]);
+        }
+}
+
+/// Returns which points stay where they come in this order, and each stays unless it is nearer than a distance to one
+/// before it that stays and that it sees. In the mesh's units.
+std::vector<bool> kept_in_order(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
+                                const std::vector<std::uint32_t>& order, double distance, std::int32_t least_cosine);
 
 /// Are all points that see each other at least so far from each other, in the mesh's units, but for what doubles round?
 bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,

@@ -4,6 +4,7 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
 #include "host/settings/sampler_table.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -150,7 +152,10 @@ std::vector<std::string> SurfaceMesh::notes() const
 std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings)
 {
     if (settings.read) return settings.read;
-    SurfaceMesh read{read_triangle_mesh(settings.mesh), {}};
+    SurfaceMesh read{read_triangle_mesh(settings.mesh, settings.method == SurfaceMethod::tiles
+                                                           ? MeshParts::faces_and_texture
+                                                           : MeshParts::faces),
+                     {}};
     try {
         read.surface = fixed_surface(read.mesh);
     } catch (const InputError& error) {
@@ -176,19 +181,24 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
     if (distance < least)
         throw InputError(
             fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}", distance, least));
-    if (const double count = saturated_count(surface.area, distance); !settings.points && count > max_points)
+    const bool is_filled = settings.method == SurfaceMethod::darts && !settings.points;
+    if (const double count = saturated_count(surface.area, distance); is_filled && count > max_points)
         throw InputError(fmt::format("these are some {:.3g} points; at most {}", count, max_points));
     return std::min(distance, most);
 }
 
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
+    if (settings.method == SurfaceMethod::tiles) return tiled_surface(settings, surface_mesh(settings), seed, place);
     return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
                                                    : eliminated_set(settings, surface_mesh(settings), seed, place);
 }
 
 std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& settings)
 {
+    if (set.tiling)
+        return fmt::format("{}, {:.6g} a unit of texture coordinates", words_for_tiles(settings),
+                           set.tiling->tiles_per_unit);
     if (settings.method == SurfaceMethod::elimination) return "sample elimination";
     if (set.is_saturated && !settings.points) return "saturated: no further point fits";
     return settings.min_distance || settings.relative_radius ? "stopped at that number"
@@ -211,7 +221,9 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
                            set.angle < 180 ? "that points which see each other are sure to keep, straight through space"
                                            : "that points are sure to keep, straight through space"});
-    numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
+    if (set.darts > 0)
+        numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
+    if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
     if (set.points.size() < 2) return numbers;
     const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle));
     if (!std::isfinite(found.least)) return numbers;
@@ -228,7 +240,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     if (set.is_saturated)
         numbers.push_back({"uncovered", "Uncovered part", set.small_area / surface.area,
                            "of the surface, at most: proven, piece by piece"});
-    else
+    else if (!set.tiling) // of which a seam may have two points at nearly one place
         numbers.push_back(uncovered_part(set, set.min_distance > 0 ? set.min_distance : found.least, seed));
     return numbers;
 }

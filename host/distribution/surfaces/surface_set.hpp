@@ -30,6 +30,9 @@ struct SurfaceMesh
 /// Reads the mesh, unless the settings have it. Throws InputError.
 std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings);
 
+/// See host/distribution/surfaces/tiled_surface.hpp.
+struct SurfaceTiling;
+
 struct SurfaceSet
 {
     std::shared_ptr<const SurfaceMesh> mesh;
@@ -37,8 +40,10 @@ struct SurfaceSet
     double min_distance = 0;          ///< that they are sure to keep; 0: nothing is said
     double angle = 180;
     bool is_saturated = false;
-    double small_area = 0; ///< see SurfaceDarts
-    std::uint64_t darts = 0;
+    double small_area = 0;                         ///< see SurfaceDarts
+    std::uint64_t darts = 0;                       ///< random points of which these are; 0: of tilings
+    std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
+    std::vector<std::string> notes{};              ///< what a person should know of it, beside its mesh
 
     PointSet places() const { return points_of(mesh->surface, points); }
 };

@@ -14,16 +14,19 @@ namespace poissonlab {
 enum class SurfaceMethod
 {
     darts,
-    elimination
+    elimination,
+    tiles
 };
 
-inline constexpr WordTable<SurfaceMethod, 2> surface_methods{
-    {{{SurfaceMethod::darts, "darts"}, {SurfaceMethod::elimination, "elimination"}}}};
+inline constexpr WordTable<SurfaceMethod, 3> surface_methods{
+    {{{SurfaceMethod::darts, "darts"}, {SurfaceMethod::elimination, "elimination"}, {SurfaceMethod::tiles, "tiles"}}}};
 
 /// A mesh as it is read: see host/distribution/surfaces/surface_set.hpp.
 struct SurfaceMesh;
 
-/// kind = "surface": points on the triangles of a mesh.
+struct PoissonTileSet;
+
+/// kind = "surface": points on the triangles of a mesh, also those of tiles over its texture coordinates.
 struct MeshPointSettings
 {
     std::filesystem::path mesh;
@@ -31,10 +34,14 @@ struct MeshPointSettings
     std::optional<std::size_t> points;
     std::optional<double> min_distance;
     std::optional<double> relative_radius;
+    bool is_closed = false; ///< the tiling repeats after a unit
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::shared_ptr<const SurfaceMesh> read{}; ///< the mesh, where it was read already
+    std::filesystem::path tiles;                        ///< empty: corner tiles of 3 colours, 32 points
+    std::optional<double> tiles_per_unit;               ///< of texture coordinates
+    std::shared_ptr<const SurfaceMesh> read{};          ///< the mesh, where it was read already
+    std::shared_ptr<const PoissonTileSet> read_tiles{}; ///< the same of the tiles
 };
 
 }

@@ -196,8 +196,11 @@ public:
     /// Keys and values that were described or read, in one line: what decides the result, but for what files hold.
     const std::string& resolved() const { return resolved_; }
 
-    /// Files that values name.
+    /// Files that values name, whose contents decide the result as well.
     const std::vector<std::filesystem::path>& inputs() const { return inputs_; }
+
+    /// Adds a file that one of these names in turn.
+    void reads_too(std::filesystem::path file) { inputs_.push_back(std::move(file)); }
 
 private:
     Said describe(KeySpec spec);

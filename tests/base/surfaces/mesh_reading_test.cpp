@@ -76,7 +76,7 @@ TEST_F(MeshFiles, HavePolygonsAsTriangles)
 
 TEST_F(MeshFiles, SayWhatIsWrong)
 {
-    EXPECT_THAT(refusal("a.txt", "x"), HasSubstr("a mesh is a file of OFF, OBJ, PLY or STL"));
+    EXPECT_THAT(refusal("a.txt", "x"), HasSubstr("a mesh is a file of OFF, OBJ, PLY, STL or glTF"));
     EXPECT_THAT(refusal("a.obj", ""), EndsWith("a.obj: cannot be read as a mesh: it is damaged, or has no faces"));
     EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 0 0\n"), HasSubstr("has no faces"));
     EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 7\n"), HasSubstr("a.off: "));

@@ -1,0 +1,53 @@
+// The triangles of a surface in the plane of its texture coordinates, in whole numbers: which one a place belongs to is
+// decided exactly.
+#pragma once
+
+#include "host/sampling/surfaces/fixed_surface.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// Places in the plane count in steps, 2^step_bits of which are a unit of tiles, 1/65,536 of their side.
+inline constexpr int step_bits = 8;
+using TexturePlace = std::array<std::int64_t, 2>;
+
+/// Tiles from 0 that texture coordinates may be away: exact tests then fit in 128 bits.
+inline constexpr double farthest_tile = 1 << 22;
+
+struct TextureTriangle
+{
+    std::array<TexturePlace, 3> corners{}; ///< not on a line
+    std::uint32_t triangle = 0;            ///< its number among those of the surface
+
+    /// The shares of the second and third corner at a place inside, in units of 2^-31, rounded down; nothing outside. A
+    /// place on an edge is where it would be if it lay a bit to the right, and, less than that, a bit higher: it is
+    /// inside of exactly one of the triangles around it.
+    std::optional<std::array<std::uint32_t, 2>> shares_at(const TexturePlace& place) const;
+};
+
+/// A surface in the plane of its texture coordinates.
+struct TexturePlane
+{
+    double tiles_per_unit = 1;
+    std::vector<TextureTriangle> triangles; ///< with an area in the plane, in the order of the surface's
+    std::size_t without_coordinates = 0;    ///< triangles of the surface
+    std::size_t without_area = 0;           ///< triangles of the surface that are a line or a point in the plane
+    double bare_area = 0;                   ///< of both, in squares of the mesh's units
+};
+
+/// The texture coordinates of the corners of a surface's triangle; nothing where it has none. `number` is that of
+/// the mesh.
+std::optional<std::array<TexturePoint, 3>> texture_of(const TriangleMesh& mesh, std::uint32_t number);
+
+/// With so many tiles a unit of texture coordinates. Throws InputError, a sentence, where coordinates are too far from
+/// 0, or no triangle has an area.
+TexturePlane texture_plane(const TriangleMesh& mesh, const FixedSurface& surface, double tiles_per_unit);
+
+/// The sum of the areas of triangles in the plane, in squares of units of texture coordinates.
+double texture_area(const TriangleMesh& mesh, const FixedSurface& surface);
+
+}

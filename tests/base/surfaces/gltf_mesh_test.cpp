@@ -1,0 +1,143 @@
+// Meshes of glTF beside the same in OBJ, nodes that move them, and damaged files.
+#include "base/files/whole_file.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/gltf_files.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+/// A bent sheet whose coordinates are floats.
+TriangleMesh bent_sheet()
+{
+    return textured_mesh(8, 4, [](double u, double v) {
+        return MeshPoint{u, v, static_cast<double>(static_cast<float>(std::sin(3 * u + v)))};
+    });
+}
+
+class GltfFiles : public testing::Test
+{
+protected:
+    TriangleMesh read(const std::string& name)
+    {
+        return read_triangle_mesh(folder_.path() / name, MeshParts::faces_and_texture);
+    }
+
+    std::string refusal(const std::string& name, const std::string& text)
+    {
+        write_whole_file(folder_.path() / name, text);
+        return message_of([&] { read(name); });
+    }
+
+    TemporaryFolder folder_;
+};
+
+std::string obj_of(const TriangleMesh& mesh)
+{
+    std::string text;
+    for (const auto& [x, y, z] : mesh.vertices) text += fmt::format("v {} {} {}\n", x, y, z);
+    for (const auto& [u, v] : mesh.texture_points) text += fmt::format("vt {} {}\n", u, v);
+    for (const auto& [a, b, c] : mesh.triangles)
+        text += fmt::format("f {0}/{0} {1}/{1} {2}/{2}\n", a + 1, b + 1, c + 1);
+    return text;
+}
+
+TEST_F(GltfFiles, AreTheSameAsObj)
+{
+    const TriangleMesh mesh = bent_sheet();
+    write_whole_file(folder_.path() / "a.obj", obj_of(mesh));
+    test::write_gltf(folder_.path() / "a.gltf", mesh);
+    write_whole_file(folder_.path() / "a.GLB", test::glb_bytes(mesh));
+    EXPECT_EQ(files_beside_mesh(folder_.path() / "a.gltf"), std::vector{folder_.path() / "a.bin"});
+    const TriangleMesh obj = read("a.obj");
+    for (const char* name : {"a.gltf", "a.GLB"}) {
+        const TriangleMesh gltf = read(name);
+        EXPECT_EQ(gltf.vertices, obj.vertices);
+        EXPECT_EQ(gltf.triangles, obj.triangles);
+        EXPECT_EQ(gltf.texture_points, obj.texture_points);
+        EXPECT_EQ(gltf.texture_triangles, obj.texture_triangles);
+    }
+}
+
+TEST_F(GltfFiles, AreJoinedWhereNodesPutThem)
+{
+    TriangleMesh mesh = bent_sheet();
+    mesh.texture_points.clear();
+    // The second one is moved by its own node after that around it; the third is mirrored, and stays counterclockwise
+    // seen from outside.
+    test::write_gltf(folder_.path() / "a.gltf", mesh,
+                     R"([{"mesh": 0}, {"scale": [2, 2, 2], "children": [2]}, {"mesh": 0, "translation": [1, 0, 5]},
+                   {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}])",
+                     "[0, 1, 3]");
+    const TriangleMesh read_mesh = read("a.gltf");
+    const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
+    ASSERT_EQ(read_mesh.vertices.size(), 3 * vertices);
+    ASSERT_EQ(read_mesh.triangles.size(), 3 * triangles);
+    EXPECT_TRUE(read_mesh.texture_triangles.empty());
+    for (std::size_t i = 0; i < vertices; ++i) {
+        const auto& [x, y, z] = mesh.vertices[i];
+        EXPECT_EQ(read_mesh.vertices[i], mesh.vertices[i]);
+        EXPECT_EQ(read_mesh.vertices[vertices + i], (MeshPoint{2 * (x + 1), 2 * y, 2 * (z + 5)}));
+        EXPECT_EQ(read_mesh.vertices[2 * vertices + i], (MeshPoint{-x, y, z}));
+    }
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const auto second = static_cast<std::uint32_t>(vertices), third = 2 * second;
+        EXPECT_EQ(read_mesh.triangles[triangles + t], (MeshTriangle{a + second, b + second, c + second}));
+        EXPECT_EQ(read_mesh.triangles[2 * triangles + t], (MeshTriangle{c + third, b + third, a + third}));
+    }
+}
+
+TEST_F(GltfFiles, SayWhatIsWrong)
+{
+    EXPECT_THAT(refusal("a.gltf", "words"), HasSubstr("a.gltf: cannot be read as glTF: "));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}})"), HasSubstr("a.gltf: "));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                                      "nodes": [{"translation": [1, 2, 3]}]})"),
+                EndsWith("a.gltf: has no triangles"));
+    EXPECT_THAT(refusal("a.gltf", test::gltf_json(bent_sheet(), R"([{"mesh": 0}])", "[0]", R"("uri": "none.bin", )")),
+                HasSubstr("a.gltf: cannot be read as glTF: "));
+    TriangleMesh mesh = bent_sheet();
+    mesh.vertices[3][1] = NAN;
+    EXPECT_THAT(refusal("a.glb", test::glb_bytes(mesh)),
+                EndsWith("a.glb: vertex 4 has a coordinate that is no finite number"));
+    mesh = bent_sheet();
+    mesh.triangles[2][1] = 1000;
+    EXPECT_THAT(refusal("a.glb", test::glb_bytes(mesh)), HasSubstr("a.glb: "));
+}
+
+/// Files that end early, or with bits that fell over: an error of one line, or a mesh.
+TEST_F(GltfFiles, MayBeDamaged)
+{
+    const std::string whole = test::glb_bytes(bent_sheet());
+    for (std::size_t i = 0; i < 300; ++i) {
+        std::string damaged = whole;
+        const std::size_t at = i * 7919 % (whole.size() / 2);
+        if (i % 3 == 0)
+            damaged.resize(at);
+        else
+            damaged[at] = static_cast<char>(damaged[at] ^ (1 << i % 8));
+        write_whole_file(folder_.path() / "a.glb", damaged);
+        try {
+            const TriangleMesh mesh = read("a.glb");
+            for (const MeshTriangle& triangle : mesh.triangles)
+                for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh.vertices.size());
+        } catch (const std::runtime_error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("a.glb: "));
+            EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
+        }
+    }
+}
+
+}
+}

@@ -1,0 +1,89 @@
+// Texture coordinates of OBJ and PLY files: whose corners they are, and what is refused.
+#include "base/files/whole_file.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+class TexturedFiles : public testing::Test
+{
+protected:
+    TriangleMesh read(const std::string& name, const std::string& text)
+    {
+        write_whole_file(folder_.path() / name, text);
+        return read_triangle_mesh(folder_.path() / name, MeshParts::faces_and_texture);
+    }
+
+    std::string refusal(const std::string& name, const std::string& text)
+    {
+        return message_of([&] { read(name, text); });
+    }
+
+    TemporaryFolder folder_;
+};
+
+const std::string square_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(TexturedFiles, OfObjHaveOneCoordinateACorner)
+{
+    const TriangleMesh mesh =
+        read("a.obj", square_vertices +
+                          "vt 0 0\nvt 0.5 0 7\nf 1/1/9 2/2/9 3/-1/9 # words\nvt 0.25 1\nf 1/1 3/-1 4/2\nf 1 3 4\n");
+    EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{0, 0}, {0.5, 0}, {0.25, 1}}));
+    EXPECT_EQ(
+        mesh.texture_triangles,
+        (std::vector<MeshTriangle>{{0, 1, 1}, {0, 2, 1}, {no_texture_point, no_texture_point, no_texture_point}}));
+    EXPECT_TRUE(read("a.obj", square_vertices + "f 1 2 3\n").texture_triangles.empty());
+}
+
+/// A quadrangle, one of whose corners is there twice: its triangles have the coordinates of their own corners.
+TEST_F(TexturedFiles, OfObjFollowPolygonsIntoTriangles)
+{
+    const TriangleMesh mesh =
+        read("a.obj", square_vertices + "vt 0 0\nvt 9 9\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 1/2 2/3 3/4 4/5\n");
+    ASSERT_EQ(mesh.texture_triangles.size(), 2U);
+    for (std::size_t t = 0; t < 2; ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const MeshPoint& place = mesh.vertices[mesh.triangles[t][k]];
+            EXPECT_EQ(mesh.texture_points[mesh.texture_triangles[t][k]], (TexturePoint{place[0], place[1]}));
+        }
+}
+
+TEST_F(TexturedFiles, OfPlyHaveOneCoordinateAVertex)
+{
+    for (const auto& [u, v] : {std::pair{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+        const TriangleMesh mesh =
+            read("a.ply", std::string("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n") +
+                              "property float z\nproperty float " + v + "\nproperty uchar red\nproperty float " + u +
+                              "\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                              "0 0 0 0 9 -5\n1 0 0 0 9 1.5\n1 1 0 1 9 1.5\n0 1 0 1 9 -5\n3 0 1 2\n3 0 2 3\n");
+        EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{-5, 0}, {1.5, 0}, {1.5, 1}, {-5, 1}}));
+        EXPECT_EQ(mesh.texture_triangles, mesh.triangles);
+    }
+}
+
+TEST_F(TexturedFiles, SayWhatIsWrong)
+{
+    EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n"),
+                EndsWith("a.obj:7: \"3/3\": there is no such texture coordinate before this line, of 2"));
+    EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 0\nf 1/1 2/-2 3/1\n"),
+                HasSubstr("a.obj:6: \"2/-2\": there is no such"));
+    EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"),
+                EndsWith("a.obj:5: \"nan\": a texture coordinate must be a finite number"));
+    EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                 "property float z\nproperty float s\nproperty float t\nelement face 1\n"
+                                 "property list uchar int vertex_indices\nend_header\n"
+                                 "0 0 0 0 0\n1 0 0 1 inf\n1 1 0 1 1\n3 0 1 2\n"),
+                HasSubstr("a.ply"));
+}
+
+}
+}
