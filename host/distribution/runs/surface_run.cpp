@@ -31,7 +31,7 @@ void check_tile_keys(Keys& keys, MeshPointSettings& s)
         throw keys.invalid("closed", fmt::format("needs {}, a whole number", keys.name_of("tiles_per_unit")));
     keys.check("mesh", [&] {
         s.read = surface_mesh(s);
-        check_texture(*s.read);
+        check_texture(s, *s.read);
     });
     if (s.min_distance) keys.check("min_distance", [&] { surface_distance(s, *s.read); });
     keys.check(s.tiles_per_unit ? "tiles_per_unit" : "points", [&] { check_tiled_surface(s, *s.read); });
@@ -85,7 +85,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
         throw keys.invalid("tiles",
-                           fmt::format("does not go with {} = {}", keys.name_of("method"), surface_methods[s.method]));
+                           fmt::format("does not go with {} {}", keys.name_of("method"), surface_methods[s.method]));
     keys.number("tiles_per_unit", s.tiles_per_unit, {1e-6, 1e6},
                 "how many tiles lie along a unit of the mesh's texture coordinates")
         .only_if(has_tiles, "method = tiles")

@@ -91,13 +91,13 @@ std::string words_for_tiles(const MeshPointSettings& settings)
     return settings.tiles.empty() ? "corner tiles" : "tiles of " + name_of_input(settings.tiles.string());
 }
 
-void check_texture(const SurfaceMesh& mesh)
+void check_texture(const MeshPointSettings& settings, const SurfaceMesh& mesh)
 {
+    const auto fail = [&](const char* problem) { throw InputError::at({settings.mesh.string()}, problem); };
     if (mesh.mesh.texture_triangles.empty())
-        throw InputError(
-            "has no texture coordinates, over which tiles are laid: vt of OBJ, s and t, u and v or texture_u "
-            "and texture_v of the vertices of PLY, TEXCOORD_0 of glTF");
-    if (texture_area(mesh.mesh, mesh.surface) == 0) throw InputError("no triangle has an area in texture coordinates");
+        fail("has no texture coordinates, over which tiles are laid: vt of OBJ, s and t, u and v or texture_u and "
+             "texture_v of the vertices of PLY, TEXCOORD_0 of glTF");
+    if (texture_area(mesh.mesh, mesh.surface) == 0) fail("no triangle has an area in texture coordinates");
 }
 
 void check_tiled_surface(const MeshPointSettings& settings, const SurfaceMesh& mesh)
@@ -131,6 +131,8 @@ SurfaceSet tiled_surface(const MeshPointSettings& settings, std::shared_ptr<cons
     if (laid.points.empty()) throw InputError("no point of the tiling lies on the surface: it needs more tiles");
     tiling->laid = laid.points.size();
     auto notes = notes_on(surface, plane, laid);
+    if (settings.points && tiling->laid != *settings.points)
+        notes.push_back(fmt::format("{} points: no size of tiles has exactly {}", tiling->laid, *settings.points));
     const std::int32_t cosine = least_cosine(settings.normal_angle);
     if (settings.min_distance) leave_near_points_out(laid, surface, *settings.min_distance, cosine);
 

@@ -35,8 +35,8 @@ std::shared_ptr<const PoissonTileSet> surface_tiles(const MeshPointSettings& set
 /// Returns the name of the tiles in facts and labels.
 std::string words_for_tiles(const MeshPointSettings& settings);
 
-/// Throws InputError, a sentence, where the mesh has no texture coordinates.
-void check_texture(const SurfaceMesh& mesh);
+/// Throws InputError, a line that names the file, where the mesh has no texture coordinates, or no area in them.
+void check_texture(const MeshPointSettings& settings, const SurfaceMesh& mesh);
 
 /// Throws InputError, a sentence, where settings ask for more tiles or points than there can be.
 void check_tiled_surface(const MeshPointSettings& settings, const SurfaceMesh& mesh);
