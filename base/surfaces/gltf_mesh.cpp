@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
+
 namespace poissonlab {
 
 TriangleMesh read_gltf_mesh(const std::filesystem::path& file)
@@ -19,7 +22,9 @@ TriangleMesh read_gltf_mesh(const std::filesystem::path& file)
 
 std::vector<std::filesystem::path> files_beside_mesh(const std::filesystem::path& file)
 {
-    if (file.extension() != ".gltf") return {};
+    std::string end = file.extension().string();
+    std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (end != ".gltf") return {};
     std::vector<std::filesystem::path> files;
     const auto scene = nlohmann::json::parse(read_whole_file(file), nullptr, false);
     if (!scene.is_object() || !scene.contains("buffers")) return {};

@@ -103,12 +103,20 @@ TextureCoordinates ply_texture(const PointFileContent& file, const std::vector<s
     if (table == header.elements.end()) return {};
     const std::vector<std::size_t> columns = texture_columns(*table);
     if (columns.empty()) return {};
+    if (table->has_lists)
+        throw InputError::at({file.name}, "the element `vertex` has texture coordinates and must not have lists");
     const std::vector<double> values =
         read_ply_columns(file, header, static_cast<std::size_t>(table - header.elements.begin()), columns);
     TextureCoordinates read;
     for (std::size_t i = 0; i < values.size(); i += 2) read.points.push_back({values[i], values[i + 1]});
     for (const auto& face : faces)
-        for (const std::size_t corner : face) read.corners.push_back(static_cast<std::uint32_t>(corner));
+        for (const std::size_t corner : face) {
+            if (corner >= read.points.size())
+                throw InputError::at({file.name}, fmt::format("vertex {} has no texture coordinates: the element "
+                                                              "`vertex` has {} rows",
+                                                              corner, read.points.size()));
+            read.corners.push_back(static_cast<std::uint32_t>(corner));
+        }
     return read;
 }
 

@@ -41,8 +41,8 @@ enum class MeshParts
 /// normals of files are left alone. Texture coordinates are `vt` of OBJ, s and t, u and v, or texture_u and texture_v
 /// of a PLY file's vertices, and TEXCOORD_0 of glTF, whose v is counted from below as in OBJ; other formats have none.
 /// Meshes of glTF are joined, each where its nodes put it. Throws InputError, a line that names the file: what is no
-/// mesh, has no faces, coordinates that are no finite numbers, or faces with vertices that are not there; StorageError
-/// where glTF is read without its module.
+/// mesh, has no faces, coordinates that are no finite numbers, or faces with vertices that are not there (of glTF,
+/// assimp leaves these faces out); StorageError where glTF is read without its module.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts = MeshParts::faces);
 
 /// Files that hold a part of a mesh that was read: those of numbers that .gltf names.

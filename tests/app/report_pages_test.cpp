@@ -25,6 +25,13 @@ const std::set<std::string> large_configs{"baselines",        "early-tiles",    
                                           "poisson-tiles",    "ranks",           "seamless",   "textures",
                                           "textures_peers",   "tile-relaxation", "today"};
 
+/// One that is not there would be looked at by nobody.
+TEST(LargeConfigs, AreThere)
+{
+    for (const std::string& name : large_configs)
+        EXPECT_TRUE(fs::exists(source_folder() + "/configs/" + name + ".toml")) << name;
+}
+
 /// The configs in the folder itself, but for collections, whose configs are figures of one kind each.
 std::vector<std::string> shipped_config_names(bool are_large)
 {

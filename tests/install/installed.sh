@@ -23,6 +23,10 @@ mv "$folder/first" "$folder/moved"
 prefix=$folder/moved
 cd "$folder"
 
+for module in pictures particles meshes; do
+  [[ -n $(find "$prefix" -name "libpoissonlab_$module.so") ]] || fail "no module of $module"
+done
+
 # The program finds its pictures module, and shipped configs and tile sets are what it reads.
 program=$prefix/bin/poissonlab
 "$program" --version >version

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <unordered_set>
 #include <utility>
 
@@ -81,6 +82,7 @@ public:
     std::vector<NearTiles> within(double reach)
     {
         // A tile on the way meets the line, and so its middle is not farther from it than its radius.
+        if (reach + tile_radius > farthest_way) throw std::logic_error("tiles are looked for too far away");
         const double way = (reach + tile_radius) * (reach + tile_radius);
         std::vector<NearTiles> open{{first_, first_, Pose{}}}, found;
         std::unordered_set<std::uint64_t> known{key_of(open.back())};
@@ -101,6 +103,8 @@ public:
     }
 
 private:
+    static constexpr double farthest_way = 2000; ///< cells
+
     /// Different numbers for different tiles of views that are less than 4,096 cells wide.
     static std::uint64_t key_of(const NearTiles& pair)
     {

@@ -158,7 +158,8 @@ TexturePyramid endless_pyramid(const TextureMapOptions& o, const EndlessRequest&
     const int root = checked_laid_root(o), tiles = root * root, side = tiles * tile_of_pixels;
     EndlessSettings settings{request, o.folder, {0, 0, side, side}};
     if (request.method != EndlessMethod::quilted) {
-        if (std::max(std::abs(camera.tile_x), std::abs(camera.tile_y)) > farthest_endless_tile)
+        const auto [low, high] = std::minmax(camera.tile_x, camera.tile_y);
+        if (low < -farthest_endless_tile || high > farthest_endless_tile)
             throw InputError(fmt::format("--tile {}: must be within 2^45 tiles", fmt::join(o.tile, " ")));
         const std::int64_t west = camera.tile_x - tiles / 2, south = camera.tile_y - tiles / 2;
         settings.window[0] = west * tile_of_pixels;

@@ -35,6 +35,16 @@ ClassDistances asked_distances(const ClassSettings& settings)
     return wei_distances(distances, settings.dimension);
 }
 
+/// The same distances, all as much smaller as it takes to have none above that of the densest packing of a class:
+/// larger ones would shrink in vain.
+ClassDistances within_packings(const ClassDistances& distances, const ClassSettings& settings)
+{
+    double scale = 1;
+    for (std::size_t i = 0; i < settings.points.size(); ++i)
+        scale = std::min(scale, max_min_distance(settings.points[i], settings.dimension) / distances.at(i, i));
+    return distances.scaled(scale);
+}
+
 /// Full classes have fewer points than were asked for.
 void check_numbers(const ClassSettings& settings, const ClassedPoints& points)
 {
@@ -75,6 +85,7 @@ ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t
                              .points = settings.points,
                              .factor = settings.factor,
                              .stream = stream_key(seed, Purpose::class_darts, number)};
+    if (settings.factor < 1) request.distances = within_packings(request.distances, settings);
     if (settings.points.empty())
         for (std::size_t i = 0; i < request.distances.classes(); ++i)
             request.shares.push_back(std::pow(request.distances.at(i, i), -settings.dimension));

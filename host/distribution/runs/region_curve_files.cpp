@@ -29,8 +29,9 @@ void add_region_curves(const PlaneRegion& region, const PointSet& points, Distri
     curves.add(framed->framed(points, "darts"), "darts");
     write_whole_file(files.add(file_names::region_curves), region_curves_csv(curves.rows()));
     result.files.emplace_back(file_names::region_curves);
-    result.numbers.push_back(
-        {"envelope", "Random sets", static_cast<double>(envelope), "of as many points, whose curves make the bands"});
+    if (envelope > 0)
+        result.numbers.push_back({"envelope", "Random sets", static_cast<double>(envelope),
+                                  "of as many points, whose curves make the bands"});
     if (const double error = curves.covariance().table_error(); error > 0)
         result.numbers.push_back({"covariance_error", "Error of areas in common", error,
                                   "of the region and the moved region, from a table, over the region's area"});

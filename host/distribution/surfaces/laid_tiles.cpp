@@ -1,7 +1,9 @@
 #include "host/distribution/surfaces/laid_tiles.hpp"
 
+#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
@@ -13,6 +15,9 @@
 
 namespace poissonlab {
 namespace {
+
+/// Tiles that triangles meet, each counted: 3 gigabytes.
+constexpr std::size_t most_pairs = std::size_t{1} << 28;
 
 /// A tile with a triangle that points of it may lie in.
 struct TileOfTriangle
@@ -120,6 +125,10 @@ private:
             if (x.low > x.high) continue;
             for (std::int32_t column = first_tile(x.low); column <= last_tile(x.high); ++column)
                 pairs_.push_back({row, column, number});
+            if (pairs_.size() > most_pairs)
+                throw InputError(fmt::format("triangles are so thin in texture coordinates that they meet more than {} "
+                                             "tiles: fewer tiles help",
+                                             most_pairs));
         }
     }
 

@@ -5,8 +5,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -94,10 +96,10 @@ constexpr std::size_t few_points = 10'000;
 /// The squared distance of each point to the nearest one that it sees. Those that see none in reach look four times as
 /// far, twice; few points look at all others then, of many they are said to see none.
 std::vector<std::uint64_t> squared_nearest_of_all(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
-                                                  std::int32_t least_cosine)
+                                                  std::int32_t least_cosine, double area)
 {
     constexpr std::uint64_t all = std::uint64_t{1} << (contract::surface::COORDINATE_BITS + 1);
-    const double spacing = std::sqrt(2 / std::numbers::sqrt3 * surface.area / static_cast<double>(points.size()));
+    const double spacing = std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points.size()));
     std::vector<std::uint64_t> squared(points.size(), no_distance);
     std::vector<std::size_t> lonely(points.size());
     std::iota(lonely.begin(), lonely.end(), std::size_t{0});
@@ -115,10 +117,10 @@ std::vector<std::uint64_t> squared_nearest_of_all(const FixedSurface& surface, c
 }
 
 SurfaceDistances surface_distances(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
-                                   std::int32_t least_cosine)
+                                   std::int32_t least_cosine, double area)
 {
-    const auto seen = squared_nearest_of_all(surface, points, least_cosine);
-    const auto any = squared_nearest_of_all(surface, points, std::numeric_limits<std::int32_t>::min());
+    const auto seen = squared_nearest_of_all(surface, points, least_cosine, area);
+    const auto any = squared_nearest_of_all(surface, points, std::numeric_limits<std::int32_t>::min(), area);
     return {length_of(std::ranges::min(seen), surface), length_of(std::ranges::min(any), surface),
             mean_of_finite(seen, surface)};
 }
@@ -128,17 +130,29 @@ std::vector<bool> kept_in_order(const FixedSurface& surface, const std::vector<S
 {
     const double units = surface.units_of(distance);
     const std::uint64_t squared = squared_threshold(units * 0x1p-32);
-    const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(units) + 1);
+    const auto side = static_cast<std::int64_t>(units) + 1;
+    // Cells have points that stay, which are few, however many there are.
+    std::map<std::array<std::int64_t, 3>, std::vector<std::uint32_t>> cells;
+    const auto is_near = [&](std::uint32_t i, std::uint32_t j) {
+        return squared_distance(place_of(points[i]), place_of(points[j])) < squared &&
+               cosine_between(surface.triangles[points[i].triangle], surface.triangles[points[j].triangle]) >=
+                   least_cosine;
+    };
+    const auto is_free = [&](std::uint32_t i, const std::array<std::int64_t, 3>& cell) {
+        for (std::int64_t x = cell[0] - 1; x <= cell[0] + 1; ++x)
+            for (std::int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y) {
+                const auto end = cells.upper_bound({x, y, cell[2] + 1});
+                for (auto near = cells.lower_bound({x, y, cell[2] - 1}); near != end; ++near)
+                    if (std::ranges::any_of(near->second, [&](std::uint32_t j) { return is_near(i, j); })) return false;
+            }
+        return true;
+    };
     std::vector<bool> kept(points.size(), false);
     for (const std::uint32_t i : order) {
-        bool is_free = true;
-        near.for_each_around(place_of(points[i]), [&](std::size_t j) {
-            if (!is_free || !kept[j]) return;
-            is_free = squared_distance(place_of(points[i]), place_of(points[j])) >= squared ||
-                      cosine_between(surface.triangles[points[i].triangle], surface.triangles[points[j].triangle]) <
-                          least_cosine;
-        });
-        kept[i] = is_free;
+        const MeshPlace place = place_of(points[i]);
+        const std::array<std::int64_t, 3> cell{place[0] / side, place[1] / side, place[2] / side};
+        kept[i] = is_free(i, cell);
+        if (kept[i]) cells[cell].push_back(i);
     }
     return kept;
 }

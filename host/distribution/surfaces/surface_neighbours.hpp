@@ -60,7 +60,8 @@ bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>&
                    std::int32_t least_cosine);
 
 /// In the mesh's units. There are two points or more; infinite where normals are too far apart for any two. Of more
-/// than 10,000 points, those that see none within some sixteen mean distances count as seeing none.
+/// than 10,000 points, those that see none within some sixteen mean distances count as seeing none. `area`: of the part
+/// of the surface that has points.
 struct SurfaceDistances
 {
     double least = 0; ///< of points that see each other
@@ -68,6 +69,6 @@ struct SurfaceDistances
     double mean_nearest = 0; ///< of points that see another one
 };
 SurfaceDistances surface_distances(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
-                                   std::int32_t least_cosine);
+                                   std::int32_t least_cosine, double area);
 
 }

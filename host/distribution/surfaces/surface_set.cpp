@@ -225,7 +225,8 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
     if (set.points.size() < 2) return numbers;
-    const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle));
+    const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle),
+                                                     set.tiling ? set.tiling->covered_area : surface.area);
     if (!std::isfinite(found.least)) return numbers;
     numbers.push_back({"least_distance", "Least distance", found.least,
                        set.angle < 180 ? "of two points whose normals are near enough, in units of the mesh"

@@ -61,6 +61,12 @@ std::optional<std::array<std::uint32_t, 2>> TextureTriangle::shares_at(const Tex
     return std::array{share(at_b), share(at_c)};
 }
 
+double TextureTriangle::twice_area() const
+{
+    const auto& [a, b, c] = corners;
+    return static_cast<double>(area_between(difference_of(b, a), difference_of(c, a)));
+}
+
 std::optional<std::array<TexturePoint, 3>> texture_of(const TriangleMesh& mesh, std::uint32_t number)
 {
     if (mesh.texture_triangles.empty()) return {};

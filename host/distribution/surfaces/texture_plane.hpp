@@ -27,6 +27,9 @@ struct TextureTriangle
     /// place on an edge is where it would be if it lay a bit to the right, and, less than that, a bit higher: it is
     /// inside of exactly one of the triangles around it.
     std::optional<std::array<std::uint32_t, 2>> shares_at(const TexturePlace& place) const;
+
+    /// Twice its area, in squares of steps, with its sign: it is exact until it is rounded, and so never 0.
+    double twice_area() const;
 };
 
 /// A surface in the plane of its texture coordinates.

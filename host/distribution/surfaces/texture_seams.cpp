@@ -85,7 +85,7 @@ class SeamSearch
 public:
     SeamSearch(const FixedSurface& surface, const TexturePlane& plane, const std::vector<Stretch>& stretch,
                const Charts& charts)
-        : surface_(surface), places_(surface.triangles.size())
+        : surface_(surface), covered_area_(surface.area - plane.bare_area), places_(surface.triangles.size())
     {
         for (std::size_t t = 0; t < plane.triangles.size(); ++t)
             places_[plane.triangles[t].triangle] = {charts.chart[t], stretch[t].least};
@@ -94,7 +94,7 @@ public:
     std::vector<NearestBySeam> nearest(const std::vector<SurfacePoint>& points,
                                        const std::vector<TexturePoint>& texture, std::int32_t least_cosine) const
     {
-        const double spacing = std::sqrt(surface_.area / static_cast<double>(points.size()));
+        const double spacing = std::sqrt(covered_area_ / static_cast<double>(points.size()));
         const auto reach = static_cast<std::uint64_t>(2 * surface_.units_of(spacing)) + 1;
         const SurfaceNeighbours near(surface_, points, reach);
         std::vector<NearestBySeam> all(points.size());
@@ -128,6 +128,7 @@ private:
     }
 
     const FixedSurface& surface_;
+    double covered_area_;            ///< of what has texture coordinates
     std::vector<ChartPlace> places_; ///< of all triangles of the surface
 };
 

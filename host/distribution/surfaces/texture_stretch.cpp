@@ -1,5 +1,7 @@
 #include "host/distribution/surfaces/texture_stretch.hpp"
 
+#include "tiles/poisson/tile_regions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,30 +27,34 @@ std::array<MeshPoint, 3> corners_in_space(const FixedSurface& surface, std::uint
 
 }
 
-Stretch stretch_of(const std::array<MeshPoint, 3>& places, const std::array<TexturePoint, 3>& texture)
+Stretch stretch_of(const std::array<MeshPoint, 3>& places, const TextureTriangle& triangle, double tiles_per_unit)
 {
-    const auto& [p, q, r] = texture;
-    const double qu = q[0] - p[0], qv = q[1] - p[1], ru = r[0] - p[0], rv = r[1] - p[1];
-    const double twice_area = qu * rv - qv * ru;
-    MeshPoint along_u{}, along_v{};
+    const double steps = tiles_per_unit * (1 << (tile_bits + step_bits));
+    const auto along = [&](std::size_t corner, std::size_t axis) {
+        return static_cast<double>(triangle.corners[corner][axis] - triangle.corners[0][axis]) / steps;
+    };
+    const double qu = along(1, 0), qv = along(1, 1), ru = along(2, 0), rv = along(2, 1);
+    const double twice_area = triangle.twice_area() / (steps * steps);
+    MeshPoint pq{}, pr{}, along_u{}, along_v{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const double pq = places[1][k] - places[0][k], pr = places[2][k] - places[0][k];
-        along_u[k] = (pq * rv - pr * qv) / twice_area;
-        along_v[k] = (pr * qu - pq * ru) / twice_area;
+        pq[k] = places[1][k] - places[0][k];
+        pr[k] = places[2][k] - places[0][k];
+        along_u[k] = (pq[k] * rv - pr[k] * qv) / twice_area;
+        along_v[k] = (pr[k] * qu - pq[k] * ru) / twice_area;
     }
     const double a = scalar_product(along_u, along_u), b = scalar_product(along_u, along_v),
                  c = scalar_product(along_v, along_v);
     const double greatest = std::sqrt(((a + c) + std::hypot(a - c, 2 * b)) / 2);
     // The difference of nearly equal numbers would lose the least one.
-    return {area_of_product(along_u, along_v) / greatest, greatest};
+    return {area_of_product(pq, pr) / std::abs(twice_area) / greatest, greatest};
 }
 
-std::vector<Stretch> stretches_of(const TriangleMesh& mesh, const FixedSurface& surface, const TexturePlane& plane)
+std::vector<Stretch> stretches_of(const FixedSurface& surface, const TexturePlane& plane)
 {
     std::vector<Stretch> each;
     each.reserve(plane.triangles.size());
     for (const TextureTriangle& t : plane.triangles)
-        each.push_back(stretch_of(corners_in_space(surface, t.triangle), *texture_of(mesh, surface.faces[t.triangle])));
+        each.push_back(stretch_of(corners_in_space(surface, t.triangle), t, plane.tiles_per_unit));
     return each;
 }
 

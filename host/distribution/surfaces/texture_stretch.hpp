@@ -17,11 +17,11 @@ struct Stretch
     double greatest = 0;
 };
 
-/// Returns the singular values of a triangle with these corners in space; the plane's triangle has an area.
-Stretch stretch_of(const std::array<MeshPoint, 3>& places, const std::array<TexturePoint, 3>& texture);
+/// Returns the singular values of a triangle with these corners in space.
+Stretch stretch_of(const std::array<MeshPoint, 3>& places, const TextureTriangle& triangle, double tiles_per_unit);
 
 /// Returns the singular values of the plane's triangles, in their order.
-std::vector<Stretch> stretches_of(const TriangleMesh& mesh, const FixedSurface& surface, const TexturePlane& plane);
+std::vector<Stretch> stretches_of(const FixedSurface& surface, const TexturePlane& plane);
 
 /// The stretch of all triangles with an area in the plane.
 struct StretchOfAll

@@ -130,13 +130,15 @@ SurfaceSet tiled_surface(const MeshPointSettings& settings, std::shared_ptr<cons
     LaidPoints laid = lay_tiles(surface, plane, tiles, plane_tiling);
     if (laid.points.empty()) throw InputError("no point of the tiling lies on the surface: it needs more tiles");
     tiling->laid = laid.points.size();
+    tiling->repetitions = laid.repetitions;
+    tiling->covered_area = surface.area - plane.bare_area;
     auto notes = notes_on(surface, plane, laid);
     if (settings.points && tiling->laid != *settings.points)
         notes.push_back(fmt::format("{} points: no size of tiles has exactly {}", tiling->laid, *settings.points));
     const std::int32_t cosine = least_cosine(settings.normal_angle);
     if (settings.min_distance) leave_near_points_out(laid, surface, *settings.min_distance, cosine);
 
-    const std::vector<Stretch> stretch = stretches_of(mesh->mesh, surface, plane);
+    const std::vector<Stretch> stretch = stretches_of(surface, plane);
     tiling->stretch = stretch_of_all(surface, plane, stretch);
     const Charts charts = charts_of(mesh->mesh, surface, plane);
     tiling->charts = charts.count;
@@ -174,9 +176,11 @@ std::vector<DistributionNumber> tiling_numbers(const SurfaceSet& set)
     if (tiling.tile_distance > 0) {
         numbers.push_back({"tile_distance", "Distance of the tiles", tiling.tile_distance,
                            "that all points of the tiling keep, in units of texture coordinates: proven"});
-        numbers.push_back({"surface_distance", "Distance on the surface", least * tiling.tile_distance,
-                           "that points of the tiling keep along the surface within a chart: proven, in units of the "
-                           "mesh; through space they may be nearer"});
+        // Two repetitions of a point may be joined by a way that turns back at a fold.
+        if (tiling.repetitions == 0)
+            numbers.push_back({"surface_distance", "Distance on the surface", least * tiling.tile_distance,
+                               "that points of the tiling keep along the surface within a chart: proven, in units of "
+                               "the mesh; through space they may be nearer"});
     }
     numbers.push_back({"charts", "Charts", static_cast<double>(tiling.charts),
                        "parts of the surface whose texture coordinates hang together"});

@@ -21,8 +21,10 @@ namespace poissonlab {
 struct SurfaceTiling
 {
     double tiles_per_unit = 1;
-    double tile_distance = 0; ///< that the tile set is proven to keep, in texture coordinates; 0: none is
-    std::size_t laid = 0;     ///< points of the tiling on the surface, of which some may be left out
+    double tile_distance = 0;    ///< that the tile set is proven to keep, in texture coordinates; 0: none is
+    std::size_t laid = 0;        ///< points of the tiling on the surface, of which some may be left out
+    std::size_t repetitions = 0; ///< of points, where texture coordinates overlap
+    double covered_area = 0;     ///< of what has texture coordinates, in squares of the mesh's units
     StretchOfAll stretch;
     std::size_t charts = 0;
     std::optional<double> least_without_seams; ///< see SeamDistances

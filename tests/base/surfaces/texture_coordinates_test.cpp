@@ -78,6 +78,18 @@ TEST_F(TexturedFiles, SayWhatIsWrong)
                 HasSubstr("a.obj:6: \"2/-2\": there is no such"));
     EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"),
                 EndsWith("a.obj:5: \"nan\": a texture coordinate must be a finite number"));
+    const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
+    const std::string coordinates = "property float u\nproperty float v\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string rows = "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n";
+    // CGAL reads both tables.
+    EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" + vertex + coordinates +
+                                     "element vertices 3\n" + vertex + faces + rows + "0 0 1\n1 0 1\n0 1 1\n3 3 4 5\n"),
+                HasSubstr("a.ply"));
+    EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" + vertex + coordinates +
+                                     "property list uchar int near\n" + faces +
+                                     "0 0 0 0 0 0\n1 0 0 1 0 0\n0 1 0 0 1 0\n3 0 1 2\n"),
+                HasSubstr("a.ply"));
     EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                  "property float z\nproperty float s\nproperty float t\nelement face 1\n"
                                  "property list uchar int vertex_indices\nend_header\n"

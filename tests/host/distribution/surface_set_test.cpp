@@ -116,7 +116,8 @@ TEST(SurfaceNeighbourhoods, AreThoseOfAllPairs)
         seen = std::min(seen, nearest);
         sum += nearest;
     }
-    const SurfaceDistances found = surface_distances(set.mesh->surface, set.points, least_cosine(set.angle));
+    const SurfaceDistances found =
+        surface_distances(set.mesh->surface, set.points, least_cosine(set.angle), set.mesh->surface.area);
     EXPECT_NEAR(found.least, seen, 1e-15);
     EXPECT_NEAR(found.least_of_any, any, 1e-15);
     EXPECT_NEAR(found.mean_nearest, sum / 150, 1e-14);
@@ -136,8 +137,9 @@ TEST(PlaneSurfaces, HaveTheStatisticsOfRegions)
         const SurfaceSet a = make_surface_set(on_mesh, seed, on_reference);
         const RegionDarts b = throw_region_darts(in_region, seed, on_reference);
         const double count[2] = {double(a.points.size()), double(b.points.size())};
-        const double mean[2] = {surface_distances(a.mesh->surface, a.points, least_cosine(180)).mean_nearest,
-                                nearest_distances(b.points).mean};
+        const double mean[2] = {
+            surface_distances(a.mesh->surface, a.points, least_cosine(180), a.mesh->surface.area).mean_nearest,
+            nearest_distances(b.points).mean};
         for (std::size_t i = 0; i < 2; ++i) {
             counts[i] += count[i] / sets;
             squares[i] += count[i] * count[i] / sets;

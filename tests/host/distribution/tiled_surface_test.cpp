@@ -194,7 +194,7 @@ TEST(TextureStretches, AreThoseOfSpheres)
         });
         const FixedSurface surface = fixed_surface(mesh);
         const TexturePlane plane = texture_plane(mesh, surface, 1);
-        return stretch_of_all(surface, plane, stretches_of(mesh, surface, plane));
+        return stretch_of_all(surface, plane, stretches_of(surface, plane));
     };
     // Flat triangles differ from the sphere by squares of their angles, in parts.
     const double rounding = std::pow(pi / 100, 2);
@@ -226,9 +226,30 @@ TEST(TextureStretches, AreSingularValues)
         return MeshPoint{2, std::cos(1.1) * x - std::sin(1.1) * y, std::sin(1.1) * x + std::cos(1.1) * y};
     };
     const std::array<TexturePoint, 3> texture{{{0.1, 0.2}, {0.9, 0.3}, {0.4, 0.8}}};
-    const Stretch stretch = stretch_of({map(texture[0]), map(texture[1]), map(texture[2])}, texture);
-    EXPECT_NEAR(stretch.greatest, 5, 1e-12);
-    EXPECT_NEAR(stretch.least, 0.01, 1e-12);
+    // Coordinates are rounded to steps, of 2^-32 where there are 256 tiles a unit.
+    TextureTriangle triangle;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 2; ++k) triangle.corners[i][k] = std::llround(texture[i][k] * 0x1p32);
+    const Stretch stretch = stretch_of({map(texture[0]), map(texture[1]), map(texture[2])}, triangle, 256);
+    EXPECT_NEAR(stretch.greatest, 5, 5e-8);
+    EXPECT_NEAR(stretch.least, 0.01, 1e-10);
+}
+
+/// Their area in steps is no zero, where doubles of the same coordinates have none.
+TEST(TextureStretches, AreFiniteWhereTrianglesAreNearlyLines)
+{
+    TriangleMesh mesh = flat_square(2);
+    mesh.texture_points.insert(mesh.texture_points.end(), {{0, 0}, {1, 2}, {0.001, 0.002}});
+    const auto first = static_cast<std::uint32_t>(mesh.texture_points.size() - 3);
+    mesh.texture_triangles[0] = {first, first + 1, first + 2};
+    for (const double width : {11.0, 12.0, 7.3}) {
+        const FixedSurface surface = fixed_surface(mesh);
+        const TexturePlane plane = texture_plane(mesh, surface, width);
+        const StretchOfAll all = stretch_of_all(surface, plane, stretches_of(surface, plane));
+        EXPECT_GT(all.extremes.least, 0) << width;
+        for (const double value : {all.extremes.greatest, all.area_distortion, all.root_mean_square})
+            EXPECT_TRUE(std::isfinite(value)) << width;
+    }
 }
 
 TEST(TiledSurfaces, KeepADistanceOnceOthersAreLeftOut)
@@ -273,6 +294,7 @@ TEST(TiledSurfaces, SayWhereCoordinatesOverlapOrAreMissing)
                 ElementsAre(fmt::format("texture coordinates overlap: {} of {} points repeat others of the "
                                         "tiling on other faces",
                                         folded.points.size() / 2, folded.points.size())));
+    for (const DistributionNumber& number : tiling_numbers(folded)) EXPECT_NE(number.key, "surface_distance");
     mesh = flat_square(2);
     mesh.texture_triangles[0][1] = no_texture_point;
     mesh.texture_triangles[1][1] = mesh.texture_triangles[1][0];
