@@ -210,8 +210,8 @@ void map_texture_plane(const TextureMapOptions& o)
         try {
             if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
                 return mapped_picture(o, request, place, camera);
-            check_has_no_method(request);
             const TextureSet set = read_texture_set(o.folder);
+            check_has_no_method(request);
             lookup = lookup_of(o, set);
             if (has_places(set)) check_is_laid(o, "a complete set of corner or Wang tiles");
             return has_places(set) ? texture_pyramid(set, o.seed()) : laid_pyramid(set, o.seed(), laid_root);
