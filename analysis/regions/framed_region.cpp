@@ -66,8 +66,8 @@ std::uint64_t hash_of(const PlaneRegion& region)
 
 FramedRegion::FramedRegion(const PlaneRegion& region, std::string name)
     : name_(std::move(name)), fixed_(region), low_(fixed_.box().low), side_(fixed_.unit() * positions),
-      polygons_(framed_polygons(region, low_, side_)), boundary_(polygons_), hash_(hash_of(region)),
-      area_(area_of(polygons_)), unit_length_(std::sqrt(area_))
+      own_polygons_(region), polygons_(framed_polygons(region, low_, side_)), boundary_(polygons_),
+      hash_(hash_of(region)), area_(area_of(polygons_)), unit_length_(std::sqrt(area_))
 {}
 
 bool FramedRegion::contains(const std::array<double, 2>& place) const

@@ -22,6 +22,9 @@ public:
 
     const std::string& name() const { return name_; }
 
+    /// The polygons in the region's own units, as they were taken.
+    const PlaneRegion& own_polygons() const { return own_polygons_; }
+
     /// The polygons in the frame: outlines go round against the clock, holes with it.
     const PlaneRegion& polygons() const { return polygons_; }
     const BoundaryEdges& boundary() const { return boundary_; }
@@ -57,6 +60,7 @@ private:
     FixedRegion fixed_;
     std::array<double, 2> low_{};
     double side_ = 1;
+    PlaneRegion own_polygons_;
     PlaneRegion polygons_;
     BoundaryEdges boundary_;
     std::uint64_t hash_ = 0;

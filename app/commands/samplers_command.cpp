@@ -1,6 +1,7 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
 #include "app/commands/described_values.hpp"
 #include "app/commands/work_options.hpp"
+#include "host/distribution/region_samplers/region_samplers.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
@@ -11,21 +12,28 @@
 namespace poissonlab {
 namespace {
 
-void print_samplers_json()
+nlohmann::ordered_json described_samplers(const SamplerRegistry& samplers)
 {
-    nlohmann::ordered_json json{{"samplers", nlohmann::ordered_json::array()}};
-    for (const SamplerSpec& sampler : sampler_registry()) {
+    auto list = nlohmann::ordered_json::array();
+    for (const SamplerSpec& sampler : samplers) {
         auto parameters = nlohmann::ordered_json::array();
         for (const ParameterSpec& spec : sampler.parameters)
             parameters.push_back(described_value(spec, allowed_values(spec)));
-        json["samplers"].push_back({{"name", sampler.name},
-                                    {"title", sampler.title},
-                                    {"summary", sampler.summary},
-                                    {"source", sampler_guide(sampler.name).source},
-                                    {"dimensions", sampler.dimensions},
-                                    {"deterministic", sampler.deterministic},
-                                    {"parameters", parameters}});
+        list.push_back({{"name", sampler.name},
+                        {"title", sampler.title},
+                        {"summary", sampler.summary},
+                        {"source", sampler_guide(sampler.name).source},
+                        {"dimensions", sampler.dimensions},
+                        {"deterministic", sampler.deterministic},
+                        {"parameters", parameters}});
     }
+    return list;
+}
+
+void print_samplers_json()
+{
+    const nlohmann::ordered_json json{{"samplers", described_samplers(sampler_registry())},
+                                      {"in_regions", described_samplers(region_sampler_registry())}};
     fmt::print("{}\n", json.dump(2));
 }
 
@@ -36,13 +44,15 @@ Command samplers_command()
     const auto markdown = std::make_shared<bool>(false), as_json = std::make_shared<bool>(false);
     return {"samplers",
             "List the methods of making point sets and their parameters",
-            {{"--markdown", markdown.get(), "Print the table of docs/samplers.md"}, json_option(*as_json)},
+            {{"--markdown", markdown.get(), "Print the tables of docs/samplers.md"}, json_option(*as_json)},
             "",
             [markdown, as_json] {
                 if (*as_json)
                     print_samplers_json();
                 else
-                    fmt::print("{}", *markdown ? samplers_markdown() : samplers_text());
+                    fmt::print("{}", *markdown ? samplers_markdown(sampler_registry()) + "\n" +
+                                                     samplers_markdown(region_sampler_registry())
+                                               : samplers_text(sampler_registry(), region_sampler_registry()));
                 return 0;
             }};
 }

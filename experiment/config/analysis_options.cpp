@@ -26,7 +26,7 @@ void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
     keys.flag("volume", o.volume, "whether the whole spectrum is stored, in 3D");
 }
 
-void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension)
+void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension, bool is_any_in_region)
 {
     if (!o.spectrum)
         for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles", "tapers"})
@@ -35,7 +35,7 @@ void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension)
         throw keys.invalid("volume", "needs dimension = 3: spectra of 2D sets are stored whole");
     if (o.zone_plate && dimension != 2)
         throw keys.invalid("zone_plate", "needs dimension = 2: the zone plate is a function of the plane");
-    if (o.region && o.spectrum_size > largest_region_spectrum)
+    if ((o.region || is_any_in_region) && o.spectrum_size > largest_region_spectrum)
         throw keys.invalid("spectrum_size",
                            fmt::format("must be at most {} for sets in a region", largest_region_spectrum));
 }
@@ -58,7 +58,7 @@ auto overridden(const std::vector<std::string>& overrides, const ConfigTable& en
 
 }
 
-AnalysisOptions analysis_keys(Keys& keys, int dimension)
+AnalysisOptions analysis_keys(Keys& keys, int dimension, bool is_any_in_region)
 {
     AnalysisOptions o;
     spectrum_keys(keys, o, dimension);
@@ -70,8 +70,8 @@ AnalysisOptions analysis_keys(Keys& keys, int dimension)
     static constexpr WordTable<bool, 2> point_files{{{{false, "all"}, {true, "first"}}}};
     keys.word("measures", o.distances_only, measures, "what is measured");
     keys.word("point_files", o.first_points_only, point_files, "whose points are stored");
-    o.region = region_keys(keys, dimension);
-    check_analysis(keys, o, dimension);
+    o.region = region_keys(keys, dimension, o.region_measures, is_any_in_region);
+    check_analysis(keys, o, dimension, is_any_in_region);
     return o;
 }
 
@@ -83,7 +83,10 @@ AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, i
 
 std::optional<RegionOptions> overridden_region(const std::vector<std::string>& overrides, const ConfigTable& entries)
 {
-    return overridden(overrides, entries, [](Keys& keys) { return region_keys(keys, 2); });
+    return overridden(overrides, entries, [](Keys& keys) {
+        RegionMeasures measures;
+        return region_keys(keys, 2, measures, false);
+    });
 }
 
 }

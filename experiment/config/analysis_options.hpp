@@ -24,11 +24,13 @@ struct AnalysisOptions
     bool progressive = false;            ///< the first points of a set are a set of their own, which is measured
     bool distances_only = false;         ///< no measures that are slow for large sets: see SeriesAnalysis
     std::optional<RegionOptions> region; ///< that sets lie in, where they lie in one: see SeriesAnalysis
+    RegionMeasures region_measures;      ///< of sets in this region, or in regions of methods
     bool first_points_only = false;      ///< of all realizations, only the points of the first are stored
 };
 
-/// Visits these keys. `dimension` of the sets decides what is allowed. Throws InputError with the value's own line.
-AnalysisOptions analysis_keys(Keys& keys, int dimension);
+/// Visits these keys. `dimension` of the sets decides what is allowed, and whether methods have regions of their own.
+/// Throws InputError with the value's own line.
+AnalysisOptions analysis_keys(Keys& keys, int dimension, bool is_any_in_region = false);
 
 /// The options of sets that were not made by a config, from `--set analysis.KEY=VALUE` arguments, and from entries of
 /// [analysis] that other options stand for. Throws InputError.

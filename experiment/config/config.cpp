@@ -1,9 +1,13 @@
 #include "experiment/config/config.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "experiment/config/method_registry.hpp"
 #include "experiment/config/overrides.hpp"
 #include "host/sampling/optimized/ordered_sampler.hpp"
 #include "host/settings/toml_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace poissonlab {
 namespace {
@@ -18,13 +22,13 @@ void top_keys(Keys& keys, Config& config)
 }
 
 /// The keys of [analysis].
-void series_keys(Keys& keys, Config& config)
+void series_keys(Keys& keys, Config& config, bool is_any_in_region)
 {
     keys.integer("points", config.points, 1, max_points, "points in each set");
     keys.integer("realizations", config.realizations, 1, max_realizations, "sets of each series");
     keys.integer("dimension", config.dimension, 2, 3, "of the sets");
     keys.integer("timing_runs", config.timing_runs, 1, max_timing_runs, "how often each series is timed, at least");
-    config.analysis = analysis_keys(keys, config.dimension);
+    config.analysis = analysis_keys(keys, config.dimension, is_any_in_region);
 }
 
 void read_analysis(const ConfigTable& top, Config& config)
@@ -34,24 +38,43 @@ void read_analysis(const ConfigTable& top, Config& config)
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
     Keys known, keys(*table, {config.file}, "");
-    series_keys(known, config);
+    series_keys(known, config, false);
     check_keys(*table, known.names());
-    series_keys(keys, config);
+    series_keys(keys, config, some_method_has_region(top));
 }
 
-MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
+/// Throws InputError where a method names a sampler that fills the unit square alone, though it has a region.
+void check_takes_regions(const ConfigTable& method, const SamplerRegistry& in_regions)
+{
+    const ConfigNode* node = find(method, "sampler");
+    const auto* name = node ? node->get_if<std::string>() : nullptr;
+    if (!name || find_sampler(*name, in_regions) || !find_sampler(*name)) return;
+    std::vector<std::string> names;
+    for (const SamplerSpec& spec : in_regions) names.push_back(spec.name);
+    throw invalid_node(
+        "sampler", *node,
+        fmt::format("has no sets in regions; in one it must be one of \"{}\"", fmt::join(names, "\", \"")));
+}
+
+MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& torus, const Config& config)
 {
     const auto* table = node.get_if<ConfigTable>();
+    const SamplerRegistry& registry = registry_of(*table, config.analysis.region.has_value(), torus);
+    if (&registry != &torus) check_takes_regions(*table, registry);
     MethodConfig method;
     method.where = node.location;
     method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
-    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points", "order"}, registry, 0);
+    method.settings = read_settings(*table, *method.sampler, method_keys(), registry, 0);
+    Keys keys(*table, node.location, "");
+    method.region = method_region_keys(keys, config.dimension, config.analysis.region_measures);
+    method.has_own_region = method.region.has_value();
+    if (!method.region) method.region = config.analysis.region;
     if (const ConfigNode* order = find(*table, "order"))
         method.settings.push_back({&order_parameter(), parameter_choices(order_parameter(), *order)});
     if (const ConfigNode* points = find(*table, "points"))
         method.settings.insert(method.settings.begin(),
                                {&points_parameter(), parameter_choices(points_parameter(), *points)});
-    Keys(*table, node.location, "").text("label", method.label, "what the report calls the series");
+    keys.text("label", method.label, "what the report calls the series");
     return method;
 }
 
@@ -63,7 +86,7 @@ void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Confi
     const auto* list = node ? node->get_if<ConfigList>() : nullptr;
     if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
     for (const ConfigNode* method : read_tables(top, "method"))
-        config.methods.push_back(read_method(*method, registry));
+        config.methods.push_back(read_method(*method, registry, config));
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct MethodConfig
     const SamplerSpec* sampler = nullptr;
     std::string label; ///< empty: made from the sampler's title
     SourceLocation where;
+    std::optional<RegionOptions> region; ///< its own, or that of [analysis]; nothing: its sets fill the unit square
+    bool has_own_region = false;
     std::vector<ParameterSetting>
         settings; ///< `points` first, then as the sampler declares its parameters, then `order`
 };

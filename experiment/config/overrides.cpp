@@ -1,5 +1,6 @@
 #include "experiment/config/overrides.hpp"
 
+#include "experiment/config/method_registry.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -73,29 +74,37 @@ std::optional<std::size_t> as_index(const std::string& text)
     return index;
 }
 
-const SamplerSpec* sampler_of(const ConfigTable& method, const SamplerRegistry& registry)
+/// The samplers that are known, and whether methods have those of regions.
+struct Registries
+{
+    const SamplerRegistry& torus;
+    bool analysis_has_region = false;
+};
+
+const SamplerSpec* sampler_of(const ConfigTable& method, const Registries& registries)
 {
     const ConfigNode* node = find(method, "sampler");
     const auto* name = node ? node->get_if<std::string>() : nullptr;
-    return name ? find_sampler(*name, registry) : nullptr;
+    if (!name) return nullptr;
+    return find_sampler(*name, registry_of(method, registries.analysis_has_region, registries.torus));
 }
 
 /// True if a [[method]] table can have the key: it is one of every method, or a parameter of its sampler.
-bool method_takes(const ConfigTable& method, const std::string& key, const SamplerRegistry& registry)
+bool method_takes(const ConfigTable& method, const std::string& key, const Registries& registries)
 {
-    if (key == "sampler" || key == "label" || key == "points" || key == "order") return true;
-    const SamplerSpec* sampler = sampler_of(method, registry);
+    if (std::ranges::find(method_keys(), key) != method_keys().end()) return true;
+    const SamplerSpec* sampler = sampler_of(method, registries);
     // A sampler's name that is wrong is refused later, at its own line.
     if (!sampler) return true;
     return std::ranges::any_of(sampler->parameters, [&](const ParameterSpec& spec) { return spec.key == key; });
 }
 
 /// The keys that at least one of the methods takes.
-std::vector<std::string> known_keys(const ConfigList& methods, const SamplerRegistry& registry)
+std::vector<std::string> known_keys(const ConfigList& methods, const Registries& registries)
 {
-    std::vector<std::string> known = {"sampler", "label", "points", "order"};
+    std::vector<std::string> known = method_keys();
     for (const ConfigNode& method : methods) {
-        const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>(), registry);
+        const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>(), registries);
         if (!sampler) continue;
         for (const ParameterSpec& spec : sampler->parameters)
             if (std::ranges::find(known, spec.key) == known.end()) known.push_back(spec.key);
@@ -103,7 +112,7 @@ std::vector<std::string> known_keys(const ConfigList& methods, const SamplerRegi
     return known;
 }
 
-void set_in_methods(ConfigList& methods, const Override& change, const SamplerRegistry& registry)
+void set_in_methods(ConfigList& methods, const Override& change, const Registries& registries)
 {
     const auto table_of = [&](ConfigNode& method) -> ConfigTable& {
         if (auto* table = method.get_if<ConfigTable>()) return *table;
@@ -121,11 +130,11 @@ void set_in_methods(ConfigList& methods, const Override& change, const SamplerRe
     }
     bool taken = false;
     for (ConfigNode& method : methods) {
-        if (!method_takes(table_of(method), change.path[1], registry)) continue;
+        if (!method_takes(table_of(method), change.path[1], registries)) continue;
         set_below(table_of(method), change, 1);
         taken = true;
     }
-    if (!taken) throw unknown_key(change.path[1], change.value, known_keys(methods, registry));
+    if (!taken) throw unknown_key(change.path[1], change.value, known_keys(methods, registries));
 }
 
 }
@@ -149,7 +158,7 @@ void apply_overrides(ConfigTable& config, const std::vector<std::string>& overri
         ConfigNode* methods = change.path.front() == "method" ? find(config, "method") : nullptr;
         auto* list = methods ? methods->get_if<ConfigList>() : nullptr;
         if (list && change.path.size() > 1)
-            set_in_methods(*list, change, registry);
+            set_in_methods(*list, change, {registry, analysis_has_region(config)});
         else if (change.path.front() == "method" && change.path.size() > 1 && !methods)
             throw InputError::at(change.origin, "the config has no [[method]] table");
         else

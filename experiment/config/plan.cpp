@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t longest_name = 100;
 
 /// The label of a series, such as "Dart throwing, rho = 0.70": the user's label and the parameters that vary, or the
-/// sampler's title and all parameters, or the label that the sampler itself makes of these.
+/// sampler's title, its own region and all parameters, or the label that the sampler itself makes of these.
 std::string series_label(const MethodConfig& method, const Combination& chosen)
 {
     const std::string values = values_text(method.settings, chosen, !method.label.empty());
     if (method.label.empty() && method.sampler->label)
         return method.sampler->label(chosen_parameters(*method.sampler, method.settings, chosen));
-    const std::string& label = method.label.empty() ? method.sampler->title : method.label;
+    std::string label = method.label.empty() ? method.sampler->title : method.label;
+    if (method.label.empty() && method.has_own_region) label += " in " + method.region->region->name();
     return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
@@ -97,10 +98,12 @@ std::size_t points_of(const Config& config, const MethodConfig& method, const Co
     return config.points;
 }
 
+std::uint64_t region_hash(const SeriesPlan& series) { return series.region ? series.region->hash : 0; }
+
 bool same_series(const SeriesPlan& a, const SeriesPlan& b)
 {
     return a.sampler->name == b.sampler->name && a.request.points == b.request.points &&
-           same_parameters(a.parameters, b.parameters);
+           region_hash(a) == region_hash(b) && same_parameters(a.parameters, b.parameters);
 }
 
 /// Which choice of each setting with several choices is taken.
@@ -124,17 +127,12 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.sampler = &sampler;
     series.parameters = chosen_parameters(sampler, method.settings, chosen);
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
-    if (config.analysis.region) {
-        if (!sampler.takes_regions)
-            throw InputError::at(config.analysis.region->where,
-                                 fmt::format("region: does not go with sampler = \"{}\", whose sets fill the unit "
-                                             "square; it is for sets from files",
-                                             sampler.name));
-        series.request.region = config.analysis.region->region;
-    }
+    series.region = method.region;
+    if (series.region) series.request.region = series.region->region;
     check_sampler(sampler, series.parameters, series.request, method.where);
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
     if (is_ordered(series.parameters)) {
+        if (series.region) throw series.parameters.error("order", "does not go with a region: the order is of a torus");
         series.ordered = std::make_shared<const SamplerSpec>(in_progressive_order(sampler));
         series.sampler = series.ordered.get();
     }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct SeriesPlan
     std::shared_ptr<const SamplerSpec> ordered; ///< that sampler, where the config asks for another order of its sets
     Parameters parameters;
     SampleRequest request;
-    bool deterministic = false;     ///< all realizations are one set
-    std::uint32_t realizations = 0; ///< as asked; 1 for deterministic series; what there is for files
+    std::optional<RegionOptions> region; ///< that its sets lie in; nothing: the unit square
+    bool deterministic = false;          ///< all realizations are one set
+    std::uint32_t realizations = 0;      ///< as asked; 1 for deterministic series; what there is for files
     GridPlace place;
 };
 

@@ -11,16 +11,22 @@ namespace {
 
 constexpr std::int64_t most_random_sets = 9999;
 
-void check_region_keys(const Keys& keys, int dimension)
+void check_is_planar(const Keys& keys, int dimension)
 {
-    if (!keys.is_given("region")) {
-        for (const char* key : {"planar", "density", "density_from", "envelope", "tapers"})
-            if (keys.is_given(key)) throw keys.invalid(key, "goes with region");
-        return;
-    }
     if (dimension != 2) throw keys.invalid("region", "needs dimension = 2: regions are of the plane");
+}
+
+void check_region_keys(const Keys& keys, int dimension, bool is_any_in_region)
+{
+    const bool has_region = keys.is_given("region");
+    for (const char* key : {"planar", "density", "density_from"})
+        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
+    for (const char* key : {"envelope", "tapers"})
+        if (!has_region && !is_any_in_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
     for (const char* key : {"window", "tiles", "zone_plate"})
-        if (keys.is_given(key)) throw keys.invalid(key, "does not go with region: it is about sets in a square");
+        if ((has_region || is_any_in_region) && keys.is_given(key))
+            throw keys.invalid(key, "does not go with region: it is about sets in a square");
+    if (has_region) check_is_planar(keys, dimension);
     if (keys.is_given("density_from") && !keys.is_given("density"))
         throw keys.invalid("density_from", "goes with density");
 }
@@ -35,37 +41,74 @@ std::shared_ptr<const RegionDensity> region_density(const DensityChoice& density
     return std::make_shared<const RegionDensity>(std::move(read), region);
 }
 
+/// The region that a table says, as it is read and measured.
+struct TypedRegion
+{
+    std::string text;
+    bool is_planar = false;
+};
+
+void typed_region_keys(Keys& keys, TypedRegion& region, const std::string& of_what)
+{
+    keys.region("region", region.text, "the region of the plane that " + of_what + ", in whose units their points are");
+    keys.flag("planar", region.is_planar, "whether coordinates of the region that look like degrees are lengths");
 }
 
-std::optional<RegionOptions> region_keys(Keys& keys, int dimension)
+RegionOptions read_options(Keys& keys, const TypedRegion& typed, const RegionMeasures& measures,
+                           const DensityChoice& density)
 {
     RegionOptions options;
-    std::string region;
-    bool is_planar = false;
-    DensityChoice density;
-    keys.region("region", region, "the region of the plane that sets lie in, in whose units their points are");
-    keys.flag("planar", is_planar, "whether coordinates of the region that look like degrees are lengths");
-    keys.picture_or_formula("density", density.text, density.from,
-                            "what points follow: a picture, or a formula, over the region's box");
-    keys.integer("envelope", options.envelope, 0, most_random_sets, "random sets that curves are held against");
-    std::uint32_t tapers = 0;
-    keys.integer("tapers", tapers, 0, std::int64_t{most_tapers},
-                 "orthogonal tapers of the region, whose spectra are averaged; 0: points less the region");
-    check_region_keys(keys, dimension);
-    if (!keys.is_given("region")) return {};
     options.where = keys.place_of("region");
     keys.check("region", [&] {
-        options.region = std::make_shared<const FramedRegion>(read_region(region, is_planar), name_of_input(region));
+        options.region =
+            std::make_shared<const FramedRegion>(read_region(typed.text, typed.is_planar), name_of_input(typed.text));
     });
+    options.envelope = measures.envelope;
     Xxh64 hash;
     hash.add(fmt::format("{} ", options.region->hash()));
-    keys.check("density", [&] { options.density = region_density(density, *options.region, hash); });
-    if (tapers > 0) {
-        keys.check("tapers", [&] { options.tapers = std::make_shared<const RegionTapers>(*options.region, tapers); });
-        hash.add(fmt::format(" {} tapers", tapers));
+    if (!density.text.empty())
+        keys.check("density", [&] { options.density = region_density(density, *options.region, hash); });
+    if (measures.tapers > 0) {
+        keys.check(keys.is_given("tapers") ? "tapers" : "region",
+                   [&] { options.tapers = std::make_shared<const RegionTapers>(*options.region, measures.tapers); });
+        hash.add(fmt::format(" {} tapers", measures.tapers));
     }
     options.hash = hash.value();
     return options;
+}
+
+void measure_keys(Keys& keys, RegionMeasures& measures)
+{
+    keys.integer("envelope", measures.envelope, 0, most_random_sets, "random sets that curves are held against");
+    keys.integer("tapers", measures.tapers, 0, std::int64_t{most_tapers},
+                 "orthogonal tapers of the region, whose spectra are averaged; 0: points less the region");
+}
+
+}
+
+std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasures& measures, bool is_any_in_region)
+{
+    TypedRegion typed;
+    DensityChoice density;
+    typed_region_keys(keys, typed, "sets lie in");
+    keys.picture_or_formula("density", density.text, density.from,
+                            "what points follow: a picture, or a formula, over the region's box");
+    measure_keys(keys, measures);
+    check_region_keys(keys, dimension, is_any_in_region);
+    if (!keys.is_given("region")) return {};
+    return read_options(keys, typed, measures, density);
+}
+
+std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const RegionMeasures& measures)
+{
+    TypedRegion typed;
+    typed_region_keys(keys, typed, "this method's sets lie in");
+    if (!keys.is_given("region")) {
+        if (keys.is_given("planar")) throw keys.invalid("planar", "goes with region");
+        return {};
+    }
+    check_is_planar(keys, dimension);
+    return read_options(keys, typed, measures, {});
 }
 
 }

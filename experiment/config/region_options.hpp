@@ -1,5 +1,5 @@
-// The keys of [analysis] that are about sets in a region of the plane: region, planar, density, density_from,
-// envelope, tapers.
+// The keys that are about sets in a region of the plane: region and planar of [analysis], which hold for all methods,
+// and of a [[method]]; density, density_from, envelope, tapers of [analysis].
 #pragma once
 
 #include "analysis/regions/random_in_region.hpp"
@@ -15,6 +15,13 @@ namespace poissonlab {
 /// Spectra of sets in regions are made in memory for all of their frequencies at once.
 inline constexpr int largest_region_spectrum = 4096;
 
+/// How sets in regions are measured, whichever these are.
+struct RegionMeasures
+{
+    std::uint32_t envelope = 39; ///< random sets that curves are held against
+    std::uint32_t tapers = 0;    ///< whose spectra are averaged; 0: spectra are those of the points less the region's
+};
+
 struct RegionOptions
 {
     std::shared_ptr<const FramedRegion> region;
@@ -25,8 +32,12 @@ struct RegionOptions
     SourceLocation where;                         ///< where the region was typed
 };
 
-/// Visits them; nothing where a table has no region. Names of files count from the folder of the config. Throws
-/// InputError with the value's own line; also for keys that do not go with a region, or not without one.
-std::optional<RegionOptions> region_keys(Keys& keys, int dimension);
+/// Visits those of [analysis], and reads `measures`; nothing where it has no region. Names of files count from the folder of the
+/// config. Throws InputError with the value's own line; also for keys that do not go with a region, or not without one:
+/// `is_any_in_region` says that methods have regions of their own.
+std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasures& measures, bool is_any_in_region);
+
+/// Visits those of a [[method]]; nothing where it has no region. Throws InputError as well.
+std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const RegionMeasures& measures);
 
 }

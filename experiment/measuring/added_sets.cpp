@@ -95,6 +95,13 @@ void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) 
             relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), points.dimension());
 }
 
+/// The least distance of two points: across the borders of a torus, in roots of the area in a region.
+double SeriesAnalysis::least_distance(const PointSet& points) const
+{
+    if (options_.region) return nearest_in_plane(points, *options_.region->region).least / unit_length();
+    return options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
+}
+
 /// Keeps the set for measures of the first one.
 void SeriesAnalysis::keep_first(const PointSet& points)
 {
@@ -146,7 +153,13 @@ bool SeriesAnalysis::add_set(const Points& points)
     return true;
 }
 
-bool SeriesAnalysis::add(const PointSet& points) { return add_set(points); }
+bool SeriesAnalysis::add(const PointSet& points)
+{
+    if (!options_.region) return add_set(points);
+    const std::size_t realization = begin_.realization + sets_.size() + repeated_.size();
+    return add_set(options_.region->region->framed(points, fmt::format("{}: realization {}", label_, realization)));
+}
+
 bool SeriesAnalysis::add(const PointStrips& points) { return add_set(points); }
 
 /// The smallest relative radius of the first half, the first quarter and the first eighth of a set, as sets of so many
@@ -159,7 +172,7 @@ double SeriesAnalysis::prefix_radius(const PointSet& points) const
         const auto begin = points.coordinates.begin();
         part.coordinates.assign(begin,
                                 begin + static_cast<std::ptrdiff_t>(n * static_cast<std::size_t>(part.dimension)));
-        const double distance = options_.window ? min_distance_in_window(part) : min_toroidal_distance(part);
+        const double distance = least_distance(part);
         smallest = std::min(smallest, relative_radius(distance, n, part.dimension));
     }
     return smallest;

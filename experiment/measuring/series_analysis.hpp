@@ -49,7 +49,7 @@ void serialize(Archive& archive, Measures& measures)
 /// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
 /// largest empty circle, Voronoi cells. The spectrum is that of the window: its border adds a cross on the axes.
 ///
-/// With options.region sets lie in the frame of a region, and lengths are in roots of its area: so are frequencies, in
+/// With options.region sets lie in a region, in its units, and lengths are in roots of its area: so are frequencies, in
 /// its inverse. Distances are those of the plane, the pair correlation has the translation correction, the spectrum is
 /// that of points less that of the region, see region_transform.hpp, or the mean by the tapers of the region, see
 /// region_tapers.hpp, whose spread is that of tapers and sets, and there are the curves of region_curves.hpp.
@@ -74,7 +74,7 @@ public:
     {}
 
     /// Returns whether the set is another one than all before. Throws InputError for sets that are empty, of another
-    /// dimension, or of another size where sizes must not vary.
+    /// dimension, of another size where sizes must not vary, or with points outside their region.
     bool add(const PointSet& points);
 
     /// The same of a set on disk, of which a few strips are in memory at a time. Numbers of pairs, of points in balls
@@ -191,6 +191,7 @@ private:
     std::vector<std::size_t> tile_set_groups() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
+    double least_distance(const PointSet& points) const;
     double prefix_radius(const PointSet& points) const;
     void check(int dimension, std::size_t points, std::size_t realization) const;
     void start();

@@ -116,6 +116,7 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     task.realizations = series.realizations;
     task.is_timed = !series.sampler->has_own_points;
     task.points = series.request.points;
+    task.region = series.region;
     task.place = series.place;
     task.identity = [series, engine, device] { return identity_of(series, engine, *device); };
     task.create = [series, engine, device, workplace = std::weak_ptr(workplace)] {

@@ -28,7 +28,9 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
-    std::size_t points = 0;         ///< as asked of each set, 0: not known
+    std::size_t points = 0; ///< as asked of each set, 0: not known
+    /// The region that its sets lie in, instead of that of the experiment's analysis.
+    std::optional<RegionOptions> region{};
     std::size_t device_bytes = 0;   ///< the most that sampling takes of the device
     bool is_timed = true;           ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
@@ -81,6 +83,14 @@ struct Experiment
     std::vector<Exhibit> exhibits;
     DistributionPlace place;                                              ///< of exhibits
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
+
+    /// How the sets of a series are measured.
+    AnalysisOptions analysis_of(const SeriesTask& task) const
+    {
+        AnalysisOptions options = analysis;
+        if (task.region) options.region = task.region;
+        return options;
+    }
 };
 
 }

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace poissonlab {
 
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
@@ -15,10 +18,11 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& files,
     for (const auto& file : files) {
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
-        const std::vector<PointSet> read = read_points(file, any_coordinates);
-        for (std::size_t i = 0; i < read.size(); ++i)
-            sets.push_back(region.framed(
-                read[i], read.size() == 1 ? file.string() : fmt::format("{}: realization {}", file.string(), i + 1)));
+        std::vector<PointSet> read = read_points(file, any_coordinates);
+        for (std::size_t i = 0; i < read.size(); ++i) // throws where some are outside
+            region.framed(read[i],
+                          read.size() == 1 ? file.string() : fmt::format("{}: realization {}", file.string(), i + 1));
+        std::ranges::move(read, std::back_inserter(sets));
         paths.push_back(file.string());
     }
     Experiment experiment = import_sets(sets, label.empty() ? files.front().stem().string() : label);

@@ -10,8 +10,8 @@
 
 namespace poissonlab {
 
-/// As import_points(), of files whose coordinates are in the region's units: sets are moved into its frame. Throws
-/// InputError that names the file where points lie outside.
+/// As import_points(), of files whose coordinates are in the region's units. Throws InputError that names the file
+/// where points lie outside.
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
                                 const FramedRegion& region);
 

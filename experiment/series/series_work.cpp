@@ -25,7 +25,7 @@ std::string parameters_text(const Parameters& parameters)
 }
 
 /// Methods that tile know their lattice. A single tile leaves no peaks: every frequency is one of its lattice.
-AnalysisOptions analysis_of(const SetTraits& traits, AnalysisOptions options)
+AnalysisOptions with_traits(const SetTraits& traits, AnalysisOptions options)
 {
     if (options.tiles == 0 && traits.tiles_along_axis > 1) options.tiles = static_cast<int>(traits.tiles_along_axis);
     options.tile_sets = traits.tile_sets;
@@ -38,7 +38,8 @@ AnalysisOptions analysis_of(const SetTraits& traits, AnalysisOptions options)
 
 SeriesWork::SeriesWork(const Experiment& experiment, const SeriesTask& task, const CodeVersions& versions,
                        UnitStore& store, SamplerSlot& slot)
-    : experiment_(experiment), task_(task), store_(store), slot_(slot), units_(task, experiment.analysis, versions)
+    : experiment_(experiment), task_(task), store_(store), slot_(slot),
+      units_(task, experiment.analysis_of(task), versions)
 {}
 
 // Comments of point files, and the origin in an image's header, name only what the points depend on: equal point sets
@@ -140,6 +141,13 @@ bool SeriesWork::is_analysed(std::uint32_t part) const
     return store_.find(units_.part_key(part)) || store_.find(units_.analysis_key());
 }
 
+/// A stored set: in the unit square, or in a region, in its units.
+PointSet SeriesWork::points_in(const std::filesystem::path& file) const
+{
+    if (!experiment_.analysis_of(task_).region) return read_points(file).at(0);
+    return read_points(file, any_coordinates).at(0);
+}
+
 /// The unit of a part, without any realization yet.
 AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& listener)
 {
@@ -148,7 +156,7 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
     const SampleRecord first = first_record(listener);
     if (part > 0) first_ = {}; // somebody else analyses it
     const SeriesAnalysis::Begin begin{range.first, range.first == 0 ? 0 : first.points};
-    return {task_.label, first.traits.sizes_vary, analysis_of(first.traits, experiment_.analysis), begin};
+    return {task_.label, first.traits.sizes_vary, with_traits(first.traits, experiment_.analysis_of(task_)), begin};
 }
 
 /// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never
@@ -164,7 +172,7 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
         } else if (k == 0 && first_.size() > 0) {
             unit.add(std::exchange(first_, {}));
         } else if (const auto file = stored_points(store_, units_.sample_key(k))) {
-            unit.add(read_points(*file).at(0));
+            unit.add(points_in(*file));
         } else {
             const Sample sample = make({k, range.first + range.count - k}, listener);
             tbb::parallel_invoke([&] { unit.add(sample.points); }, [&] { store(k, sample); });
@@ -230,7 +238,7 @@ void SeriesWork::add_new_sets(AnalysisUnit& unit, std::uint32_t part, const Anal
             continue;
         }
         const auto file = stored_points(store_, units_.sample_key(k));
-        unit.add(file ? read_points(*file).at(0) : make({k, range.first + range.count - k}, {}).points);
+        unit.add(file ? points_in(*file) : make({k, range.first + range.count - k}, {}).points);
     }
 }
 

@@ -75,6 +75,7 @@ private:
     void store(std::uint32_t realization, const Sample& sample);
     SampleRecord record(std::uint32_t realization) const;
     SampleRecord first_record(const WorkListener& listener);
+    PointSet points_in(const std::filesystem::path& file) const;
     AnalysisUnit begin_unit(std::uint32_t part, const WorkListener& listener);
     void add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener);
     void add_new_sets(AnalysisUnit& unit, std::uint32_t part, const AnalysisUnit& earlier);

@@ -57,12 +57,12 @@ std::string size_in_words(const std::filesystem::path& file, const PointSet& poi
     return fmt::format("{} has {} {}D points", file.string(), points.size(), points.dimension);
 }
 
-/// The sets of a file: in the unit square, or in the frame of a region.
+/// The sets of a file: in the unit square, or in a region, in its units.
 std::vector<PointSet> sets_of(const std::filesystem::path& file, const FramedRegion* region)
 {
     if (!region) return read_points(file);
     std::vector<PointSet> sets = read_points(file, any_coordinates);
-    for (PointSet& points : sets) points = region->framed(points, file.string());
+    for (const PointSet& points : sets) region->framed(points, file.string()); // throws where some are outside
     return sets;
 }
 
@@ -129,7 +129,6 @@ SamplerSpec file_sampler()
                         .help = "point files: names and globs, relative to the folder of the config"}};
     spec.has_own_points = true;
     spec.check = check_file;
-    spec.takes_regions = true;
     spec.available_realizations = [](const Parameters& parameters) {
         std::size_t count = 0;
         for (const auto& file : files_of(parameters)) count += read_points(file, any_coordinates).size();

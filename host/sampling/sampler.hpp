@@ -39,7 +39,7 @@ struct SampleRequest
     std::uint64_t seed = 0;
     /// Told of the steps of what takes long before the first set; what it throws ends that. May be empty.
     std::function<void(const std::string& what)> on_step = {};
-    /// The region that points lie in, in units of its own: they are handed out in its frame. Null: in the unit square.
+    /// The region that points lie in, in its own units. Null: they are in the unit square.
     std::shared_ptr<const FramedRegion> region = nullptr;
 };
 
@@ -106,9 +106,6 @@ struct SamplerSpec
     /// True when its sets are there already, with as many points as they have (files): no number can be
     /// asked.
     bool has_own_points = false;
-
-    /// True when its sets may lie in a region.
-    bool takes_regions = false;
 
     /// Checks what single values cannot show (missing keys, impossible combinations). Throws InputError.
     /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.

@@ -3,7 +3,6 @@
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/sampling/optimized/ordered_sampler.hpp"
 #include "host/settings/parameter_values.hpp"
-#include "host/settings/sampler_registry.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -65,18 +64,25 @@ std::string option_help(const ParameterSpec& spec)
     return spec.otherwise ? fmt::format("{}; default: {}", text, default_text(spec)) : text;
 }
 
-std::string samplers_text()
+std::string samplers_text(const SamplerRegistry& all, const SamplerRegistry& in_regions)
 {
     std::string text =
         "Samplers of a [[method]] table, and their parameters. A list of values makes one series a "
         "value.\nEvery table can have\n    label = a line of text in quotes\n        what the report calls the "
         "series\n" +
-        parameter_text(points_parameter()) + parameter_text(order_parameter());
-    for (const SamplerSpec& sampler : sampler_registry()) {
+        parameter_text(points_parameter()) + parameter_text(order_parameter()) +
+        "    region = a file of GeoJSON, WKT or pixels, or a description such as \"disk 0 0 50\", in quotes\n        "
+        "where points lie, instead of the unit square; planar = true says that it is not in degrees\n";
+    for (const SamplerSpec& sampler : all) {
         const SamplerGuide& guide = sampler_guide(sampler.name);
         text += fmt::format("\n{}: {} ({})\n    {}\n    Source: {}\n    When to use it: {}\n    When not: {}\n",
                             sampler.name, sampler.title, traits_of(sampler), sampler.summary, guide.source, guide.use,
                             guide.avoid);
+        for (const ParameterSpec& parameter : sampler.parameters) text += parameter_text(parameter);
+    }
+    text += "\nIn a region, of the method or of [analysis], samplers and their parameters are these:\n";
+    for (const SamplerSpec& sampler : in_regions) {
+        text += fmt::format("\n{}: {}\n    {}\n", sampler.name, sampler.title, sampler.summary);
         for (const ParameterSpec& parameter : sampler.parameters) text += parameter_text(parameter);
     }
     return text;
@@ -89,11 +95,11 @@ std::string parameters_markdown(const SamplerSpec& sampler)
     return text;
 }
 
-std::string samplers_markdown()
+std::string samplers_markdown(const SamplerRegistry& samplers)
 {
     std::string text = "| sampler, parameters | | default | |\n| --- | --- | --- | --- |\n";
     std::map<std::string, std::string> shown; // rows, and the sampler that had them first
-    for (const SamplerSpec& sampler : sampler_registry()) {
+    for (const SamplerSpec& sampler : samplers) {
         text += fmt::format("| **`{}`** | {} | | {} |\n", sampler.name, traits_of(sampler), sampler.summary);
         std::map<std::string, std::vector<std::string>> same_as; // samplers, and the parameters that are theirs as well
         for (const ParameterSpec& parameter : sampler.parameters) {

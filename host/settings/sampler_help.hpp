@@ -15,10 +15,10 @@ std::string meaning_of(const ParameterSpec& spec);
 std::string option_help(const ParameterSpec& spec);
 
 /// All samplers with their parameters, for a terminal.
-std::string samplers_text();
+std::string samplers_text(const SamplerRegistry& all, const SamplerRegistry& in_regions);
 
 /// The same as the table of docs/samplers.md.
-std::string samplers_markdown();
+std::string samplers_markdown(const SamplerRegistry& samplers);
 
 /// The parameters of one sampler, as a table.
 std::string parameters_markdown(const SamplerSpec& sampler);

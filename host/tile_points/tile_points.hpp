@@ -20,6 +20,9 @@
 
 namespace poissonlab {
 
+/// Integer positions are so many to a tile's side.
+inline constexpr std::uint32_t units_per_tile = 65536;
+
 /// The tiles from `lowest` on, `size` of them along each axis; in 2D, one layer.
 struct TileBlock
 {

@@ -13,8 +13,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint32_t units_per_tile = 65536;
-
 /// Blocks have up to 65,536 tiles along an axis, one of which lies on either side of the region.
 constexpr double most_tiles = 65'534;
 

@@ -5,13 +5,11 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
+#include "host/tile_sampling/series_tile_sets.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
-#include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -59,55 +57,32 @@ double density_of(const Parameters& given) { return given.number("density"); }
 
 std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
 
-/// The tile sets of a series: `sets` of them, with seeds that follow one another.
-struct TileSetChoice
-{
-    PoissonTileParameters first;
-    std::uint32_t sets = 1;
-    double density = 1; ///< part of the points that is kept
-};
-
 class TileSampler final : public DeviceSampler
 {
 public:
     TileSampler(const TileSetChoice& choice, const SampleRequest& request, Engine engine, const DeviceProvider& device)
         : DeviceSampler(engine, device), seed_(request.seed), density_(choice.density),
-          side_(tiling_side(request.points, choice.density * choice.first.points_per_tile, choice.first.dimension))
+          side_(tiling_side(request.points, choice.density * choice.first.points_per_tile, choice.first.dimension)),
+          sets_(choice, request, engine, device)
     {
-        const auto begin = std::chrono::steady_clock::now();
-        double waiting_seconds = 0;
-        for (std::uint32_t i = 0; i < choice.sets; ++i) {
-            PoissonTileParameters parameters = choice.first;
-            parameters.seed += i;
-            CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
-            tiles_.push_back(std::move(cached.set));
-            if (i == 0) tile_set_ = std::move(cached.record);
-            waiting_seconds += cached.waiting_seconds;
-        }
         if (device_)
-            for (const PoissonTileSet& set : tiles_) generators_.emplace_back(*device_, set);
-        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
-        preparation_seconds_ = all.count() - build_seconds() - waiting_seconds;
+            for (const PoissonTileSet& set : sets_.all()) generators_.emplace_back(*device_, set);
     }
 
     PointSet sample(std::uint32_t realization) override
     {
-        const std::size_t set = realization % tiles_.size();
+        const std::size_t set = realization % sets_.all().size();
         const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
-        PointSet points = generators_.empty() ? reference::torus_points(tiles_[set], tiling, side_)
+        PointSet points = generators_.empty() ? reference::torus_points(sets_.all()[set], tiling, side_)
                                               : generators_[set].generate_torus(tiling, side_);
-        return at_density(std::move(points), density_, tiles_[set], tiling, side_);
+        return at_density(std::move(points), density_, sets_.all()[set], tiling, side_);
     }
 
     SetTraits traits() const override
     {
-        SetTraits traits;
-        traits.sizes_vary = density_ < 1 && !tiles_.front().parameters.ranked; // chance leaves out about as many points
+        SetTraits traits = sets_.traits();
+        traits.sizes_vary = density_ < 1 && !sets_.all().front().parameters.ranked; // chance leaves out about as many
         traits.tiles_along_axis = side_;
-        traits.tile_sets = static_cast<std::uint32_t>(tiles_.size());
-        traits.tile_set = tile_set_;
-        traits.tile_set_file = [this] { return encode_tile_set(tiles_.front()); };
-        traits.preparation_seconds = preparation_seconds_;
         return traits;
     }
 
@@ -115,11 +90,14 @@ private:
     std::uint64_t seed_;
     double density_;
     std::uint32_t side_;
-    double preparation_seconds_ = 0;
-    std::vector<PoissonTileSet> tiles_;
-    TileSetRecord tile_set_; ///< of the first
+    SeriesTileSets sets_;
     std::vector<TilePointGenerator> generators_;
 };
+
+const char* size_key(const PoissonTileFamily& family)
+{
+    return family.kind == PoissonTileKind::frame ? "tiles" : "colors";
+}
 
 /// The size of the tile set is what every config has to name.
 ParameterSpec size_spec(const PoissonTileFamily& family)
@@ -218,17 +196,6 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
     return specs;
 }
 
-const char* size_key(const PoissonTileFamily& family)
-{
-    return family.kind == PoissonTileKind::frame ? "tiles" : "colors";
-}
-
-/// The place of a parameter in the config or, if its default holds, that of the tile set's size.
-const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const PoissonTileFamily& family)
-{
-    return parameters.location(parameters.is_given(key) ? key : size_key(family));
-}
-
 void check_parameters(const PoissonTileFamily& family, const std::string& sampler, const Parameters& parameters,
                       const SampleRequest& request, const SourceLocation& where)
 {
@@ -239,11 +206,12 @@ void check_parameters(const PoissonTileFamily& family, const std::string& sample
     try {
         check(tiles);
     } catch (const InputError& error) {
-        throw error.moved_to(place_of(parameters, error.key(), family));
+        throw error.moved_to(place_of_tile_parameter(parameters, error.key(), family));
     }
     const double density = density_of(parameters);
     if (tiles.ranked && density * tiles.points_per_tile <= 0.5)
-        throw invalid_value(place_of(parameters, "density", family), "density", fmt::format("{}", density),
+        throw invalid_value(place_of_tile_parameter(parameters, "density", family), "density",
+                            fmt::format("{}", density),
                             fmt::format("must be more than {}, or nothing is left of {} ranked points per tile",
                                         0.5 / tiles.points_per_tile, tiles.points_per_tile));
     if (tiling_side(request.points, density * tiles.points_per_tile, family.dimension) > 65'536)
@@ -265,12 +233,6 @@ DeviceMemory device_memory(const TileSetChoice& choice, std::size_t points, cons
     for (std::uint32_t i = 0; i < choice.sets; ++i)
         taking = taking + TilePointGenerator::memory(choice.first, tiles, device);
     return either(construction_memory(choice.first, device), taking);
-}
-
-TileSetChoice tile_set_choice(const PoissonTileFamily& family, const Parameters& parameters,
-                              const SampleRequest& request)
-{
-    return {tile_parameters(family, parameters, request.seed), sets_of(parameters), density_of(parameters)};
 }
 
 std::string sampler_name(const PoissonTileFamily& family)
@@ -310,12 +272,24 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
         try {
             return std::make_unique<TileSampler>(tile_set_choice(family, parameters, request), request, engine, device);
         } catch (const InputError& error) { // the radius could not be reached
-            throw error.moved_to(place_of(parameters, "relative_radius", family));
+            throw error.moved_to(place_of_tile_parameter(parameters, "relative_radius", family));
         }
     };
     return spec;
 }
 
+}
+
+TileSetChoice tile_set_choice(const PoissonTileFamily& family, const Parameters& parameters,
+                              const SampleRequest& request)
+{
+    return {tile_parameters(family, parameters, request.seed), sets_of(parameters), density_of(parameters)};
+}
+
+const SourceLocation& place_of_tile_parameter(const Parameters& parameters, const std::string& key,
+                                              const PoissonTileFamily& family)
+{
+    return parameters.location(parameters.is_given(key) ? key : size_key(family));
 }
 
 std::vector<ParameterSpec> tile_set_parameters(const PoissonTileFamily& family)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "host/sampling/sampler.hpp"
+#include "host/tile_sampling/series_tile_sets.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstddef>
@@ -31,6 +32,14 @@ PoissonTileParameters tile_set_parameters_of(const PoissonTileFamily& family, co
 /// The tile set that one of these samplers builds, for tiles in the plane; nothing for any other sampler.
 std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,
                                                     std::uint64_t seed);
+
+/// The tile sets of a series, and the part of their points that it keeps.
+TileSetChoice tile_set_choice(const PoissonTileFamily& family, const Parameters& parameters,
+                              const SampleRequest& request);
+
+/// The place of a parameter in the config or, if its default holds, that of the tile set's size.
+const SourceLocation& place_of_tile_parameter(const Parameters& parameters, const std::string& key,
+                                              const PoissonTileFamily& family);
 
 /// The parameter "sets", the number of tile sets that realizations take in turn.
 ParameterSpec tile_sets_parameter();

@@ -43,7 +43,7 @@ public:
         for (std::size_t i = 0; i < arrays.size(); ++i) {
             const std::string name = fmt::format("{}: realization {}", label, i);
             sets_.push_back(point_set_of(arrays[i], name, options.has_value()));
-            if (options) sets_.back() = options->region->framed(sets_.back(), name);
+            if (options) options->region->framed(sets_.back(), name); // throws where some are outside
         }
         if (sets_.empty()) throw InputError(label + ": there are no points");
         without_lock([&] {

@@ -1,7 +1,6 @@
 // Output folders for Python: running configs, and reading what runs came to.
 #include "analysis/spectra/spectrum_file.hpp"
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/run_plan.hpp"
 #include "experiment/run/runner.hpp"
@@ -12,6 +11,7 @@
 #include "results/collection_file.hpp"
 #include "results/curve_tables.hpp"
 #include "results/run.hpp"
+#include "results/stored_points.hpp"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -56,7 +56,7 @@ public:
     {
         std::vector<PointSet> sets;
         for (const std::string& file : series().point_files)
-            for (PointSet& set : read_points(run_->folder / file)) sets.push_back(std::move(set));
+            for (PointSet& set : read_stored_points(series(), run_->folder / file)) sets.push_back(std::move(set));
         return sets;
     }
 

@@ -1,8 +1,8 @@
 #include "reports/layout/series_panels.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "reports/words/number_format.hpp"
+#include "results/stored_points.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 PointSet first_realization(const ReportSeries& series)
 {
     const auto file = series.run->folder / series.stored->point_files.front();
-    auto sets = read_points(file);
+    auto sets = read_stored_points(*series.stored, file);
     const std::size_t points = series.stored->points_of_first();
     if (sets.empty() || sets.front().size() != points || sets.front().dimension != series.run->dimension)
         throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +

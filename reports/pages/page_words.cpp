@@ -72,12 +72,18 @@ std::string distributions_summary(const std::vector<const ReportRun*>& runs)
     return parts.empty() ? std::string() : fmt::format("{}.", fmt::join(parts, ", "));
 }
 
-/// The places of the points: sets that are windows have borders.
+/// The places of the points: sets that are windows, and those in regions, have borders.
 std::string domain_words(const std::vector<const ReportSeries*>& series)
 {
-    const auto windows = std::ranges::count_if(series, [](const auto* entry) { return entry->stored->is_window; });
-    if (windows == 0) return "on the unit torus";
-    return static_cast<std::size_t>(windows) == series.size() ? "in windows" : "on the unit torus or in windows";
+    std::vector<std::string> words;
+    const auto add_where = [&](const char* what, const auto& is_there) {
+        if (std::ranges::any_of(series, is_there)) words.emplace_back(what);
+    };
+    add_where("on the unit torus",
+              [](const auto* entry) { return !entry->stored->is_window && !entry->stored->region; });
+    add_where("in windows", [](const auto* entry) { return entry->stored->is_window; });
+    add_where("in regions", [](const auto* entry) { return entry->stored->region.has_value(); });
+    return fmt::format("{}", fmt::join(words, " or "));
 }
 
 std::string series_summary(const std::vector<const ReportRun*>& runs)

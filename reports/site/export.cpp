@@ -9,6 +9,7 @@
 #include "reports/plots/plot_export.hpp"
 #include "results/collection_file.hpp"
 #include "results/run.hpp"
+#include "results/stored_points.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ public:
     {
         for (const std::string& name : series.stored->point_files) {
             const fs::path stored = series.run->folder / name;
-            const std::vector<PointSet> sets = read_points(stored);
+            const std::vector<PointSet> sets = read_stored_points(*series.stored, stored);
             for (std::size_t i = 0; i < sets.size(); ++i) {
                 const std::string number = sets.size() > 1 ? fmt::format("-{}", i + 1) : "";
                 for (const char* extension : {".csv", ".usda"}) {

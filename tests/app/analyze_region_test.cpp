@@ -1,4 +1,5 @@
 // `poissonlab analyze --region`: sets in a region of the plane, made elsewhere, and the same by a config.
+#include "base/points/point_file.hpp"
 #include "results/curve_tables.hpp"
 #include "tests/support/program.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
@@ -50,6 +52,42 @@ TEST(AnalyzeRegion, WritesCurvesAndAReport)
     for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "out/c"))
         if (entry.path().filename() == "region.csv") found = content_of(entry.path());
     EXPECT_EQ(found, content_of(out / "trees/region.csv"));
+}
+
+/// Methods of a config in regions: realization 0 is the set of `distribute points`, in its units.
+TEST(AnalyzeRegion, MethodsOfAConfigLieInRegions)
+{
+    const TemporaryFolder folder;
+    folder.write("c.toml", "seed = 5\n[analysis]\nregion = \"disk 100 200 50\"\nenvelope = 0\npoints = 60\n"
+                           "realizations = 3\n[[method]]\nsampler = \"sample-elimination\"\n"
+                           "[[method]]\nsampler = \"dart-throwing\"\nmin_distance = 9\n"
+                           "[[method]]\nsampler = \"random\"\nregion = \"rectangle 0 0 30 4\"\n");
+    const Outcome outcome = run_program(folder.path(), {"run", "c.toml", "--quiet"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const fs::path out = folder.path() / "out/c";
+    for (const auto& [method, series, more] :
+         {std::tuple{"elimination", "sample-elimination", std::vector<std::string>{"--points", "60"}},
+          {"darts", "dart-throwing-d-9", {"--min-distance", "9"}}}) {
+        std::vector<std::string> words{"distribute", "points", "--region", "disk 100 200 50", "--method", method,
+                                       "--seed",     "5",      "--out",    "same.npy",        "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        ASSERT_EQ(run_program(folder.path(), words).status, 0);
+        EXPECT_EQ(read_points(out / series / "realization-000.dat", any_coordinates),
+                  read_points(folder.path() / "same.npy", any_coordinates));
+    }
+    const auto run = nlohmann::json::parse(content_of(out / "results.json"));
+    EXPECT_EQ(run["series"][0]["points"], 60);
+    EXPECT_GE(run["series"][1]["min_distance"]["min"].get<double>() *
+                  run["series"][1]["region"]["unit_length"].get<double>(),
+              9 * (1 - 1e-9));
+    EXPECT_EQ(run["series"][2]["region"]["name"], "rectangle 0 0 30 4");
+    EXPECT_THAT(content_of(out / "index.html"), testing::HasSubstr("points in regions in 2D"));
+    EXPECT_TRUE(fs::exists(out / "random/points.svg"));
+    // What is stored is found again, with the same results.
+    const std::string before = content_of(out / "results.json");
+    ASSERT_EQ(run_program(folder.path(), {"run", "c.toml", "--quiet"}).status, 0);
+    EXPECT_EQ(content_of(out / "results.json"), before);
+    EXPECT_EQ(run_program(folder.path(), {"export", "out/c", "--out", "exported"}).status, 0);
 }
 
 std::string random_lines(int count)

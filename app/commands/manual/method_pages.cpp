@@ -1,5 +1,6 @@
 // Pages of methods: pictures, parameters, advice, and what the gallery measured.
 #include "app/commands/manual/manual.hpp"
+#include "host/distribution/region_samplers/region_samplers.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
@@ -151,6 +152,17 @@ std::string claims_about(const SamplerSpec& spec)
            text;
 }
 
+/// What the method takes where its sets lie in a region.
+std::string in_regions(const SamplerSpec& spec)
+{
+    const SamplerSpec* in_region = find_sampler(spec.name, region_sampler_registry());
+    if (!in_region) return "";
+    const std::string where = "\n## In a region\n\nWith `region` in the method, or in `[analysis]`, its sets lie in "
+                              "[polygons with holes](../regions.md#methods-over-several-sets), in units of their own";
+    if (in_region->parameters.empty()) return where + ".\n";
+    return where + ":\n\n" + parameters_markdown(*in_region);
+}
+
 std::string method_page(const SamplerSpec& spec)
 {
     const SamplerGuide& guide = sampler_guide(spec.name);
@@ -163,6 +175,7 @@ std::string method_page(const SamplerSpec& spec)
                         guide.source);
     text += use_of(spec);
     if (!spec.parameters.empty()) text += "\n## Parameters\n\n" + parameters_markdown(spec);
+    text += in_regions(spec);
     return text + cost_of(spec) + gallery_rows(spec.name) + claims_about(spec);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/commands/tiles/window_density.hpp"
-#include "host/tile_points/tile_points.hpp"
 #include "host/tile_points/tiled_region.hpp"
+#include "host/tile_points/unit_stream.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -20,18 +20,6 @@ struct WindowOfTiling
     std::uint32_t seed = 1;
     std::shared_ptr<const TiledRegion> region{}; ///< only points in it, in its units: the block is its block
 };
-
-/// Hands on the integer positions of the points of the tiles `first` ... `end` - 1 of a block, in pieces of whole
-/// tiles.
-using UnitStream =
-    std::function<void(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
-                       const std::function<void(std::span<const std::uint32_t>)>& sink)>;
-
-/// By a kernel. The device and the tiles must outlive what is returned.
-UnitStream device_stream(const Device& device, const PoissonTileSet& tiles);
-
-/// One tile after the other, by the plain twin. The tiles must outlive what is returned.
-UnitStream reference_stream(const PoissonTileSet& tiles);
 
 /// Makes the coordinates, in tiles from the window's lowest corner, or in a region's units. Pieces do not depend on the
 /// device: together, one after another, they have the points in their order.

@@ -10,6 +10,7 @@
 #include "host/distribution/regions/varied_points.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/regions/boundary_points.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,6 @@
 
 namespace poissonlab {
 namespace {
-
-/// The attempt in whose place regions stand among streams: sets of the torus have none, and so share nothing with
-/// theirs.
-constexpr std::uint32_t region_stream = 1;
 
 /// Obstacles are kept this part of the minimum distance away at least: slits between walls that all but touch would
 /// take points otherwise, and to find whether they do takes boxes as small as the slit.
@@ -120,7 +117,7 @@ std::shared_ptr<const RegionLand> region_land(const DartSettings& settings)
 }
 
 RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
-                                      std::shared_ptr<const RegionLand> land)
+                                      std::shared_ptr<const RegionLand> land, std::uint32_t realization)
 {
     RegionDartRequest request;
     request.land = std::move(land);
@@ -149,7 +146,7 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
     request.darts.min_distance = distance / side;
     request.darts.points = settings.points;
     request.darts.block = block_of_regions(request.darts.min_distance, 2);
-    request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, region_stream);
+    request.darts.stream = stream_key(seed, Purpose::dart_throwing, realization, region_attempt);
     request.region = std::make_shared<const FixedRegion>(
         plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0, kept);
     request.darts.region = request.region;
@@ -165,14 +162,15 @@ std::optional<DartBlock> block_of_regions(double min_distance, int dimension)
     return DartBlock{{}, size};
 }
 
-RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                               std::uint32_t realization)
 {
     if (settings.varies() || settings.is_in_space()) {
         RegionPointSettings points; // by darts
         points.place = settings;
         return settings.varies() ? make_varied_points(points, seed, place) : make_space_points(points, seed, place);
     }
-    RegionDarts darts{region_dart_request(settings, seed, region_land(settings)), {}, false, 0};
+    RegionDarts darts{region_dart_request(settings, seed, region_land(settings), realization), {}, false, 0};
     const DartThrowingRequest& request = darts.request.darts;
     if (settings.boundary == RegionBoundary::on) begin_on_boundary(darts.request);
     PointSet fixed = to_point_set<2>(std::span<const TorusPoint<2>>(darts.request.on_boundary));

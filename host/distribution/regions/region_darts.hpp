@@ -60,9 +60,9 @@ struct RegionDarts
     std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }
 };
 
-/// Checks that the distance suits the region. Throws InputError.
+/// Checks that the distance suits the region. Throws InputError. Realizations of one seed are independent sets.
 RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
-                                      std::shared_ptr<const RegionLand> land);
+                                      std::shared_ptr<const RegionLand> land, std::uint32_t realization = 0);
 
 /// The cells of level 0 in which regions lie, a quarter of the torus or an eighth, where these are fewer than all:
 /// darts fall into no others.
@@ -70,7 +70,8 @@ std::optional<DartBlock> block_of_regions(double min_distance, int dimension);
 
 /// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.
-RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                               std::uint32_t realization = 0);
 
 /// A point set in the region's fixed-point coordinates, in its units.
 PointSet in_units_of(const FixedRegion& region, const PointSet& fixed);

@@ -14,7 +14,7 @@ PointSet eliminate_in_region(const Region& region, const PointSet& all, std::siz
 {
     std::optional<SampleElimination> elimination;
     if (place.engine != Engine::reference) {
-        check_fits("sample elimination", SampleElimination::memory(all.dimension, all.size(), kept),
+        check_fits("sample elimination", SampleElimination::memory(all.dimension, all.size(), kept, area, true),
                    place.device().info());
         elimination.emplace(place.device());
     }

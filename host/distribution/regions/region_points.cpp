@@ -23,9 +23,6 @@
 namespace poissonlab {
 namespace {
 
-/// As for darts: sets of the torus share no random numbers with those of regions.
-constexpr std::uint32_t region_attempt = 1;
-
 /// Distances from lines that are less than this part of the minimum distance take nothing from cells.
 constexpr double least_part_of_distance = 1.0 / 8;
 
@@ -67,9 +64,10 @@ PlaneRegion land_for_cells(const RegionDartRequest& request)
 class RegionPointWork
 {
 public:
-    RegionPointWork(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
-        : settings_(settings), seed_(seed),
-          place_(place), points_{region_dart_request(settings.place, seed, region_land(settings.place)),
+    RegionPointWork(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                    std::uint32_t realization)
+        : settings_(settings), seed_(seed), realization_(realization),
+          place_(place), points_{region_dart_request(settings.place, seed, region_land(settings.place), realization),
                                  {2, {}},
                                  false,
                                  0},
@@ -78,6 +76,9 @@ public:
 
     RegionDarts run()
     {
+        if (!is_reference())
+            check_fits(fmt::format("points by {}", region_methods[settings_.method]), memory(place_.device().info()),
+                       place_.device().info());
         switch (settings_.method) {
         case RegionMethod::relaxation:
             return made_of(relaxed_darts());
@@ -92,8 +93,30 @@ public:
         }
     }
 
+    DeviceMemory memory(const DeviceInfo& device) const
+    {
+        const std::size_t points = wanted();
+        switch (settings_.method) {
+        case RegionMethod::darts:
+            return DartThrower::memory(points_.request.darts, device);
+        case RegionMethod::relaxation:
+            return relaxation_memory();
+        case RegionMethod::elimination:
+            return SampleElimination::memory(2, points * settings_.candidates, points, own_area(), true);
+        case RegionMethod::lloyd:
+            return RegionLloyd::memory(SiteGrid(region_, points));
+        case RegionMethod::gaussian:
+            return either(relaxation_memory(),
+                          GaussianBlueNoise::memory(gaussian_field_shape(RegionGaussian(region_, points).density(),
+                                                                         RegionGaussian::sigma, points),
+                                                    points));
+        default:
+            return {};
+        }
+    }
+
 private:
-    StreamKey stream(Purpose purpose) const { return stream_key(seed_, purpose, 0, region_attempt); }
+    StreamKey stream(Purpose purpose) const { return stream_key(seed_, purpose, realization_, region_attempt); }
     bool is_reference() const { return place_.engine == Engine::reference; }
     std::size_t wanted() const { return settings_.place.points.value_or(0); }
 
@@ -124,10 +147,9 @@ private:
         return (box.high[0] - box.low[0] + 1.0) * (box.high[1] - box.low[1] + 1.0) * 0x1p-64;
     }
 
-    PointSet relaxed_darts()
+    /// What is asked of relaxation dart throwing where a part `share` of the region's box lies inside.
+    RelaxationDartThrowingRequest relaxation_request(double share) const
     {
-        double share = 0;
-        candidates(least_candidates, Purpose::random_points, share);
         RelaxationDartThrowingRequest request;
         request.points = wanted();
         request.factor = settings_.factor;
@@ -138,13 +160,24 @@ private:
         request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.region = points_.request.region;
-        RelaxationDarts darts;
-        if (is_reference()) {
-            darts = reference::throw_relaxation_darts(request);
-        } else {
-            check_fits("relaxation dart throwing", RelaxationDartThrower::memory(request), place_.device().info());
-            darts = RelaxationDartThrower(place_.device()).throw_darts(request);
-        }
+        return request;
+    }
+
+    /// The region's area, on the torus.
+    double own_area() const { return region_.area() / (side() * side()); }
+
+    DeviceMemory relaxation_memory() const
+    {
+        return RelaxationDartThrower::memory(relaxation_request(std::min(1.0, own_area() / box_area())));
+    }
+
+    PointSet relaxed_darts()
+    {
+        double share = 0;
+        candidates(least_candidates, Purpose::random_points, share);
+        const RelaxationDartThrowingRequest request = relaxation_request(share);
+        const RelaxationDarts darts = is_reference() ? reference::throw_relaxation_darts(request)
+                                                     : RelaxationDartThrower(place_.device()).throw_darts(request);
         const double distance = 2 * darts.radius * side();
         points_.sure_distance = std::max(0.0, distance - 2 * distance_rounding(distance, region_.box()));
         return darts.points;
@@ -164,7 +197,6 @@ private:
         double share = 0;
         const std::vector<TorusPoint<2>> start = candidates(wanted(), Purpose::random_points, share);
         if (is_reference()) return relaxed_from(start, reference::integrate_cells);
-        check_fits("Lloyd relaxation", RegionLloyd::memory(SiteGrid(region_, start.size())), place_.device().info());
         RegionLloyd lloyd(place_.device());
         return relaxed_from(start, [&](const SiteGrid& grid) { return lloyd.integrate_cells(grid); });
     }
@@ -187,12 +219,6 @@ private:
             start.push_back(
                 {static_cast<std::uint32_t>(darts[i][0] * 0x1p32), static_cast<std::uint32_t>(darts[i][1] * 0x1p32)});
         const RegionGaussian gaussians(region_, start.size());
-        if (!is_reference())
-            check_fits(
-                "Gaussian blue noise",
-                GaussianBlueNoise::memory(
-                    gaussian_field_shape(gaussians.density(), RegionGaussian::sigma, start.size()), start.size()),
-                place_.device().info());
         const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
             return is_reference() ? reference::descend(points, request).points
                                   : GaussianBlueNoise(place_.device()).descend(points, request).points;
@@ -217,6 +243,7 @@ private:
 
     const RegionPointSettings& settings_;
     std::uint64_t seed_;
+    std::uint32_t realization_;
     const DistributionPlace& place_;
     RegionDarts points_;
     const FixedRegion& region_;
@@ -224,12 +251,18 @@ private:
 
 }
 
-RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                               std::uint32_t realization)
 {
     if (settings.place.varies()) return make_varied_points(settings, seed, place);
     if (settings.place.is_in_space()) return make_space_points(settings, seed, place);
-    if (settings.method == RegionMethod::darts) return throw_region_darts(settings.place, seed, place);
-    return RegionPointWork(settings, seed, place).run();
+    if (settings.method == RegionMethod::darts) return throw_region_darts(settings.place, seed, place, realization);
+    return RegionPointWork(settings, seed, place, realization).run();
+}
+
+DeviceMemory region_point_memory(const RegionPointSettings& settings, const DeviceInfo& device)
+{
+    return RegionPointWork(settings, 0, {}, 0).memory(device);
 }
 
 }

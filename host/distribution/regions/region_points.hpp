@@ -9,8 +9,14 @@
 
 namespace poissonlab {
 
-/// Makes the points. What methods promise: see RegionDarts::sure_distance. Throws InputError where there is no room, or
+/// Makes the points. What methods promise: see RegionDarts::sure_distance. Realizations of one seed are independent
+/// sets; regions of space, and distances that vary, have the first alone. Throws InputError where there is no room, or
 /// no memory.
-RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                               std::uint32_t realization = 0);
+
+/// The device memory that this takes in a region of the plane, with one distance. Throws InputError where the distance
+/// does not suit the region.
+DeviceMemory region_point_memory(const RegionPointSettings& settings, const DeviceInfo& device);
 
 }

@@ -65,6 +65,9 @@ PointSet chosen_points(const PointSet& points, std::span<const std::uint32_t> nu
     return chosen;
 }
 
+/// Of a square or cube of that area or volume.
+double side_of(double area, int dimension) { return dimension == 2 ? std::sqrt(area) : std::cbrt(area); }
+
 }
 
 EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dimension)
@@ -76,7 +79,7 @@ EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dim
 
 PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order, double area)
 {
-    const double side = std::sqrt(area);
+    const double side = side_of(area, points.dimension);
     std::vector<std::uint32_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), 0u);
     PointSet left = points;
@@ -258,12 +261,16 @@ std::vector<std::uint32_t> SampleElimination::removal_order(const PointSet& poin
     return EliminationRun(device_, *buffers_, points, reach, factors, work_group_size_).first(count);
 }
 
-DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::size_t kept)
+DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::size_t kept, double area,
+                                       bool has_factors)
 {
     const EliminationReach reach = elimination_reach(kept, points, dimension);
-    const std::uint32_t grid_size = elimination_grid(reach, points, dimension);
-    return PointGrid::memory(dimension, points, grid_size) +
-           memory_of(EliminationBuffers{}.needed(points, dimension, grid_size));
+    const double side = side_of(area, dimension);
+    const std::uint32_t grid_size = elimination_grid({reach.most * side, reach.least * side}, points, dimension);
+    EliminationBuffers buffers;
+    NeededBuffers needed = buffers.needed(points, dimension, grid_size);
+    if (has_factors) needed.push_back({buffers.factors, points});
+    return PointGrid::memory(dimension, points, grid_size) + memory_of(needed);
 }
 
 }

@@ -37,7 +37,8 @@ EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dim
 using RemovalOrder =
     std::function<std::vector<std::uint32_t>(const PointSet&, const EliminationReach&, std::size_t count)>;
 
-/// The points of a set that are kept, in progressive order. `area` is that of what they lie in.
+/// The points of a set that are kept, in progressive order. `area` is that of what they lie in, in space its
+/// volume.
 PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order, double area = 1);
 
 namespace reference {
@@ -71,8 +72,9 @@ public:
     std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count,
                                              std::span<const std::uint32_t> factors = {});
 
-    /// The memory that eliminate() takes.
-    static DeviceMemory memory(int dimension, std::size_t points, std::size_t kept);
+    /// The memory that eliminate() takes, where points lie in an area of so much, and have factors or not.
+    static DeviceMemory memory(int dimension, std::size_t points, std::size_t kept, double area = 1,
+                               bool has_factors = false);
 };
 
 /// The sampler "sample-elimination": candidates.

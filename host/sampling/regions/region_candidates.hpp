@@ -16,6 +16,10 @@
 
 namespace poissonlab {
 
+/// The attempt in whose place regions stand among streams: sets of the torus have none, and so share nothing with
+/// theirs.
+inline constexpr std::uint32_t region_attempt = 1;
+
 /// A position of a region's grid.
 template <typename Region>
 using PlaceIn = std::remove_cvref_t<decltype(std::declval<const Region&>().extent().low)>;

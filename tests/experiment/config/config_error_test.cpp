@@ -63,13 +63,14 @@ TEST(ConfigError, UnknownMethodKey)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radus = [0.70, 0.75]\n"),
               "c.toml:3: relative_radus = [0.70, 0.75]: unknown key; did you mean \"relative_radius\"? "
-              "known keys: sampler, label, points, order, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, order, region, planar, relative_radius, stop, min_distance");
 }
 
 TEST(ConfigError, ParameterOfAnotherSampler)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"random\"\nrelative_radius = 0.7\n"),
-              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points, order");
+              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points, order, "
+              "region, planar");
 }
 
 TEST(ConfigError, TheFirstOfSeveralMistakesIsReported)

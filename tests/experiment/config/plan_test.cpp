@@ -184,5 +184,45 @@ TEST(SafeName, IsAFolderNameAnywhere)
     EXPECT_EQ(safe_name("..."), "series");
 }
 
+/// [analysis] region holds for all methods, [[method]] region for one.
+TEST(Plan, MethodsLieInTheRegionOfTheAnalysisOrTheirOwn)
+{
+    const auto plan = make_plan(parse_config("[analysis]\npoints = 256\nregion = \"disk 5 5 3\"\nenvelope = 7\n"
+                                             "[[method]]\nsampler = \"random\"\n"
+                                             "[[method]]\nsampler = \"random\"\nregion = \"rectangle 0 0 8 2\"\n"
+                                             "[[method]]\nsampler = \"bridson\"\nmin_distance = [2, 3]\n",
+                                             "c.toml"));
+    EXPECT_THAT(names(plan), ElementsAre("random", "random-2", "bridson-d-2", "bridson-d-3"));
+    EXPECT_THAT(labels(plan), ElementsAre("Random", "Random in rectangle 0 0 8 2", "Bridson's dart throwing, d = 2",
+                                          "Bridson's dart throwing, d = 3"));
+    EXPECT_EQ(plan[0].request.region->name(), "disk 5 5 3");
+    EXPECT_EQ(plan[1].request.region->name(), "rectangle 0 0 8 2");
+    EXPECT_EQ(plan[1].request.region->own_area(), 16);
+    EXPECT_EQ(plan[1].region->envelope, 7U);
+    EXPECT_EQ(plan[3].request.region, plan[0].request.region);
+    const auto mixed = plan_of("[[method]]\nsampler = \"random\"\n"
+                               "[[method]]\nsampler = \"random\"\nregion = \"rectangle 0 0 8 2\"\n");
+    EXPECT_EQ(mixed[0].request.region, nullptr);
+    EXPECT_EQ(mixed[1].region->envelope, 39U);
+    EXPECT_THROW(plan_of("[[method]]\nsampler = \"random\"\nregion = \"rectangle 0 0 8 2\"\n"
+                         "[[method]]\nsampler = \"random\"\nlabel = \"r\"\nregion = \"rectangle 0 0 8 2\"\n"),
+                 InputError);
+}
+
+/// --set takes the keys of samplers in regions where there is one.
+TEST(Plan, OverridesKnowTheRegion)
+{
+    const std::string config = "[analysis]\nregion = \"disk 5 5 3\"\n[[method]]\nsampler = \"dart-throwing\"\n"
+                               "relative_radius = 0.5\n";
+    const auto plan = make_plan(parse_config(config, "c.toml", {"method.boundary=disks"}));
+    EXPECT_EQ(plan.at(0).parameters.text("boundary"), "disks");
+    const std::string torus = "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.5\n";
+    EXPECT_THROW(parse_config(torus, "c.toml", {"method.boundary=disks"}), InputError);
+    EXPECT_EQ(make_plan(parse_config(torus, "c.toml", {"method.region=disk 5 5 3", "method.boundary=disks"}))
+                  .at(0)
+                  .parameters.text("boundary"),
+              "disks");
+}
+
 }
 }

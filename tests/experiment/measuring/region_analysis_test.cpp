@@ -3,6 +3,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "experiment/measuring/series_analysis.hpp"
 #include "results/curve_tables.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,17 +24,22 @@ AnalysisOptions options_in_strip(const std::vector<std::string>& more = {})
     return overridden_analysis(overrides, 2);
 }
 
-/// A set of random points, in the frame.
+/// A set of random points, in the region's units.
 PointSet random_set(const AnalysisOptions& options, std::uint32_t number)
 {
-    return RandomInRegion(*options.region->region, nullptr).points(50, 100 + number);
+    const FramedRegion& region = *options.region->region;
+    PointSet points{2, {}};
+    const PointSet framed = RandomInRegion(region, nullptr).points(50, 100 + number);
+    for (std::size_t i = 0; i < framed.size(); ++i)
+        for (const double c : region.own({framed[i][0], framed[i][1]})) points.coordinates.push_back(c);
+    return points;
 }
 
 TEST(RegionAnalysis, MeasuresDistancesOfThePlaneInRootsOfTheArea)
 {
     const AnalysisOptions options = options_in_strip();
     SeriesAnalysis analysis("s", false, options);
-    analysis.add(options.region->region->framed(six, "six"));
+    analysis.add(six);
     analysis.measure_first();
     analysis.measure_spectrum(analysis.mean_spectrum());
     const Series series = analysis.result();
@@ -113,11 +119,36 @@ TEST(RegionAnalysis, OfOnePointHasNoCurves)
 {
     const AnalysisOptions options = options_in_strip();
     SeriesAnalysis analysis("s", false, options);
-    analysis.add(options.region->region->framed({2, {1200, 2050}}, "one"));
+    analysis.add({2, {1200, 2050}});
     analysis.measure_first();
     EXPECT_TRUE(analysis.region_curves().empty());
     EXPECT_TRUE(analysis.pair_correlation().empty());
     EXPECT_TRUE(analysis.result().region->file.empty());
+}
+
+TEST(RegionAnalysis, OfPointsOutsideIsRefused)
+{
+    SeriesAnalysis analysis("s", false, options_in_strip());
+    EXPECT_EQ(
+        message_of([&] {
+            analysis.add({2, {1200, 2050, 1200, 1950}});
+        }),
+        "s: realization 0: 1 of 2 points lies outside the region rectangle 1000 2000 1400 2100: the first is point "
+        "2, (1200, 1950)");
+}
+
+/// The first halves of a progressive set are sets of the plane.
+TEST(RegionAnalysis, MeasuresFirstPartsWithoutATorus)
+{
+    AnalysisOptions options = options_in_strip();
+    options.progressive = true;
+    SeriesAnalysis analysis("s", false, options);
+    analysis.add(six);
+    analysis.measure_first();
+    // Of six points the first three: 1010 and 1100 are nearest, 400 x 100 is the area.
+    const double distance = std::hypot(90, 40) / 200;
+    EXPECT_NEAR(analysis.result().measures.numbers.at("prefix_relative_radius").value, relative_radius(distance, 3, 2),
+                1e-9);
 }
 
 }

@@ -20,12 +20,12 @@ TEST(SamplerHelp, TheTableOfTheDocumentationIsTheOneThatIsPrinted)
     const std::size_t from = page.find(begin), to = page.find(end);
     ASSERT_NE(from, std::string::npos);
     ASSERT_NE(to, std::string::npos);
-    EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), samplers_markdown());
+    EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), samplers_markdown(sampler_registry()));
 }
 
 TEST(SamplerHelp, SaysWhatHoldsWhereNothingIsGiven)
 {
-    const std::string text = samplers_text();
+    const std::string text = samplers_text(sampler_registry(), {});
     EXPECT_THAT(text, HasSubstr("C, colours of corners; the set has C^4 tiles; needed\n"));
     EXPECT_THAT(text, HasSubstr("rho that every tiling has at least; default 0.75\n"));
     EXPECT_THAT(text, HasSubstr("the method that makes the sets to begin with; default random\n"));

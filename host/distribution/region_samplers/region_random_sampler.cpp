@@ -1,0 +1,41 @@
+#include "analysis/regions/framed_region.hpp"
+#include "base/random/random.hpp"
+#include "host/distribution/region_samplers/region_method_samplers.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
+
+namespace poissonlab {
+namespace {
+
+class RandomInRegionSampler final : public Sampler
+{
+public:
+    explicit RandomInRegionSampler(SampleRequest request) : request_(std::move(request)) {}
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const FixedRegion& region = request_.region->fixed();
+        RegionCandidates candidates(region,
+                                    stream_key(request_.seed, Purpose::random_points, realization, region_attempt));
+        PointSet points{2, {}};
+        for (const TorusPoint<2>& place : candidates.next(request_.points))
+            for (const double c : region.own(place)) points.coordinates.push_back(c);
+        return points;
+    }
+
+private:
+    SampleRequest request_;
+};
+
+}
+
+SamplerSpec region_random_sampler()
+{
+    SamplerSpec spec = plain_spec("random", "Random", "independent uniform points", {2});
+    spec.create = [](const Parameters&, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<RandomInRegionSampler>(request);
+    };
+    return spec;
+}
+
+}
