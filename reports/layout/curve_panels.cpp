@@ -41,10 +41,12 @@ Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots&
             .thumbnail = Thumbnail{"radial", "Radial power"}};
 }
 
-/// The power law of the lowest frequencies; of results without it, that of all low ones.
+/// The power law of the lowest frequencies; of results without it, that of all low ones; none in a region, whose
+/// boundary decides these.
 std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
 {
     const Measures& measures = series.stored->measures;
+    if (series.stored->region) return std::nullopt;
     const auto found = measures.numbers.find("hyperuniformity_exponent");
     if (found == measures.numbers.end()) return measures.low_frequency_power;
     const int tiles = measures.lattice_peaks ? measures.lattice_peaks->tiles : 0;
@@ -59,6 +61,8 @@ std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
 
 std::string slope_caption(const ReportSeries& series)
 {
+    if (series.stored->region)
+        return "The region's boundary decides the lowest frequencies: they have no slope of the set's own.";
     const auto law = lowest_power_law(series);
     if (!law) return "Too little power, or too few rings at low frequencies, for a slope.";
     auto text = fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {} ± {}.",

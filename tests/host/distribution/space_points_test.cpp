@@ -2,6 +2,8 @@
 #include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/regions/space_points.hpp"
 
+#include "analysis/measures/distance_statistics.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
@@ -122,6 +124,20 @@ TEST(SpacePoints, AreNoDenserBesideTheBoundaryByElimination)
     int outer = 0;
     for (std::size_t i = 0; i < points.size(); ++i) outer += from_origin(points, i) > 0.85;
     EXPECT_NEAR(outer / 4000.0 / (1 - std::pow(0.85, 3)), 1, 0.06);
+}
+
+/// Neighbours count as far as on the torus, whatever part of it the region is: sets are as good as there (0.69), where
+/// a reach of 0.7 of that leaves 0.66.
+TEST(SpacePoints, AreAsFarApartByEliminationAsOnTheTorus)
+{
+    RegionPointSettings settings = space_settings("box 0 0 0 1 1 1", RegionMethod::elimination);
+    settings.place.points = 4000;
+    const double least = by_all_pairs_in_space(make_region_points(settings, 1, by_kernels).points).least;
+    SampleRequest request{4000, 3, 1};
+    const SamplerSpec spec = sample_elimination_sampler();
+    const PointSet on_torus =
+        spec.create(Parameters(spec.parameters), request, Engine::opencl, by_kernels.device)->sample(0);
+    EXPECT_GT(least, 0.98 * min_toroidal_distance(on_torus));
 }
 
 TEST(SpacePoints, OfBridsonFillTheRegion)
