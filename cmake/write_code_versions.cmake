@@ -24,7 +24,9 @@ endfunction()
 set(construction kernels/* runtime/*.h base/* tiles/* host/device/* host/sampling/* host/tile_construction/*
     results/records/*)
 hash_of(construction_version ${construction})
-hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* experiment/series/*)
+hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/regions/*
+        host/distribution/region_samplers/* analysis/regions/framed_region.* analysis/regions/boundary_edges.*
+        experiment/series/*)
 hash_of(analysis_version base/* analysis/* results/* experiment/measuring/* experiment/series/*)
 hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/tile_points/* host/tile_sampling/*
         host/kinds/* host/scenes/* experiment/exhibits/* experiment/series/*)

@@ -44,7 +44,8 @@ struct RegionCurveRow
 class RegionCurves
 {
 public:
-    /// All sets have so many points, two or more. `density` may be null. `envelope`: random sets, 0 for none.
+    /// The first set has so many points, two or more: distances of curves, and random sets, are of that many. `density`
+    /// may be null. `envelope`: random sets, 0 for none.
     RegionCurves(std::shared_ptr<const FramedRegion> region, std::shared_ptr<const RegionDensity> density,
                  std::size_t points, std::uint32_t envelope);
 

@@ -137,6 +137,14 @@ void set_in_methods(ConfigList& methods, const Override& change, const Registrie
     if (!taken) throw unknown_key(change.path[1], change.value, known_keys(methods, registries));
 }
 
+/// True if [analysis] gets a region, before or after methods get their keys.
+bool sets_region(const std::vector<std::string>& overrides)
+{
+    return std::ranges::any_of(overrides, [](const std::string& argument) {
+        return parse(argument).path == std::vector<std::string>{"analysis", "region"};
+    });
+}
+
 }
 
 void check_collection_overrides(const std::vector<std::string>& overrides)
@@ -158,7 +166,7 @@ void apply_overrides(ConfigTable& config, const std::vector<std::string>& overri
         ConfigNode* methods = change.path.front() == "method" ? find(config, "method") : nullptr;
         auto* list = methods ? methods->get_if<ConfigList>() : nullptr;
         if (list && change.path.size() > 1)
-            set_in_methods(*list, change, {registry, analysis_has_region(config)});
+            set_in_methods(*list, change, {registry, analysis_has_region(config) || sets_region(overrides)});
         else if (change.path.front() == "method" && change.path.size() > 1 && !methods)
             throw InputError::at(change.origin, "the config has no [[method]] table");
         else

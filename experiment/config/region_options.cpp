@@ -58,7 +58,6 @@ RegionOptions read_options(Keys& keys, const TypedRegion& typed, const RegionMea
                            const DensityChoice& density)
 {
     RegionOptions options;
-    options.where = keys.place_of("region");
     keys.check("region", [&] {
         options.region =
             std::make_shared<const FramedRegion>(read_region(typed.text, typed.is_planar), name_of_input(typed.text));

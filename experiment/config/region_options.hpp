@@ -29,12 +29,11 @@ struct RegionOptions
     std::uint32_t envelope = 39;                  ///< random sets that curves are held against
     std::shared_ptr<const RegionTapers> tapers;   ///< null: spectra are those of the points less the region's
     std::uint64_t hash = 0;                       ///< of all corners and weights, for keys of stored work
-    SourceLocation where;                         ///< where the region was typed
 };
 
-/// Visits those of [analysis], and reads `measures`; nothing where it has no region. Names of files count from the folder of the
-/// config. Throws InputError with the value's own line; also for keys that do not go with a region, or not without one:
-/// `is_any_in_region` says that methods have regions of their own.
+/// Visits those of [analysis], and reads `measures`; nothing where it has no region. Names of files count from the
+/// folder of the config. Throws InputError with the value's own line; also for keys that do not go with a region, or
+/// not without one: `is_any_in_region` says that methods have regions of their own.
 std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasures& measures, bool is_any_in_region);
 
 /// Visits those of a [[method]]; nothing where it has no region. Throws InputError as well.

@@ -142,12 +142,16 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (region_) region_->append(next.region_.value());
 }
 
-/// The tile set of each set's realization; none where all have one.
-std::vector<std::size_t> SeriesAnalysis::tile_set_groups() const
+/// The number of curves that each set adds to the spectrum: one, or one a taper.
+std::size_t SeriesAnalysis::tapers() const { return tapered_ ? options_.region->tapers->count() : 1; }
+
+/// The tile set of each set's realization, once for each curve of the set; none where all have one tile set.
+std::vector<std::size_t> SeriesAnalysis::tile_set_groups(std::size_t curves_of_set) const
 {
     std::vector<std::size_t> groups;
     if (options_.tile_sets > 1)
-        for (const SetMeasures& set : sets_) groups.push_back(set.realization % options_.tile_sets);
+        for (const SetMeasures& set : sets_)
+            groups.insert(groups.end(), curves_of_set, set.realization % options_.tile_sets);
     return groups;
 }
 
@@ -180,7 +184,7 @@ RegionResult SeriesAnalysis::region_result() const
     result.polygons = region.polygons().polygons.size();
     result.corners = corner_count(region.polygons());
     result.has_density = options_.region->density != nullptr;
-    if (tapered_) result.tapers = options_.region->tapers->count();
+    if (tapered_) result.tapers = tapers();
     if (!region_picture_.empty()) result.picture_file = file_names::region_picture;
     if (!region_ || region_->distances().count == 0) return result;
     result.envelope = options_.region->envelope;
@@ -282,7 +286,7 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
 {
     const std::size_t n = sets_.front().points;
     const auto& each = estimate_.value().radial_curves();
-    const auto curves = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+    const auto curves = options_.tile_sets > 1 ? group_means(each, tile_set_groups(tapers())) : each;
     if (curves.size() < 2) return; // all are of one tile set
     const auto error_of = [&](const auto& measure) {
         return jackknife_error(curves, [&](const std::vector<double>& power) {
@@ -328,7 +332,7 @@ Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean()
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
     std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
-    const std::vector<double> errors = estimate_.value().radial_errors(tile_set_groups());
+    const std::vector<double> errors = estimate_.value().radial_errors(tile_set_groups(tapers()));
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;
 }

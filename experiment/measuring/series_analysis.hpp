@@ -188,7 +188,8 @@ private:
     void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
     RegionResult region_result() const;
-    std::vector<std::size_t> tile_set_groups() const;
+    std::vector<std::size_t> tile_set_groups(std::size_t curves_of_set = 1) const;
+    std::size_t tapers() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
     double least_distance(const PointSet& points) const;

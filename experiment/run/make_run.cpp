@@ -1,5 +1,6 @@
 #include "experiment/run/make_run.hpp"
 
+#include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "results/file_names.hpp"
 #include "results/periodograms.hpp"
@@ -85,6 +86,7 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     in_folder(series.number_variance_file);
     if (series.folded_density) in_folder(series.folded_density->file);
     if (series.region) {
+        series.region->name = options.region->region->name(); // equal regions of other names have one analysis
         in_folder(series.region->file);
         in_folder(series.region->picture_file);
     }
@@ -153,7 +155,8 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
     run.machine = results.machine;
     run.methods = experiment.methods;
     for (std::size_t i = 0; i < results.series.size(); ++i)
-        run.series.push_back(series_of(experiment.series[i], experiment.analysis, results.series[i]));
+        run.series.push_back(
+            series_of(experiment.series[i], experiment.analysis_of(experiment.series[i]), results.series[i]));
     for (std::size_t i = 0; i < experiment.exhibits.size(); ++i)
         std::visit(AddExhibit(experiment.exhibits[i], run), results.exhibits.at(i));
     return run;

@@ -10,6 +10,8 @@
 #include "host/tile_points/unit_stream.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -28,14 +30,19 @@ double width_for_points(const TileSetChoice& choice, const SampleRequest& reques
     return std::sqrt(request.region->own_area() / tiles);
 }
 
+/// The exact region of a request, which lives as long as that.
+std::shared_ptr<const FixedRegion> fixed_region_of(const SampleRequest& request)
+{
+    return {request.region, &request.region->fixed()};
+}
+
 class RegionTileSampler final : public DeviceSampler
 {
 public:
     RegionTileSampler(const TileSetChoice& choice, std::optional<double> min_distance, const SampleRequest& request,
                       Engine engine, const DeviceProvider& device)
         : DeviceSampler(engine, device), request_(request), choice_(choice), min_distance_(min_distance),
-          region_(std::make_shared<const FixedRegion>(request.region->own_polygons())),
-          sets_(choice, request, engine, device)
+          region_(fixed_region_of(request)), sets_(choice, request, engine, device)
     {
         for (const PoissonTileSet& set : sets_.all())
             streams_.push_back(device_ ? device_stream(*device_, set) : reference_stream(set));
@@ -45,11 +52,16 @@ public:
     {
         const std::size_t set = realization % sets_.all().size();
         const std::uint32_t seed = stream_key(request_.seed, Purpose::tile_choice, realization)[0];
-        const double width = width_of(set, seed);
-        proven_ = min_distance_in(width, sets_.all()[set], region_->box());
-        PointSet points = points_at(set, seed, width);
-        points_ = points.size();
-        return points;
+        try {
+            const double width = width_of(set, seed);
+            proven_ = min_distance_in(width, sets_.all()[set], region_->box());
+            PointSet points = points_at(set, seed, width);
+            points_ = points.size();
+            return points;
+        } catch (const InputError& error) { // the region has no place for so many tiles
+            throw InputError(
+                fmt::format("{}: tiles of realization {}: {}", request_.region->name(), realization, error.what()));
+        }
     }
 
     /// Widths are looked for until the number of points is right; where chance lets no width have it, it is near.
@@ -119,19 +131,20 @@ void check_width(const TileSetChoice& choice, const Parameters& given, const Sam
                  const SourceLocation& where)
 {
     try {
-        const auto region = std::make_shared<const FixedRegion>(request.region->own_polygons());
-        TiledRegion(region, expected_width(choice, given, request));
+        TiledRegion(fixed_region_of(request), expected_width(choice, given, request));
     } catch (const InputError& error) {
         if (given.is_given(distance_key)) throw given.error(distance_key, error.what());
-        throw InputError::at(where, error.what());
+        throw InputError::at(where, fmt::format("tiles of {} points: {}", choice.first.points_per_tile, error.what()));
     }
 }
 
 DeviceMemory region_tile_memory(const TileSetChoice& choice, const Parameters& given, const SampleRequest& request,
                                 const DeviceInfo& device)
 {
-    const auto region = std::make_shared<const FixedRegion>(request.region->own_polygons());
-    const std::uint64_t tiles = TiledRegion(region, expected_width(choice, given, request)).block().tiles();
+    // Sets are proven to be farther apart than they are asked to be, and widths are looked for below the expected one.
+    constexpr double narrowest = 0.92;
+    const double width = narrowest * expected_width(choice, given, request);
+    const std::uint64_t tiles = TiledRegion(fixed_region_of(request), width).block().tiles();
     DeviceMemory taking;
     for (std::uint32_t i = 0; i < choice.sets; ++i)
         taking = taking + TilePointGenerator::memory(choice.first, tiles, device);

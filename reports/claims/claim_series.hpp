@@ -43,7 +43,7 @@ public:
     explicit ClaimSeries(std::vector<const ReportSeries*> series,
                          std::vector<const DistributionResult*> distributions = {});
 
-    /// Every series, whichever its method.
+    /// Every series that lies in no region, whichever its method.
     const std::vector<const ReportSeries*>& series() const { return series_; }
 
     std::vector<const ReportSeries*> all(const SeriesQuery& query) const;

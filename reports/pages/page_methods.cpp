@@ -33,11 +33,12 @@ bool has_about(const ReportSeries& series, std::size_t points)
     return ratio > 0.9 && ratio < 1.1;
 }
 
-/// A method in a dimension, and all of its series.
+/// A method in a dimension, in regions or elsewhere, and all of its series.
 struct Method
 {
     std::string sampler;
     int dimension = 2;
+    bool is_in_region = false;
     std::vector<const ReportSeries*> series;
 };
 
@@ -46,10 +47,12 @@ std::vector<Method> methods_of(const Site& site)
     std::vector<Method> methods;
     for (const ReportSeries* series : site.series()) {
         const auto found = std::ranges::find_if(methods, [&](const Method& method) {
-            return method.sampler == series->stored->sampler && method.dimension == series->run->dimension;
+            return method.sampler == series->stored->sampler && method.dimension == series->run->dimension &&
+                   method.is_in_region == series->stored->region.has_value();
         });
-        Method& method =
-            found == methods.end() ? methods.emplace_back(series->stored->sampler, series->run->dimension) : *found;
+        Method& method = found == methods.end() ? methods.emplace_back(series->stored->sampler, series->run->dimension,
+                                                                       series->stored->region.has_value())
+                                                : *found;
         method.series.push_back(series);
     }
     return methods;
@@ -231,7 +234,7 @@ MethodCells cells_of(const Site& site, const Method& method)
             text(time_for(method, timed_sizes[1])),
             text(preparation_of(best)),
             text(memory_of(best)),
-            text(verdict_of_the_paper(method.sampler)),
+            text(method.is_in_region ? std::string() : verdict_of_the_paper(method.sampler)),
             text(verdict_by_numbers(method, best))};
 }
 
@@ -241,7 +244,8 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions,
 {
     const ReportSeries& best = best_of(method);
     PageData row;
-    row.set("name", method.sampler + (has_dimensions ? fmt::format(", {}D", method.dimension) : ""));
+    row.set("name", method.sampler + (has_dimensions ? fmt::format(", {}D", method.dimension) : "") +
+                        (method.is_in_region ? ", in a region" : ""));
     row.set("is_window", best.stored->is_window);
     row.set("best", best.label);
     row.set("link", relative_link(site.out, page_of(best)));

@@ -85,7 +85,7 @@ void export_gallery(const Site& site, Exporter& exporter)
     std::vector<GallerySource> sources;
     std::set<std::string> names;
     for (const ReportSeries* series : site.series()) {
-        if (!series->stored->has_spectrum()) continue;
+        if (!series->stored->has_spectrum() || series->stored->region) continue; // curves of the torus and the plane
         sources.push_back({series->stored, series->label, &series->curve, series->run->seed, series->run->version});
         if (!names.insert(gallery_name(sources.back())).second)
             throw InputError(fmt::format("{}: the series {} is there twice; a gallery needs each once",

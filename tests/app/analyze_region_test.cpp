@@ -59,7 +59,7 @@ TEST(AnalyzeRegion, MethodsOfAConfigLieInRegions)
 {
     const TemporaryFolder folder;
     folder.write("c.toml", "seed = 5\n[analysis]\nregion = \"disk 100 200 50\"\nenvelope = 0\npoints = 60\n"
-                           "realizations = 3\n[[method]]\nsampler = \"sample-elimination\"\n"
+                           "realizations = 33\n[[method]]\nsampler = \"sample-elimination\"\n"
                            "[[method]]\nsampler = \"dart-throwing\"\nmin_distance = 9\n"
                            "[[method]]\nsampler = \"random\"\nregion = \"rectangle 0 0 30 4\"\n");
     const Outcome outcome = run_program(folder.path(), {"run", "c.toml", "--quiet"});

@@ -51,6 +51,7 @@ class Analyses(FolderTest):
         for name, column in analysis.region._asdict().items():
             self.assert_same_bytes(column, stored[name])
             self.assert_same_bytes(getattr(pl.open(out)["points"].region, name), stored[name])
+        self.assert_same_bytes(pl.open(out)["points"].sets[0], points)
         self.assertEqual(len(pl.analyze(sets_of(1, 20)).region.distance), 0)
         with self.assertRaisesRegex(pl.InputError, "1 of 61 points lies outside the region"):
             pl.analyze(numpy.vstack([points, [[0, 40]]]), region=region)

@@ -3,6 +3,7 @@
 #include "analysis/regions/framed_region.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/distribution/regions/region_points.hpp"
+#include "host/sampling/device_sampler.hpp"
 #include "host/sampling/regions/region_gaussian.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +43,6 @@ RegionPointSettings settings_of(const RegionMethodText& text, const Parameters& 
 {
     RegionPointSettings settings;
     settings.method = text.method;
-    settings.place.region = request.region->name();
     const PlaneRegion& whole = request.region->own_polygons();
     settings.place.land = std::make_shared<const RegionLand>(RegionLand{whole, {}, whole});
     settings.place.boundary = *region_boundary_names.find(given.text("boundary"));
@@ -58,32 +58,44 @@ std::optional<std::string> deciding_key(const Parameters& given)
     return std::nullopt;
 }
 
+/// An error of the whole set, at the parameter that decides it most, or at its method.
+InputError error_of(const RegionMethodText& text, const Parameters& given, const SourceLocation& where,
+                    const std::string& problem)
+{
+    if (const auto key = deciding_key(given)) return given.error(*key, problem);
+    return InputError::at(where, fmt::format("sampler = \"{}\": {}", text.name, problem));
+}
+
 void check_method(const RegionMethodText& text, const Parameters& given, const SampleRequest& request,
                   const SourceLocation& where)
 {
     if (text.method == RegionMethod::gaussian && request.points < least_points_of_region_gaussian())
-        throw InputError::at(where, fmt::format("sampler = \"{}\": {} points are too few: in a region at least {}",
-                                                text.name, request.points, least_points_of_region_gaussian()));
-    const RegionPointSettings settings = settings_of(text, given, request);
+        throw error_of(text, given, where,
+                       fmt::format("{} points are too few: in a region at least {}", request.points,
+                                   least_points_of_region_gaussian()));
     try {
-        region_dart_request(settings.place, request.seed, settings.place.land);
+        region_point_memory(settings_of(text, given, request), DeviceInfo{});
     } catch (const InputError& error) {
-        if (const auto key = deciding_key(given)) throw given.error(*key, error.what());
-        throw InputError::at(where, fmt::format("sampler = \"{}\": {}", text.name, error.what()));
+        throw error_of(text, given, where, error.what());
     }
 }
 
-class RegionMethodSampler final : public Sampler
+/// Bridson's method is sequential by definition, and needs no device.
+Engine engine_of(RegionMethod method, Engine asked)
+{
+    return method == RegionMethod::bridson ? Engine::reference : asked;
+}
+
+class RegionMethodSampler final : public DeviceSampler
 {
 public:
-    RegionMethodSampler(RegionPointSettings settings, bool is_progressive, Parameters given,
-                        const SampleRequest& request, Engine engine, const DeviceProvider& device)
-        : settings_(std::move(settings)), given_(std::move(given)),
-          request_(request), place_{engine, device, request.on_step}
+    RegionMethodSampler(const RegionMethodText& text, const Parameters& given, const SampleRequest& request,
+                        Engine engine, const DeviceProvider& device)
+        : DeviceSampler(engine_of(text.method, engine), device), text_(text), given_(given), request_(request),
+          settings_(settings_of(text, given, request)), place_{engine_of(text.method, engine), device, request.on_step}
     {
-        traits_.is_progressive = is_progressive;
+        traits_.is_progressive = text.is_progressive;
         traits_.sizes_vary = !settings_.place.points;
-        if (engine == Engine::opencl && settings_.method != RegionMethod::bridson) open_device();
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -95,30 +107,20 @@ public:
                     relative_radius(made.sure_distance / root_of_area(request_), made.points.size(), 2);
             return made.points;
         } catch (const InputError& error) {
-            const std::string problem = fmt::format("realization {}: {}", realization, error.what());
-            if (const auto key = deciding_key(given_)) throw given_.error(*key, problem);
-            throw InputError(problem);
+            throw error_of(text_, given_, {request_.region->name()},
+                           fmt::format("realization {}: {}", realization, error.what()));
         }
     }
 
     SetTraits traits() const override { return traits_; }
 
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
-
 private:
-    void open_device()
-    {
-        device_ = &place_.device();
-        built_before_ = device_->build_seconds();
-    }
-
-    RegionPointSettings settings_;
+    RegionMethodText text_;
     Parameters given_;
     SampleRequest request_;
+    RegionPointSettings settings_;
     DistributionPlace place_;
     SetTraits traits_;
-    Device* device_ = nullptr;
-    double built_before_ = 0;
 };
 
 /// Only darts know where the boundary is sampled first.
@@ -175,8 +177,7 @@ SamplerSpec region_method_sampler(RegionMethodText text)
     }
     spec.create = [text](const Parameters& given, const SampleRequest& request, Engine engine,
                          const DeviceProvider& device) -> std::unique_ptr<Sampler> {
-        return std::make_unique<RegionMethodSampler>(settings_of(text, given, request), text.is_progressive, given,
-                                                     request, engine, device);
+        return std::make_unique<RegionMethodSampler>(text, given, request, engine, device);
     };
     return spec;
 }

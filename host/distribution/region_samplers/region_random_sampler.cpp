@@ -4,6 +4,8 @@
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 
+#include <fmt/format.h>
+
 namespace poissonlab {
 namespace {
 
@@ -17,8 +19,13 @@ public:
         const FixedRegion& region = request_.region->fixed();
         RegionCandidates candidates(region,
                                     stream_key(request_.seed, Purpose::random_points, realization, region_attempt));
+        const std::vector<TorusPoint<2>> places = candidates.next(request_.points);
+        if (places.size() < request_.points)
+            throw InputError(fmt::format("random: the region {} has no room for {} points: darts into its box do not "
+                                         "find it",
+                                         request_.region->name(), request_.points));
         PointSet points{2, {}};
-        for (const TorusPoint<2>& place : candidates.next(request_.points))
+        for (const TorusPoint<2>& place : places)
             for (const double c : region.own(place)) points.coordinates.push_back(c);
         return points;
     }

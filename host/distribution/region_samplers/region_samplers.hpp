@@ -1,8 +1,8 @@
 // The samplers of sets in regions of the plane: what a [[method]] can name where it, or [analysis], has a region.
 //
 // They have the names and titles of their methods on the torus, and as far as these mean something in a region their
-// parameters; distances are in the region's units, and so are the points. Realization 0 of a seed is the set that
-// `distribute points` makes of it.
+// parameters; distances are in the region's units, and so are the points. Of methods that `distribute points` knows,
+// realization 0 of a seed is the set that it makes.
 #pragma once
 
 #include "host/sampling/sampler.hpp"

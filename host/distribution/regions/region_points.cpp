@@ -76,9 +76,6 @@ public:
 
     RegionDarts run()
     {
-        if (!is_reference())
-            check_fits(fmt::format("points by {}", region_methods[settings_.method]), memory(place_.device().info()),
-                       place_.device().info());
         switch (settings_.method) {
         case RegionMethod::relaxation:
             return made_of(relaxed_darts());
@@ -95,7 +92,8 @@ public:
 
     DeviceMemory memory(const DeviceInfo& device) const
     {
-        const std::size_t points = wanted();
+        std::size_t points = wanted();
+        if (settings_.method == RegionMethod::gaussian) points = std::max(points, least_points_of_region_gaussian());
         switch (settings_.method) {
         case RegionMethod::darts:
             return DartThrower::memory(points_.request.darts, device);
@@ -106,10 +104,7 @@ public:
         case RegionMethod::lloyd:
             return RegionLloyd::memory(SiteGrid(region_, points));
         case RegionMethod::gaussian:
-            return either(relaxation_memory(),
-                          GaussianBlueNoise::memory(gaussian_field_shape(RegionGaussian(region_, points).density(),
-                                                                         RegionGaussian::sigma, points),
-                                                    points));
+            return either(relaxation_memory(), gaussian_memory(RegionGaussian(region_, points), points));
         default:
             return {};
         }
@@ -176,6 +171,7 @@ private:
         double share = 0;
         candidates(least_candidates, Purpose::random_points, share);
         const RelaxationDartThrowingRequest request = relaxation_request(share);
+        check_memory("relaxation dart throwing", RelaxationDartThrower::memory(request));
         const RelaxationDarts darts = is_reference() ? reference::throw_relaxation_darts(request)
                                                      : RelaxationDartThrower(place_.device()).throw_darts(request);
         const double distance = 2 * darts.radius * side();
@@ -192,11 +188,18 @@ private:
                                    box_area() * share, place_);
     }
 
+    /// Throws InputError where the work is the device's, which has no memory for it.
+    void check_memory(const char* what, const DeviceMemory& memory) const
+    {
+        if (!is_reference()) check_fits(what, memory, place_.device().info());
+    }
+
     PointSet relaxed()
     {
         double share = 0;
         const std::vector<TorusPoint<2>> start = candidates(wanted(), Purpose::random_points, share);
         if (is_reference()) return relaxed_from(start, reference::integrate_cells);
+        check_memory("Lloyd relaxation", RegionLloyd::memory(SiteGrid(region_, start.size())));
         RegionLloyd lloyd(place_.device());
         return relaxed_from(start, [&](const SiteGrid& grid) { return lloyd.integrate_cells(grid); });
     }
@@ -209,6 +212,12 @@ private:
         return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
     }
 
+    static DeviceMemory gaussian_memory(const RegionGaussian& gaussians, std::size_t points)
+    {
+        return GaussianBlueNoise::memory(gaussian_field_shape(gaussians.density(), RegionGaussian::sigma, points),
+                                         points);
+    }
+
     /// From darts, which are even at long distances already.
     PointSet gaussian()
     {
@@ -219,6 +228,7 @@ private:
             start.push_back(
                 {static_cast<std::uint32_t>(darts[i][0] * 0x1p32), static_cast<std::uint32_t>(darts[i][1] * 0x1p32)});
         const RegionGaussian gaussians(region_, start.size());
+        check_memory("Gaussian blue noise", gaussian_memory(gaussians, start.size()));
         const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
             return is_reference() ? reference::descend(points, request).points
                                   : GaussianBlueNoise(place_.device()).descend(points, request).points;

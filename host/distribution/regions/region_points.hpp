@@ -16,7 +16,7 @@ RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_
                                std::uint32_t realization = 0);
 
 /// The device memory that this takes in a region of the plane, with one distance. Throws InputError where the distance
-/// does not suit the region.
+/// does not suit the region, or this has no room for Gaussians.
 DeviceMemory region_point_memory(const RegionPointSettings& settings, const DeviceInfo& device);
 
 }

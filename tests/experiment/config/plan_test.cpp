@@ -217,6 +217,7 @@ TEST(Plan, OverridesKnowTheRegion)
     const auto plan = make_plan(parse_config(config, "c.toml", {"method.boundary=disks"}));
     EXPECT_EQ(plan.at(0).parameters.text("boundary"), "disks");
     const std::string torus = "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.5\n";
+    EXPECT_NO_THROW(parse_config(torus, "c.toml", {"method.boundary=disks", "analysis.region=disk 5 5 3"}));
     EXPECT_THROW(parse_config(torus, "c.toml", {"method.boundary=disks"}), InputError);
     EXPECT_EQ(make_plan(parse_config(torus, "c.toml", {"method.region=disk 5 5 3", "method.boundary=disks"}))
                   .at(0)

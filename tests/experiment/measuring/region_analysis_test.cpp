@@ -151,5 +151,19 @@ TEST(RegionAnalysis, MeasuresFirstPartsWithoutATorus)
                 1e-9);
 }
 
+/// Errors are between tile sets, whose sets have a curve for each taper.
+TEST(RegionAnalysis, OfSeveralTileSetsHasErrorsByTapersToo)
+{
+    AnalysisOptions options = options_in_strip({"analysis.tapers=3"});
+    options.tile_sets = 2;
+    SeriesAnalysis analysis("s", false, options);
+    for (std::uint32_t k = 0; k < 4; ++k) analysis.add(random_set(options, k));
+    const Spectrum mean = analysis.mean_spectrum();
+    EXPECT_EQ(mean.realizations, 12);
+    EXPECT_GT(analysis.radial_curve(mean)[1].power_error, 0);
+    analysis.measure_spectrum(mean);
+    EXPECT_TRUE(analysis.result().measures.numbers.at("effective_nyquist").standard_error);
+}
+
 }
 }

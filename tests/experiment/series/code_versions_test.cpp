@@ -54,7 +54,8 @@ bool may_change(const std::string& version, const std::string& file)
     for (const char* folder : {"experiment/config/", "experiment/crew/", "experiment/store/", "host/settings/"})
         if (is_in(folder)) return true;
     if (version == "analysis_version") return is_in("experiment/exhibits/") || is_in("host/") || is_in("tiles/");
-    if (version != "distribution_version" && is_in("host/distribution/")) return true;
+    if (version == "picture_version" && is_in("host/distribution/")) return true;
+    if (version == "construction_version" && is_in("host/distribution/")) return true;
     if (version == "sampling_version" && (is_in("experiment/exhibits/") || is_in("host/kinds/"))) return true;
     return is_in("analysis/") || is_in("experiment/measuring/") || is_in("host/scenes/") || is_in("results/");
 }
@@ -85,6 +86,8 @@ TEST(CodeVersions, CoverWhatDecidesResults)
     }
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/classics/command_sampler.cpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("host/distribution/regions/region_points.cpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("analysis/regions/framed_region.cpp"));
     EXPECT_THAT(versions.at("distribution_version"), Contains("host/distribution/even_points.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("analysis/spectra/fast_periodogram.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("experiment/measuring/series_analysis.cpp"));

@@ -9,12 +9,14 @@
 #include "host/settings/sampler_registry.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace poissonlab {
@@ -239,13 +241,17 @@ TEST(SamplersInRegionsMemory, IsForetold)
         {"sample-elimination", {}},
         {"gaussian-blue-noise", {{"iterations", std::int64_t{1}}}},
         {"bridson", {}},
-        {"random", {}}};
+        {"random", {}},
+        {"corner-tiles", small_tiles({})},
+        {"corner-tiles", small_tiles({{"min_distance", 1.5}})}};
     for (const auto& [name, given] : cases)
         for (const std::size_t points : {200, 10'000}) {
             SCOPED_TRACE(name + ", " + std::to_string(points));
             const SampleRequest request = request_in(yard, points);
             const SamplerSpec& spec = sampler_in_regions(name);
             const Parameters parameters = checked_parameters(name, given, request);
+            const TemporaryFolder cache; // without tile sets, so that these are built
+            setenv("POISSONLAB_CACHE", cache.path().c_str(), 1);
             const std::uint64_t before = device.memory().total;
             device.watch_memory();
             spec.create(parameters, request, Engine::opencl, [&]() -> Device& { return device; })->sample(0);
@@ -256,6 +262,17 @@ TEST(SamplersInRegionsMemory, IsForetold)
             EXPECT_LE(static_cast<double>(foretold.total), 1.3 * static_cast<double>(taken));
             EXPECT_EQ(foretold.total > 0, spec.memory_growth != MemoryGrowth::none);
         }
+    unsetenv("POISSONLAB_CACHE");
+}
+
+/// It is sequential by definition.
+TEST(BridsonInRegions, NeedsNoDevice)
+{
+    const SampleRequest request = request_in(yard, 500);
+    const DeviceProvider none = []() -> Device& { throw DeviceError("there is no device"); };
+    const auto sampler =
+        sampler_in_regions("bridson").create(checked_parameters("bridson", {}, request), request, Engine::opencl, none);
+    EXPECT_GT(sampler->sample(0).size(), 400U);
 }
 
 TEST(SamplersInRegionsErrors, NameWhatDecides)
@@ -277,6 +294,16 @@ TEST(SamplersInRegionsErrors, NameWhatDecides)
     const SampleRequest few = request_in(yard, 20);
     EXPECT_THAT(message_of([&] { region_sampler("gaussian-blue-noise", {}, few, Engine::reference); }),
                 HasSubstr("20 points are too few: in a region at least"));
+    const SampleRequest slit = request_in("rectangle 0 0 300 0.01", 200);
+    EXPECT_THAT(message_of([&] {
+                    region_sampler("bridson", {{"boundary", std::string("disks")}}, slit, Engine::reference)->sample(2);
+                }),
+                HasSubstr("yard: sampler = \"bridson\": realization 2: the region has no room for a disk of diameter"));
+    EXPECT_THAT(
+        message_of([&] {
+            region_sampler("gaussian-blue-noise", {{"boundary", std::string("disks")}}, slit, Engine::reference);
+        }),
+        HasSubstr("test.toml:3: sampler = \"gaussian-blue-noise\": "));
     EXPECT_THAT(told("corner-tiles", small_tiles({{"min_distance", 1e-6}})),
                 HasSubstr("test.toml:4: min_distance = 1e-06: with tiles of"));
 }
