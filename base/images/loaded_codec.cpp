@@ -6,15 +6,30 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
+
 namespace poissonlab {
 namespace {
 
+/// Whether the C library's functions are its own. Sanitizers, other allocators and LD_PRELOAD put theirs in front of
+/// these for the whole process: then none may be looked up elsewhere, or memory of one allocator is given to the other.
+bool has_plain_c_library()
+{
+    Dl_info allocator{}, library{};
+    return std::getenv("LD_PRELOAD") == nullptr &&
+           ::dladdr(reinterpret_cast<const void*>(&std::malloc), &allocator) != 0 &&
+           ::dladdr(reinterpret_cast<const void*>(&std::abort), &library) != 0 &&
+           allocator.dli_fbase == library.dli_fbase;
+}
+
 /// Nearly half of all symbols are of these libraries, which look them up among all 250 when these are loaded together,
-/// and among their own when they come first: that saves a quarter of the time. One that is not there is loaded later
-/// under another name.
+/// and among their own when they come first: that saves a quarter of the time, and another quarter when they do not ask
+/// the program's own 50 libraries before. One that is not there is loaded later under another name.
 void load_largest_libraries()
 {
-    for (const char* library : {"libopenvdb.so.10.0", "libgdal.so.32"}) ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+    const int own_first = has_plain_c_library() ? RTLD_DEEPBIND : 0;
+    for (const char* library : {"libopenvdb.so.10.0", "libgdal.so.32"})
+        ::dlopen(library, RTLD_LAZY | RTLD_LOCAL | own_first);
 }
 
 const PictureCodec* load_codec()
