@@ -133,7 +133,7 @@ public:
     /// T of powers in the order of the shells.
     double statistic(const std::vector<double>& power) const { return statistic(scales(power)); }
 
-    /// Whether T of each of many powers is `found` or more.
+    /// It tells of many powers whether their T is `found` or more.
     class Reaches
     {
     public:

@@ -11,8 +11,9 @@
 namespace poissonlab {
 namespace {
 
-/// Whether the C library's functions are its own. Sanitizers, other allocators and LD_PRELOAD put theirs in front of
-/// these for the whole process: then none may be looked up elsewhere, or memory of one allocator is given to the other.
+/// Tells whether the C library's functions are its own. Sanitizers, other allocators and LD_PRELOAD put theirs in front
+/// of these for the whole process: then none may be looked up elsewhere, or memory of one allocator is given to the
+/// other.
 bool has_plain_c_library()
 {
     Dl_info allocator{}, library{};
