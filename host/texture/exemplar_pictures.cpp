@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/texture/exemplar.hpp"
+#include "host/texture/regular/straightening.hpp"
 #include "tiles/texture/companion_maps.hpp"
 
 #include <fmt/format.h>
@@ -89,7 +90,7 @@ void check_companions(const fs::path& exemplar, const std::vector<fs::path>& als
 }
 
 ExemplarPictures read_exemplar_pictures(const fs::path& exemplar, const fs::path& marked_exemplar,
-                                        const std::vector<fs::path>& also)
+                                        const std::vector<fs::path>& also, int straightened_for)
 {
     ExemplarPictures pictures;
     std::string note;
@@ -101,11 +102,19 @@ ExemplarPictures read_exemplar_pictures(const fs::path& exemplar, const fs::path
         add_note(pictures.notes, note);
     }
     add_original(exemplar, marked_exemplar, pictures);
-    if (also.empty()) return pictures;
-    check_companions(exemplar, also);
+    if (!also.empty()) check_companions(exemplar, also);
     for (const fs::path& file : also)
         pictures.companions.push_back(companion_map(companion_name(file), read_raw_picture(file)));
+    if (straightened_for > 0) straighten(pictures, straightened_for);
     return pictures;
+}
+
+void straighten(ExemplarPictures& pictures, int size)
+{
+    const Straightening map = straightening_for(pictures.exemplar, size);
+    pictures.exemplar = straightened(pictures.exemplar, map);
+    for (CompanionMap& companion : pictures.companions) set_picture(companion, straightened(companion.picture, map));
+    pictures.notes.push_back(straightening_note(map));
 }
 
 }

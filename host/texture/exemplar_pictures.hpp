@@ -22,9 +22,13 @@ struct ExemplarPictures
 void check_companions(const std::filesystem::path& exemplar, const std::vector<std::filesystem::path>& also);
 
 /// Reads the pictures of a set; `marked_exemplar` may be empty. Exemplars of 16 bits and of floating-point numbers are
-/// companions as well. Throws InputError as read_exemplar() and check_companions() do.
+/// companions as well. `straightened_for`: all are straightened for tiles of that size (regular/straightening.hpp); 0:
+/// they stay as they are. Throws InputError as read_exemplar(), check_companions() and straightening_for() do.
 ExemplarPictures read_exemplar_pictures(const std::filesystem::path& exemplar,
                                         const std::filesystem::path& marked_exemplar,
-                                        const std::vector<std::filesystem::path>& also);
+                                        const std::vector<std::filesystem::path>& also, int straightened_for = 0);
+
+/// Straightens all pictures of a set.
+void straighten(ExemplarPictures& pictures, int size);
 
 }

@@ -80,6 +80,12 @@ CompanionMap companion_map(const std::string& name, RawPicture picture, bool is_
     return {"exemplar-" + file, "atlas-" + file, is_original, std::move(hash), std::move(picture)};
 }
 
+void set_picture(CompanionMap& companion, RawPicture picture)
+{
+    companion.hash = sample_hash(picture);
+    companion.picture = std::move(picture);
+}
+
 RawPicture companion_atlas(const TextureSet& set, const RawPicture& picture)
 {
     const AtlasLayout layout = atlas_layout(set);

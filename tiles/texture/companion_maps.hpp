@@ -16,6 +16,9 @@ namespace poissonlab {
 /// A companion called `name`: its files are exemplar-NAME and atlas-NAME, with the ending of its numbers.
 CompanionMap companion_map(const std::string& name, RawPicture picture, bool is_original = false);
 
+/// Gives a companion another picture, of the same numbers.
+void set_picture(CompanionMap& companion, RawPicture picture);
+
 /// The pixels of the picture at the sources of all tiles, which lie as in atlas.png; 0 where there is no tile.
 RawPicture companion_atlas(const TextureSet& set, const RawPicture& picture);
 

@@ -7,6 +7,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/exemplar_pictures.hpp"
+#include "host/texture/regular/straightening.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
@@ -33,6 +34,8 @@ exemplar.png and texture.json: see docs/texture-set.md.
 With --also normal.png, which may be repeated, tiles of that picture are cut along the same curves, into atlas-normal.png,
 number for number. An exemplar of 16 bits or floating-point numbers, NAME, is chosen and cut by 8 bits of sRGB; atlas-NAME
 has its own numbers.
+Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
+number for each tile, and with --joint their joints run through. exemplar.png is the straightened picture then.
   poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
 
 struct TextureBuildOptions : KindOptions
@@ -107,12 +110,29 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
+/// With a note where a set that is chosen together could have joints that run through.
+ExemplarPictures exemplar_pictures(const TextureSettings& asked)
+{
+    const TextureRequest& request = asked.request;
+    try {
+        ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also,
+                                                           asked.is_straightened ? request.size : 0);
+        const std::string note =
+            request.joint && !asked.is_straightened ? regularity_note(pictures.exemplar, request.size) : "";
+        if (!note.empty()) pictures.notes.push_back(note);
+        return pictures;
+    } catch (const InputError& error) {
+        if (!asked.is_straightened) throw;
+        throw error.moved_to({asked.exemplar.string()});
+    }
+}
+
 BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)
 {
     const DistributionPlace place = options.place();
     TextureRequest request = asked.request;
     request.seed = options.seed();
-    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
+    ExemplarPictures pictures = exemplar_pictures(asked);
     request.split = pictures.split;
     for (const std::string& note : pictures.notes) options.say_note(note);
     const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {

@@ -110,6 +110,15 @@ void also_key(Keys& keys, TextureSettings& s)
     keys.check("also", [&] { check_companions(s.exemplar, s.also); });
 }
 
+void straighten_key(Keys& keys, TextureSettings& s)
+{
+    keys.flag("straighten", s.is_straightened,
+              "make straight what is regular in the picture, such as courses of bricks, and fit whole ones to a tile; "
+              "joints run through with joint");
+    if (s.is_straightened && !s.marked_exemplar.empty())
+        throw keys.invalid("straighten", "does not go with " + keys.name_of("marked_exemplar"));
+}
+
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
@@ -117,6 +126,7 @@ void texture_set_keys(Keys& keys, TextureSettings& s)
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     marked_exemplar_key(keys, s);
     also_key(keys, s);
+    straighten_key(keys, s);
     if (keys.is_read()) keys.check([&] { check(s.request); });
 }
 
@@ -140,7 +150,8 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
     };
     if (s.endless)
         refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
-                "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also"},
+                "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also",
+                "straighten"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
     else
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},
@@ -198,6 +209,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
     keys.integer("pattern_size", s.pattern_size, 16, 4096, "the side of a pattern").unit("pixels");
     marked_exemplar_key(keys, s);
     also_key(keys, s);
+    straighten_key(keys, s);
     keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
         .otherwise("corners are marked at random");
     if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");
@@ -237,6 +249,7 @@ std::string texture_label(const TextureSettings& settings)
     if (request.has_corners() && request.stages == 0) label += ", no new pieces";
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
+    if (settings.is_straightened) label += ", straightened";
     if (request.joint) label += ", chosen together";
     if (request.smooth) label += ", smoothed";
     if (request.weight == SeamWeight::gradient) label += ", gradient weights";

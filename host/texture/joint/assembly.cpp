@@ -19,22 +19,32 @@ PngPixels with_rim(const PngPixels& picture)
     return rimmed;
 }
 
+std::vector<std::uint8_t> rounded_means(const PngPixels& exemplar, const std::vector<RegularWave>& waves)
+{
+    const PhaseMeans means(exemplar, waves);
+    std::vector<std::uint8_t> rounded;
+    for (int y = 0; y < exemplar.height; ++y)
+        for (int x = 0; x < exemplar.width; ++x)
+            for (int c = 0; c < exemplar.channels; ++c)
+                rounded.push_back(static_cast<std::uint8_t>(std::lround(means.at(x, y, c))));
+    return rounded;
 }
 
-Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights)
-    : exemplar_(exemplar), cover_(cover), rimmed_(with_rim(exemplar)), sources_(cover.pixels())
+}
+
+Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights,
+                   const std::vector<RegularWave>& waves)
+    : exemplar_(exemplar), cover_(cover), rimmed_(with_rim(exemplar)), means_(rounded_means(exemplar, waves)),
+      sources_(cover.pixels())
 {
     weigh_directions();
     double variance = 0; // sum over channels, from the rounded means
     const auto channels = static_cast<std::size_t>(exemplar.channels);
-    const auto pixels = static_cast<double>(exemplar.values.size() / channels);
     for (std::size_t c = 0; c < channels; ++c) {
-        std::int64_t sum = 0, squares = 0;
-        for (std::size_t i = c; i < exemplar.values.size(); i += channels) sum += exemplar.values[i];
-        means_.push_back(static_cast<int>(std::lround(static_cast<double>(sum) / pixels)));
+        std::int64_t squares = 0;
         for (std::size_t i = c; i < exemplar.values.size(); i += channels)
-            squares += (exemplar.values[i] - means_[c]) * (exemplar.values[i] - means_[c]);
-        variance += static_cast<double>(squares) / pixels;
+            squares += (exemplar.values[i] - means_[i]) * (exemplar.values[i] - means_[i]);
+        variance += static_cast<double>(squares) / static_cast<double>(exemplar.values.size() / channels);
     }
     const double spread = std::sqrt(variance / exemplar.channels);
     const auto tiles = static_cast<double>(cover.parts().tiles.size());

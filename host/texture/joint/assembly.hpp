@@ -8,12 +8,13 @@
 // windows nearly always differ in them, so that cuts become short and colours meet that differ more.
 //
 // Two sums over all tiles are weighed against seams. Repetition is the power of the mean of all tiles without the
-// exemplar's mean: what a tiling has at whole multiples of 1/T. Contrast is the square of what the variance of all
-// pixels lacks or exceeds: windows without much in them fit everywhere, and nothing else would keep a set from taking
-// them.
+// exemplar's mean, by phase where it is regular: what a tiling has too much at whole multiples of 1/T. Contrast is the
+// square of what the variance of all pixels lacks or exceeds: windows without much in them fit everywhere, and nothing
+// else would keep a set from taking them.
 #pragma once
 
 #include "host/texture/joint/set_cover.hpp"
+#include "host/texture/regular/phase_rule.hpp"
 
 #include <array>
 #include <cstdint>
@@ -54,8 +55,9 @@ public:
         double contrast = 2;
     };
 
-    /// Exemplar and cover must live longer.
-    Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights);
+    /// Exemplar and cover must live longer. `waves` are those that fit the tiles.
+    Assembly(const PngPixels& exemplar, const SetCover& cover, const Weights& weights,
+             const std::vector<RegularWave>& waves = {});
 
     const SetCover& cover() const { return cover_; }
     const PngPixels& exemplar() const { return exemplar_; }
@@ -112,7 +114,8 @@ private:
     /// The difference of a channel from the exemplar's mean.
     int deviation(SourcePixel source, int channel) const
     {
-        return exemplar_.values[exemplar_.at(source.x, source.y, channel)] - means_[static_cast<std::size_t>(channel)];
+        const std::size_t at = exemplar_.at(source.x, source.y, channel);
+        return exemplar_.values[at] - means_[at];
     }
 
     void weigh_directions();
@@ -124,10 +127,10 @@ private:
     const SetCover& cover_;
     PngPixels rimmed_;                  ///< the exemplar, and its rim once more around it
     std::array<int, 2> step_weights_{}; ///< the cost of a level towards east and south
-    std::vector<int> means_;
-    double repetition_ = 0;      ///< the cost of a square of a sum
-    double contrast_ = 0;        ///< the cost of a square of what squares_ differs by
-    double natural_squares_ = 0; ///< what squares_ would be with the exemplar's variance
+    std::vector<std::uint8_t> means_;   ///< for each of the exemplar's numbers
+    double repetition_ = 0;             ///< the cost of a square of a sum
+    double contrast_ = 0;               ///< the cost of a square of what squares_ differs by
+    double natural_squares_ = 0;        ///< what squares_ would be with the exemplar's variance
     std::vector<SourcePixel> sources_;
     std::vector<std::int64_t> sums_;
     std::int64_t squares_ = 0;

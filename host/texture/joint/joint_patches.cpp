@@ -36,22 +36,24 @@ private:
 /// Half of the side of the square around a corner in which tiles show its patch more than others.
 int shown_reach(const TextureRequest& request) { return std::max(2, request.size / 5); }
 
-/// Windows that stand out little, and for each some that look alike.
+/// Windows that stand out little, and for each some that look alike, all as the rule has it.
 std::vector<ExemplarWindow> patch_pool(const PngPixels& exemplar, const PngPixels& features,
-                                       const TextureRequest& request, int distance)
+                                       const TextureRequest& request, int distance, const PhaseRule& rule)
 {
     const Salience salience(exemplar, {0, exemplar.width}, request.size, shown_reach(request));
     RandomWords words(stream_key(request.seed, Purpose::texture_windows, 4), 0);
     const UsedWindows none(0);
     std::vector<ExemplarWindow> pool;
-    for (int i = 0; i < drawn_patches; ++i)
-        pool.push_back(plain_window(none, exemplar, {0, exemplar.width}, salience, request.size, words));
+    for (int i = 0; i < drawn_patches; ++i) {
+        const ExemplarWindow drawn = plain_window(none, exemplar, {0, exemplar.width}, salience, request.size, words);
+        pool.push_back(rule.nearest(drawn, exemplar, 0, 0));
+    }
     const WindowSearch search(features, request.size);
     std::vector<std::vector<ExemplarWindow>> alike(pool.size());
     tbb::parallel_for(std::size_t{0}, pool.size(), [&](std::size_t i) {
         UsedWindows used(distance);
         used.add(pool[i]);
-        alike[i] = search.best(window_pixels(features, pool[i]), used, {}, alike_patches);
+        alike[i] = search.best(window_pixels(features, pool[i]), used, {}, alike_patches, window_test(rule, 0, 0));
     });
     for (const std::vector<ExemplarWindow>& windows : alike) pool.insert(pool.end(), windows.begin(), windows.end());
     return pool;
@@ -133,18 +135,16 @@ private:
     const std::vector<ExemplarWindow>& pool_;
 };
 
-/// The products of the middles' differences from the exemplar's mean, means over their values.
-PairTable common_power(const PngPixels& exemplar, const std::vector<ExemplarWindow>& pool, int reach)
+/// The products of the middles' differences from the exemplar's means, means over their values.
+PairTable common_power(const PngPixels& exemplar, const PhaseMeans& means, const std::vector<ExemplarWindow>& pool,
+                       int reach)
 {
-    std::vector<double> means(static_cast<std::size_t>(exemplar.channels));
-    for (std::size_t i = 0; i < exemplar.values.size(); ++i) means[i % means.size()] += exemplar.values[i];
-    for (double& mean : means) mean /= static_cast<double>(exemplar.values.size() / means.size());
     std::vector<std::vector<double>> middles(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i)
         for (int y = pool[i].y + pool[i].size / 2 - reach; y < pool[i].y + pool[i].size / 2 + reach; ++y)
             for (int x = pool[i].x + pool[i].size / 2 - reach; x < pool[i].x + pool[i].size / 2 + reach; ++x)
                 for (int c = 0; c < exemplar.channels; ++c)
-                    middles[i].push_back(exemplar.values[exemplar.at(x, y, c)] - means[static_cast<std::size_t>(c)]);
+                    middles[i].push_back(exemplar.values[exemplar.at(x, y, c)] - means.at(x, y, c));
     PairTable table(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i)
         for (std::size_t j = 0; j < pool.size(); ++j) {
@@ -237,21 +237,22 @@ private:
 
 }
 
-Patches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
-                      const SetParts& parts, int distance)
+JointPatches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
+                           const SetParts& parts, int distance, const std::vector<RegularWave>& waves)
 {
-    const std::vector<ExemplarWindow> pool = patch_pool(exemplar, features, request, distance);
+    JointPatches joint{{}, PhaseRule(exemplar, waves, request.size)};
+    const std::vector<ExemplarWindow> pool = patch_pool(exemplar, features, request, distance, joint.rule);
     const EdgeFit fit(features, pool);
     PairTable costs = fit.costs(true);
-    const PairTable vertical = fit.costs(false), power = common_power(exemplar, pool, shown_reach(request));
+    const PairTable vertical = fit.costs(false),
+                    power = common_power(exemplar, PhaseMeans(exemplar, waves), pool, shown_reach(request));
     for (std::size_t i = 0; i < pool.size(); ++i)
         for (std::size_t j = 0; j < pool.size(); ++j) costs.at(i, j) += vertical.at(i, j) + power.at(i, j);
     const std::vector<std::size_t> best = PatchSet(pool, std::move(costs), parts.corners, distance).best();
     // Where the pool has no set that is far enough apart, patches are those that are chosen for themselves.
-    if (best.empty()) return chosen_patches(exemplar, request, distance);
-    Patches patches;
-    for (const std::size_t i : best) patches.push_back(pool[i]);
-    return patches;
+    if (best.empty()) return {chosen_patches(exemplar, request, distance), {}};
+    for (const std::size_t i : best) joint.patches.push_back(pool[i]);
+    return joint;
 }
 
 }

@@ -9,11 +9,20 @@
 
 #include "host/texture/corner_patches.hpp"
 #include "host/texture/joint/set_cover.hpp"
+#include "host/texture/regular/phase_rule.hpp"
 
 namespace poissonlab {
 
-/// A patch for each corner of the parts, T x T, their middles `distance` pixels apart along an axis.
-Patches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
-                      const SetParts& parts, int distance);
+/// The patches of a set, and where other windows may lie beside them.
+struct JointPatches
+{
+    Patches patches;
+    PhaseRule rule;
+};
+
+/// A patch for each corner of the parts, T x T, their middles `distance` pixels apart along an axis; with waves all of
+/// one phase.
+JointPatches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
+                           const SetParts& parts, int distance, const std::vector<RegularWave>& waves);
 
 }

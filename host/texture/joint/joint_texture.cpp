@@ -130,7 +130,8 @@ public:
                  const PieceProgress& progress)
         : exemplar_(exemplar), request_(request), progress_(progress), features_(feature_map(exemplar, matched_slopes)),
           cover_(set_parts(request, tiles), request.size, request.ring_pixels()), sites_(sites_of(cover_)),
-          tried_(sites_.size()), assembly_(exemplar, cover_, {}), used_(distance())
+          tried_(sites_.size()), waves_(fitting_waves(exemplar, request.size)), assembly_(exemplar, cover_, {}, waves_),
+          used_(distance())
     {}
 
     TextureSources make()
@@ -187,7 +188,9 @@ private:
     void show_patches()
     {
         const SetParts& parts = cover_.parts();
-        patches_ = joint_patches(exemplar_, features_, request_, parts, used_.distance());
+        JointPatches chosen = joint_patches(exemplar_, features_, request_, parts, used_.distance(), waves_);
+        patches_ = std::move(chosen.patches);
+        rule_ = std::move(chosen.rule);
         for (const ExemplarWindow& patch : patches_) used_.add(patch);
         const int size = request_.size, half = size / 2;
         for (std::size_t tile = 0; tile < parts.tiles.size(); ++tile)
@@ -202,17 +205,27 @@ private:
         assembly_.count_tiles();
     }
 
+    /// Which windows may lie over a box of a site.
+    WindowTest test_at(const Site& site, const SiteBox& box) const
+    {
+        const double half = request_.size / 2.0, reach = box.side / 2.0;
+        const bool is_east = site.kind == Site::Kind::horizontal_edge || site.kind == Site::Kind::tile;
+        const bool is_south = site.kind == Site::Kind::vertical_edge || site.kind == Site::Kind::tile;
+        return window_test(rule_, (is_east ? half : 0) + box.x + reach, (is_south ? half : 0) + box.y + reach);
+    }
+
     /// The moves of the windows that look most like what is in a box that gain most, the best first. New windows are
     /// not near those that are shown there, unless something is taken in any case.
     std::vector<Candidate> candidates(const Site& site, const SiteBox& box, const WindowSearch& search, int count,
-                                      const PlaceTest& is_taken = {}) const
+                                      const UsedWindows& used, const PlaceTest& is_taken = {}) const
     {
         const SiteMove move(assembly_, site, box);
         std::vector<ExemplarWindow> shown;
         if (!is_taken)
             for (const Overlay& overlay : move.shown())
                 shown.push_back({overlay.x + box.x, overlay.y + box.y, box.side});
-        const std::vector<ExemplarWindow> windows = search.best(move.canvas(search.features()), used_, shown, count);
+        const std::vector<ExemplarWindow> windows =
+            search.best(move.canvas(search.features()), used, shown, count, test_at(site, box));
         std::vector<Candidate> found(windows.size());
         tbb::parallel_for(std::size_t{0}, windows.size(), [&](std::size_t i) {
             const SiteChange change = move.best({windows[i].x - box.x, windows[i].y - box.y}, is_taken);
@@ -230,7 +243,7 @@ private:
         const std::vector<const Site*> sites = sites_of_kind(kind);
         const WindowSearch search(features_, piece.box.side, piece.counts());
         const auto look = [&](const Site& site) {
-            return candidates(site, piece.box, search, request_.candidates, piece.is_taken);
+            return candidates(site, piece.box, search, request_.candidates, used_, piece.is_taken);
         };
         for (std::size_t first = 0; first < sites.size(); first += at_once) {
             std::vector<std::vector<Candidate>> found(std::min(at_once, sites.size() - first));
@@ -245,8 +258,13 @@ private:
                     progress_(stage, first + found.size(), sites.size());
                     found[i] = look(*sites[first + i]);
                 }
-                const auto best = std::ranges::find_if(found[i], is_free);
-                if (best == found[i].end()) continue; // there is no window left: what is there stays
+                auto best = std::ranges::find_if(found[i], is_free);
+                if (best == found[i].end()) { // there is no window left that is far from others
+                    found[i] = candidates(*sites[first + i], piece.box, search, request_.candidates, UsedWindows(0),
+                                          piece.is_taken);
+                    best = found[i].begin();
+                }
+                if (best == found[i].end()) continue;
                 assembly_.change(pixels_of(best->pixels));
                 used_.add(best->window);
                 laid_.push_back({best->window, sites[first + i], piece.box});
@@ -266,7 +284,6 @@ private:
     /// Lays a window over the dearest box of each site that was not tried before.
     void improve(Site::Kind kind, const WindowSearch& search, int round)
     {
-        used_ = UsedWindows(0); // small pieces may be near others
         const std::vector<const Site*> sites = sites_of_kind(kind);
         for (std::size_t first = 0; first < sites.size(); first += sites_at_once) {
             std::vector<std::vector<Candidate>> found(std::min(sites_at_once, sites.size() - first));
@@ -278,7 +295,8 @@ private:
                 if (!box) return;
                 tried.insert({box->x, box->y});
                 boxes[i] = *box;
-                found[i] = candidates(site, *box, search, windows_a_place);
+                found[i] =
+                    candidates(site, *box, search, windows_a_place, UsedWindows(0)); // small ones may be near others
             });
             for (std::size_t i = 0; i < found.size(); ++i)
                 for (const Candidate& candidate : found[i])
@@ -345,9 +363,11 @@ private:
     SetCover cover_;
     std::vector<Site> sites_;
     std::vector<BoxPlaces> tried_; ///< by site
+    std::vector<RegularWave> waves_;
     Assembly assembly_;
     UsedWindows used_;
     Patches patches_;
+    PhaseRule rule_;
     std::vector<LaidWindow> laid_; ///< pieces, of which some are laid over others
 };
 

@@ -67,6 +67,12 @@ PngPixels halved(const PngPixels& picture)
     return half;
 }
 
+WindowTest window_test(const PhaseRule& rule, double x, double y)
+{
+    if (rule.is_empty()) return {};
+    return [&rule, x, y](const ExemplarWindow& window, double slack) { return rule.holds(window, x, y, slack); };
+}
+
 WindowSearch::WindowSearch(const PngPixels& features, int side, const std::vector<std::uint8_t>& counts)
     : features_(features), side_(side), squares_(halved(features), coarse_mask(side, counts))
 {
@@ -87,10 +93,23 @@ std::uint64_t WindowSearch::difference(const PngPixels& canvas, const ExemplarWi
     return sum;
 }
 
-std::vector<ExemplarWindow> WindowSearch::best(const PngPixels& canvas, const UsedWindows& used,
-                                               const std::vector<ExemplarWindow>& shown, int count) const
+/// Sums at half the resolution, the largest possible ones where no window near a place is allowed.
+SquareSums WindowSearch::coarse_sums(const PngPixels& canvas, const WindowTest& is_allowed) const
 {
-    const SquareSums sums = squares_.sums(halved(canvas));
+    SquareSums sums = squares_.sums(halved(canvas));
+    if (!is_allowed) return sums;
+    std::size_t place = 0;
+    for (int y = 0; y < sums.rows; ++y)
+        for (int x = 0; x < sums.columns; ++x, ++place)
+            if (!is_allowed({2 * x, 2 * y, side_}, 1)) sums.sums[place] = std::numeric_limits<std::uint64_t>::max();
+    return sums;
+}
+
+std::vector<ExemplarWindow> WindowSearch::best(const PngPixels& canvas, const UsedWindows& used,
+                                               const std::vector<ExemplarWindow>& shown, int count,
+                                               const WindowTest& is_allowed) const
+{
+    const SquareSums sums = coarse_sums(canvas, is_allowed);
     UsedWindows coarse_used(used.distance() / 2);
     for (const ExemplarWindow& window : used.windows()) coarse_used.add({window.x / 2, window.y / 2, window.size / 2});
     const int most = looked_at * count + static_cast<int>(shown.size());
@@ -102,6 +121,7 @@ std::vector<ExemplarWindow> WindowSearch::best(const PngPixels& canvas, const Us
                 const ExemplarWindow window{2 * coarse.x + dx, 2 * coarse.y + dy, side_};
                 if (window.x < 0 || window.y < 0 || window.x + side_ > features_.width ||
                     window.y + side_ > features_.height || !used.is_free(window) ||
+                    (is_allowed && !is_allowed(window, 0)) ||
                     std::ranges::any_of(shown, [&](const ExemplarWindow& other) { return is_near(other, window); }))
                     continue;
                 if (const std::uint64_t its = difference(canvas, window); its < best.first) best = {its, window};

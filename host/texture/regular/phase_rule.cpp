@@ -1,0 +1,153 @@
+#include "host/texture/regular/phase_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// Pixels that crests may be away from where they should be.
+constexpr double most_offset = 1;
+
+/// Periods of a window from the exemplar's corner to its middle.
+double periods_to(const RegularWave& wave, const ExemplarWindow& window)
+{
+    return wave.x * (window.x + window.size / 2.0) + wave.y * (window.y + window.size / 2.0);
+}
+
+/// Parts of a period, about a pixel each.
+std::size_t phase_bins(const RegularWave& wave) { return static_cast<std::size_t>(std::ceil(wave.period())); }
+
+std::size_t phase_bin(const RegularWave& wave, int x, int y)
+{
+    const double periods = wave.x * x + wave.y * y;
+    const auto bin = static_cast<std::size_t>((periods - std::floor(periods)) * static_cast<double>(phase_bins(wave)));
+    return std::min(bin, phase_bins(wave) - 1);
+}
+
+std::vector<std::uint8_t> lightness_bytes(const LightMap& map)
+{
+    std::vector<std::uint8_t> bytes;
+    for (const double value : map.values) bytes.push_back(static_cast<std::uint8_t>(std::lround(value)));
+    return bytes;
+}
+
+/// The place in a period around which values at the same distance on both sides, up to half of a period, have the
+/// smallest mean product. Bricks differ from the next course's, and are one brick on both sides of their middle.
+double phase_between_courses(const LightMap& differences, const RegularWave& wave)
+{
+    const double period = wave.period(), east = wave.x * period, south = wave.y * period;
+    const std::size_t bins = phase_bins(wave);
+    std::vector<double> products(bins), counts(bins);
+    for (int y = 0; y < differences.height; ++y)
+        for (int x = 0; x < differences.width; ++x)
+            for (int away = 2; 2 * away <= period; ++away) {
+                const int dx = static_cast<int>(std::lround(away * east)),
+                          dy = static_cast<int>(std::lround(away * south));
+                if (x < std::abs(dx) || y < std::abs(dy) || x + std::abs(dx) >= differences.width ||
+                    y + std::abs(dy) >= differences.height)
+                    continue;
+                const std::size_t bin = phase_bin(wave, x, y);
+                products[bin] += differences.at(x - dx, y - dy) * differences.at(x + dx, y + dy);
+                ++counts[bin];
+            }
+    for (std::size_t i = 0; i < bins; ++i) products[i] /= std::max(1.0, counts[i]);
+    const auto least = std::ranges::min_element(products) - products.begin();
+    // Bins count from the middle of the first pixel, places from its corner.
+    return (static_cast<double>(least) + 0.5) / static_cast<double>(bins) + (wave.x + wave.y) / 2;
+}
+
+double from_whole(double number) { return std::abs(number - std::round(number)); }
+
+}
+
+PhaseMeans::PhaseMeans(const PngPixels& exemplar, std::vector<RegularWave> waves)
+    : waves_(std::move(waves)), channels_(static_cast<std::size_t>(exemplar.channels))
+{
+    std::size_t bins = channels_;
+    for (const RegularWave& wave : waves_) bins *= phase_bins(wave);
+    std::vector<double> counts(bins);
+    means_.resize(bins);
+    for (int y = 0; y < exemplar.height; ++y)
+        for (int x = 0; x < exemplar.width; ++x)
+            for (int c = 0; c < exemplar.channels; ++c) {
+                means_[bin(x, y, c)] += exemplar.values[exemplar.at(x, y, c)];
+                ++counts[bin(x, y, c)];
+            }
+    for (std::size_t i = 0; i < bins; ++i) means_[i] /= std::max(1.0, counts[i]);
+}
+
+std::size_t PhaseMeans::bin(int x, int y, int channel) const
+{
+    std::size_t bin = 0;
+    for (const RegularWave& wave : waves_) bin = bin * phase_bins(wave) + phase_bin(wave, x, y);
+    return bin * channels_ + static_cast<std::size_t>(channel);
+}
+
+bool fits_tiles(const RegularWave& wave, int size)
+{
+    const double periods = std::hypot(from_whole(wave.x * size), from_whole(wave.y * size));
+    return periods * wave.period() <= most_offset;
+}
+
+namespace {
+
+/// What waves leave of the lightness.
+LightMap differences_from_means(const PngPixels& exemplar, const std::vector<RegularWave>& waves)
+{
+    LightMap map = lightness_map(exemplar);
+    const PngPixels light{map.width, map.height, 1, lightness_bytes(map)};
+    const PhaseMeans means(light, waves);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) map.values[map.index(x, y)] -= means.at(x, y, 0);
+    return map;
+}
+
+}
+
+PhaseRule::PhaseRule(const PngPixels& exemplar, const std::vector<RegularWave>& waves, int size)
+{
+    if (waves.empty()) return;
+    const LightMap differences = differences_from_means(exemplar, waves);
+    for (const RegularWave& wave : waves)
+        waves_.push_back({wave, std::round(wave.x * size) / size, std::round(wave.y * size) / size,
+                          phase_between_courses(differences, wave)});
+}
+
+bool PhaseRule::holds(const ExemplarWindow& window, double x, double y, double slack) const
+{
+    return std::ranges::all_of(waves_, [&](const Phase& phase) {
+        const double periods = periods_to(phase.wave, window) - phase.tile_x * x - phase.tile_y * y - phase.start;
+        return from_whole(periods) * phase.wave.period() <= most_offset + slack;
+    });
+}
+
+ExemplarWindow PhaseRule::nearest(const ExemplarWindow& window, const PngPixels& exemplar, double x, double y) const
+{
+    ExemplarWindow best = window;
+    int least = -1;
+    if (is_empty()) return best;
+    const int reach = window.size; // at least a period of every wave
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const ExemplarWindow other{window.x + dx, window.y + dy, window.size};
+            const int away = dx * dx + dy * dy;
+            if ((least >= 0 && away >= least) || other.x < 0 || other.y < 0 || other.x + other.size > exemplar.width ||
+                other.y + other.size > exemplar.height || !holds(other, x, y))
+                continue;
+            least = away;
+            best = other;
+        }
+    return best;
+}
+
+std::vector<RegularWave> fitting_waves(const PngPixels& exemplar, int size)
+{
+    std::vector<RegularWave> waves = regular_waves(lightness_map(exemplar));
+    std::erase_if(waves, [&](const RegularWave& wave) { return !fits_tiles(wave, size); });
+    return waves;
+}
+
+}

@@ -1,0 +1,36 @@
+// What is regular in a picture: waves that go on over all of it, as courses of bricks, threads and planks do.
+//
+// A wave and its harmonics, the first four, hold a share of the picture's variance. In a picture without order each
+// part of the spectrum is about as high as what is around it; a wave is regular where its share is many times as high.
+// Of the exemplars here bricks, seen at an angle, have 28 times as much, made straight 130, fabric 59; a wall of rough
+// stones has 4.5, all others at most 3.5.
+#pragma once
+
+#include "host/texture/comparison/light_map.hpp"
+
+#include <array>
+#include <vector>
+
+namespace poissonlab {
+
+struct RegularWave
+{
+    double x = 0; ///< periods a pixel, to the east and to the south
+    double y = 0;
+    double share = 0; ///< of the picture's variance, of the wave and its harmonics
+    double times = 0; ///< how many times what is around them in the spectrum
+
+    double period() const; ///< in pixels, across the wave's crests
+};
+
+/// From so many times on a wave is regular.
+inline constexpr double least_regular_times = 20;
+
+/// The wave with the largest share that has at least eight periods over the picture.
+RegularWave strongest_wave(const LightMap& light);
+
+/// Regular waves of a picture: none, one, or two that are not parallel, the one with the larger share first. Places of
+/// waves are exact to about a hundredth of a period over the whole picture.
+std::vector<RegularWave> regular_waves(const LightMap& light);
+
+}

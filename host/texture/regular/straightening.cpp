@@ -1,0 +1,354 @@
+#include "host/texture/regular/straightening.hpp"
+
+#include "base/errors/errors.hpp"
+#include "host/texture/regular/phase_rule.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// Pictures are compared at this size while their angle is looked for.
+constexpr int searched_side = 256;
+
+/// The view is looked for up to where one side of the picture is this much nearer than its middle.
+constexpr double most_slope = 0.45;
+
+struct Place
+{
+    double x = 0;
+    double y = 0;
+};
+
+/// How a plane was seen: the place (x, y) of it, from the middle, in halves of the picture's sides, is at
+/// (x, y) / (1 + east x + south y) of the picture.
+struct Slope
+{
+    double east = 0;
+    double south = 0;
+
+    /// Half of the side of the square around the middle that lies within the picture.
+    double reach() const { return 1 - std::abs(east) - std::abs(south); }
+    Place seen(const Place& place) const
+    {
+        const double nearness = 1 + east * place.x + south * place.y;
+        return {place.x / nearness, place.y / nearness};
+    }
+};
+
+double linear_at(const LightMap& light, double x, double y)
+{
+    x = std::clamp(x, 0.0, light.width - 1.001);
+    y = std::clamp(y, 0.0, light.height - 1.001);
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const double u = x - column, v = y - row;
+    return (1 - v) * ((1 - u) * light.at(column, row) + u * light.at(column + 1, row)) +
+           v * ((1 - u) * light.at(column, row + 1) + u * light.at(column + 1, row + 1));
+}
+
+/// The plane as it is from straight above.
+LightMap from_above(const LightMap& light, const Slope& slope)
+{
+    LightMap map{searched_side, searched_side, {}};
+    const auto part = [&](int i) { return ((i + 0.5) * 2 / searched_side - 1) * slope.reach(); };
+    for (int y = 0; y < searched_side; ++y)
+        for (int x = 0; x < searched_side; ++x) {
+            const Place seen = slope.seen({part(x), part(y)});
+            map.values.push_back(
+                linear_at(light, (seen.x + 1) / 2 * light.width - 0.5, (seen.y + 1) / 2 * light.height - 0.5));
+        }
+    return map;
+}
+
+/// The slope with which a wave has the largest share: on a grid, then around the best one in steps that halve.
+Slope found_slope(const LightMap& light)
+{
+    Slope best;
+    // A picture that is straight keeps its pixels.
+    double share = 1.05 * strongest_wave(from_above(light, best)).share;
+    int reach = 4;
+    for (double step = 0.1; step > 0.002; step /= 2, reach = 2) {
+        std::vector<Slope> slopes;
+        for (int i = -reach; i <= reach; ++i)
+            for (int j = -reach; j <= reach; ++j) {
+                const Slope slope{best.east + i * step, best.south + j * step};
+                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope) slopes.push_back(slope);
+            }
+        std::vector<double> shares(slopes.size());
+        tbb::parallel_for(std::size_t{0}, slopes.size(),
+                          [&](std::size_t i) { shares[i] = strongest_wave(from_above(light, slopes[i])).share; });
+        const auto largest = std::ranges::max_element(shares);
+        if (*largest <= share) continue;
+        share = *largest;
+        best = slopes[static_cast<std::size_t>(largest - shares.begin())];
+    }
+    return best;
+}
+
+/// A linear map of the plane.
+struct Linear
+{
+    double xx = 1, xy = 0, yx = 0, yy = 1;
+
+    Place operator()(const Place& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
+    double determinant() const { return xx * yy - xy * yx; }
+    Linear inverse() const
+    {
+        const double d = determinant();
+        return {yy / d, -xy / d, -yx / d, xx / d};
+    }
+    Linear transposed() const { return {xx, yx, xy, yy}; }
+};
+
+Linear product(const Linear& a, const Linear& b)
+{
+    return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx, a.yx * b.xy + a.yy * b.yy};
+}
+
+/// Whole numbers of periods over a tile, those nearest to a wave's; at least one along an axis.
+Place whole_periods(const RegularWave& wave, int size)
+{
+    Place whole{std::round(wave.x * size), std::round(wave.y * size)};
+    if (whole.x == 0 && whole.y == 0)
+        (std::abs(wave.x) >= std::abs(wave.y) ? whole.x : whole.y) =
+            std::copysign(1.0, std::abs(wave.x) >= std::abs(wave.y) ? wave.x : wave.y);
+    return whole;
+}
+
+/// What places of the straightened picture become places of the plane as it is from straight above by: a wave k of
+/// this one is the wave transposed(k) of the other.
+Linear plane_of_tiles(const std::vector<RegularWave>& waves, int size)
+{
+    const Place first = whole_periods(waves[0], size);
+    if (waves.size() == 2) {
+        const Place second = whole_periods(waves[1], size);
+        const Linear whole{first.x / size, second.x / size, first.y / size, second.y / size};
+        const Linear known{waves[0].x, waves[1].x, waves[0].y, waves[1].y};
+        if (std::abs(whole.determinant()) > 0) return product(whole, known.inverse()).transposed();
+    }
+    // As complex numbers, the quotient of two waves turns and scales one into the other.
+    const std::complex<double> turn =
+        std::complex(first.x, first.y) / static_cast<double>(size) / std::complex(waves[0].x, waves[0].y);
+    return Linear{turn.real(), -turn.imag(), turn.imag(), turn.real()}.transposed();
+}
+
+/// The largest rectangle of a shape around the middle, grown along each axis, that lies within the picture.
+class InnerRectangle
+{
+public:
+    InnerRectangle(const Linear& plane, const Slope& slope, double width, double height)
+        : plane_(plane), slope_(slope), half_width_(width / 2), half_height_(height / 2)
+    {
+        const double size = largest([&](double part) { return Place{part * half_width_, part * half_height_}; });
+        half_ = {size * half_width_, size * half_height_};
+        const double wider = largest([&](double part) { return Place{part * half_width_, half_.y}; });
+        half_.x = wider * half_width_;
+        const double higher = largest([&](double part) { return Place{half_.x, part * half_height_}; });
+        half_.y = higher * half_height_;
+    }
+
+    Place half() const { return half_; }
+
+private:
+    /// The largest part with which all corners are within the picture; what is between them is within as well.
+    template <class Half>
+    double largest(const Half& half) const
+    {
+        double low = 0, high = 2;
+        for (int i = 0; i < 40; ++i) (holds(half((low + high) / 2)) ? low : high) = (low + high) / 2;
+        return low;
+    }
+
+    bool holds(const Place& half) const
+    {
+        for (const double x : {-half.x, half.x})
+            for (const double y : {-half.y, half.y}) {
+                const Place above = plane_({x, y});
+                const Place part{above.x / half_width_, above.y / half_height_};
+                if (1 + slope_.east * part.x + slope_.south * part.y <= 0) return false;
+                const Place seen = slope_.seen(part);
+                if (std::abs(seen.x) > 1 || std::abs(seen.y) > 1) return false;
+            }
+        return true;
+    }
+
+    Linear plane_;
+    Slope slope_;
+    double half_width_, half_height_;
+    Place half_;
+};
+
+/// The numbers of Straightening::to_source.
+std::array<double, 9> source_map(const Linear& plane, const Slope& slope, const PngPixels& exemplar, int width,
+                                 int height)
+{
+    // From columns and rows to places around the middle, to the plane, to the picture's.
+    const double half_x = exemplar.width / 2.0, half_y = exemplar.height / 2.0;
+    const double left = (1 - width) / 2.0, top = (1 - height) / 2.0;
+    const std::array<double, 3> x{plane.xx, plane.xy, plane.xx * left + plane.xy * top},
+        y{plane.yx, plane.yy, plane.yx * left + plane.yy * top};
+    std::array<double, 9> map{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        map[6 + i] = slope.east * x[i] / half_x + slope.south * y[i] / half_y + (i == 2 ? 1 : 0);
+        map[i] = x[i] + (half_x - 0.5) * map[6 + i];
+        map[3 + i] = y[i] + (half_y - 0.5) * map[6 + i];
+    }
+    return map;
+}
+
+/// Weights of the pixels one before to two after a place between two pixels: Catmull and Rom.
+std::array<double, 4> cubic_weights(double t)
+{
+    return {((2 - t) * t - 1) * t / 2, ((3 * t - 5) * t * t + 2) / 2, ((4 - 3 * t) * t + 1) * t / 2,
+            (t - 1) * t * t / 2};
+}
+
+/// A picture's number at a place; `at` says it of a pixel. Numbers stay in the range of those around.
+template <class At>
+double cubic_at(double x, double y, int width, int height, const At& at)
+{
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    const std::array<double, 4> along = cubic_weights(x - column), down = cubic_weights(y - row);
+    double sum = 0, lowest = 0, highest = 0;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const double value = at(std::clamp(column + i - 1, 0, width - 1), std::clamp(row + j - 1, 0, height - 1));
+            lowest = i + j == 0 ? value : std::min(lowest, value);
+            highest = i + j == 0 ? value : std::max(highest, value);
+            sum += along[static_cast<std::size_t>(i)] * down[static_cast<std::size_t>(j)] * value;
+        }
+    return std::clamp(sum, lowest, highest);
+}
+
+/// Calls `put` with the places in the source of all pixels, row by row.
+template <class Put>
+void for_all_places(const Straightening& map, const Put& put)
+{
+    const std::array<double, 9>& m = map.to_source;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const double w = m[6] * x + m[7] * y + m[8];
+            put((m[0] * x + m[1] * y + m[2]) / w, (m[3] * x + m[4] * y + m[5]) / w);
+        }
+}
+
+template <class Sample>
+void straighten_samples(const RawPicture& picture, const Straightening& map, RawPicture& made)
+{
+    for_all_places(map, [&](double x, double y) {
+        for (std::size_t c = 0; c < picture.channels.size(); ++c) {
+            double value = cubic_at(x, y, picture.width, picture.height, [&](int column, int row) {
+                Sample sample{};
+                std::memcpy(&sample, &picture.bytes[picture.at(column, row) + c * sizeof(Sample)], sizeof(Sample));
+                return static_cast<double>(sample);
+            });
+            if constexpr (std::is_integral_v<Sample>) value = std::round(value);
+            const auto sample = static_cast<Sample>(value);
+            std::array<std::uint8_t, sizeof(Sample)> bytes;
+            std::memcpy(bytes.data(), &sample, sizeof(Sample));
+            made.bytes.insert(made.bytes.end(), bytes.begin(), bytes.end());
+        }
+    });
+}
+
+}
+
+Straightening straightening_for(const PngPixels& exemplar, int size)
+{
+    const LightMap light = lightness_map(exemplar);
+    const Slope slope = found_slope(light);
+    std::vector<RegularWave> waves = regular_waves(from_above(light, slope));
+    if (waves.empty())
+        throw InputError(
+            fmt::format("straighten = true: nothing in the picture is regular: its strongest wave has {:.1f} "
+                        "times the power around it, of the {} that it needs",
+                        strongest_wave(from_above(light, slope)).times, least_regular_times));
+    for (RegularWave& wave : waves) { // periods a pixel of the picture's middle
+        wave.x *= searched_side / (slope.reach() * exemplar.width);
+        wave.y *= searched_side / (slope.reach() * exemplar.height);
+        if (wave.period() > 1.5 * size)
+            throw InputError(fmt::format("size = {}: the picture repeats every {:.1f} pixels: must be at least {:.0f}",
+                                         size, wave.period(), std::ceil(wave.period() / 1.5)));
+    }
+    const Linear plane = plane_of_tiles(waves, size);
+    const Place half = InnerRectangle(plane, slope, exemplar.width, exemplar.height).half();
+    Straightening map{static_cast<int>(2 * half.x), static_cast<int>(2 * half.y), {}, {}, 1};
+    if (std::min(map.width, map.height) < size)
+        throw InputError(fmt::format("size = {}: must be at most the straightened exemplar's, {} x {} pixels", size,
+                                     map.width, map.height));
+    map.to_source = source_map(plane, slope, exemplar, map.width, map.height);
+    map.scale = 1 / std::sqrt(std::abs(plane.determinant()));
+    for (const RegularWave& wave : waves) {
+        const Place whole = whole_periods(wave, size);
+        map.periods.push_back(size / std::hypot(whole.x, whole.y));
+    }
+    return map;
+}
+
+PngPixels straightened(const PngPixels& picture, const Straightening& map)
+{
+    PngPixels made{map.width, map.height, picture.channels, {}};
+    for_all_places(map, [&](double x, double y) {
+        for (int c = 0; c < picture.channels; ++c) {
+            const double value = cubic_at(x, y, picture.width, picture.height, [&](int column, int row) {
+                return static_cast<double>(picture.values[picture.at(column, row, c)]);
+            });
+            made.values.push_back(static_cast<std::uint8_t>(std::lround(value)));
+        }
+    });
+    return made;
+}
+
+RawPicture straightened(const RawPicture& picture, const Straightening& map)
+{
+    RawPicture made{map.width, map.height, picture.type, picture.channels, {}};
+    switch (picture.type) {
+    case SampleType::byte:
+        straighten_samples<std::uint8_t>(picture, map, made);
+        break;
+    case SampleType::word:
+        straighten_samples<std::uint16_t>(picture, map, made);
+        break;
+    case SampleType::real:
+        straighten_samples<float>(picture, map, made);
+        break;
+    }
+    return made;
+}
+
+std::string straightening_note(const Straightening& map)
+{
+    std::string periods = fmt::format("{:.4g}", map.periods.front());
+    if (map.periods.size() > 1) periods += fmt::format(" and {:.4g}", map.periods.back());
+    return fmt::format(
+        "straightened to {} x {} pixels: what is regular has periods of {} pixels, and {:.3g} of its size", map.width,
+        map.height, periods, map.scale);
+}
+
+std::string regularity_note(const PngPixels& exemplar, int size)
+{
+    const std::vector<RegularWave> waves = regular_waves(lightness_map(exemplar));
+    const auto fits = [&](int other) {
+        return std::ranges::all_of(waves, [other](const RegularWave& wave) { return fits_tiles(wave, other); });
+    };
+    if (fits(size)) return "";
+    std::string periods = fmt::format("{:.1f}", waves.front().period());
+    if (waves.size() > 1) periods += fmt::format(" and {:.1f}", waves.back().period());
+    std::string note = fmt::format("the picture repeats every {} pixels, which does not fit tiles of {}: joints run "
+                                   "through with --straighten",
+                                   periods, size);
+    for (int away = 2; away <= size / 2; away += 2)
+        for (const int other : {size - away, size + away})
+            if (fits(other)) return note + fmt::format(", or with --size {}", other);
+    return note;
+}
+
+}
