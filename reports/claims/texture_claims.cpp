@@ -20,7 +20,8 @@ using TextureOutcome = std::optional<ClaimOutcome>;
 /// choose all tiles together.
 bool is_plain_texture(const Texture& t)
 {
-    return t.parameter("smooth") == "false" && t.parameter("marked_exemplar").empty() && t.parameter("joint") != "true";
+    return t.parameter("smooth") == "false" && t.parameter("marked_exemplar").empty() &&
+           t.parameter("joint") != "true" && t.parameter("straighten") != "true";
 }
 
 bool is_wang_texture(const Texture& t) { return is_plain_texture(t) && t.parameter("kind") == "wang"; }

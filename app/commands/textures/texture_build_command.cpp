@@ -141,6 +141,7 @@ BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSett
     try {
         BuiltTexture built = build_texture(request, pictures.exemplar, tell, harmonic_solver(place));
         built.set.companions = std::move(pictures.companions);
+        if (asked.is_straightened) built.set.parameters["straighten"] = "true";
         return built;
     } catch (const InputError& error) {
         throw error.moved_to({asked.exemplar.string()});

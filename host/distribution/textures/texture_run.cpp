@@ -169,6 +169,7 @@ std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& 
     };
     if (!settings.marked_exemplar.empty())
         parameters.push_back({"marked_exemplar", settings.marked_exemplar.stem().string()});
+    if (settings.is_straightened) parameters.push_back({"straighten", "true"});
     for (const auto& [key, value] : parameters_of(settings.request)) {
         const auto is_there = [&](const DistributionParameter& parameter) { return parameter.key == key; };
         if (std::ranges::none_of(parameters, is_there)) parameters.push_back({key, value});
@@ -224,6 +225,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
                            values.back());
         if (number > 0) continue;
         built.set.companions = pictures.companions;
+        if (settings.is_straightened) built.set.parameters["straighten"] = "true";
         add_set(settings, built, place, files, result);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());
         if (settings.has_timing && place.engine == Engine::opencl) {
