@@ -13,8 +13,8 @@
 // else would keep a set from taking them.
 #pragma once
 
+#include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/joint/set_cover.hpp"
-#include "host/texture/regular/phase_rule.hpp"
 
 #include <array>
 #include <cstdint>

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "host/texture/corner_patches.hpp"
+#include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/joint/set_cover.hpp"
-#include "host/texture/regular/phase_rule.hpp"
 
 namespace poissonlab {
 

@@ -4,8 +4,8 @@
 // (masked_squares.hpp); the best of them are compared again pixel by pixel, with their neighbours.
 #pragma once
 
+#include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/masked_squares.hpp"
-#include "host/texture/regular/phase_rule.hpp"
 #include "host/texture/window_choice.hpp"
 
 #include <functional>

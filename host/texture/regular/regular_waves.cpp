@@ -227,6 +227,12 @@ void refine(RegularWave& wave, const LightMap& map)
 
 double RegularWave::period() const { return 1 / std::hypot(x, y); }
 
+bool fits_tiles(const RegularWave& wave, int size)
+{
+    const double periods = std::hypot(std::remainder(wave.x * size, 1.0), std::remainder(wave.y * size, 1.0));
+    return periods * wave.period() <= most_crest_offset;
+}
+
 RegularWave strongest_wave(const LightMap& light) { return WaveSpectrum(windowed(light)).strongest(); }
 
 std::vector<RegularWave> regular_waves(const LightMap& light)

@@ -23,6 +23,13 @@ struct RegularWave
     double period() const; ///< in pixels, across the wave's crests
 };
 
+/// Pixels that crests may be away from where they should be.
+inline constexpr double most_crest_offset = 1;
+
+/// True if a wave has nearly whole numbers of periods over T pixels along both axes: its crests are at most a pixel
+/// away from there after T pixels.
+bool fits_tiles(const RegularWave& wave, int size);
+
 /// From so many times on a wave is regular.
 inline constexpr double least_regular_times = 20;
 

@@ -1,7 +1,6 @@
 #include "host/texture/regular/straightening.hpp"
 
 #include "base/errors/errors.hpp"
-#include "host/texture/regular/phase_rule.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -1,6 +1,6 @@
 // What is regular in an exemplar: waves of known place and share are found, and none in noise; a plane seen at a known
 // angle becomes straight; windows may lie exactly where a count of pixels says; joints of a wall run through.
-#include "host/texture/regular/phase_rule.hpp"
+#include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 #include "host/texture/texture_build.hpp"

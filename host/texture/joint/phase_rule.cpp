@@ -1,15 +1,13 @@
-#include "host/texture/regular/phase_rule.hpp"
+#include "host/texture/joint/phase_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace poissonlab {
 namespace {
-
-/// Pixels that crests may be away from where they should be.
-constexpr double most_offset = 1;
 
 /// Periods of a window from the exemplar's corner to its middle.
 double periods_to(const RegularWave& wave, const ExemplarWindow& window)
@@ -53,7 +51,8 @@ double phase_between_courses(const LightMap& differences, const RegularWave& wav
                 products[bin] += differences.at(x - dx, y - dy) * differences.at(x + dx, y + dy);
                 ++counts[bin];
             }
-    for (std::size_t i = 0; i < bins; ++i) products[i] /= std::max(1.0, counts[i]);
+    for (std::size_t i = 0; i < bins; ++i)
+        products[i] = counts[i] > 0 ? products[i] / counts[i] : std::numeric_limits<double>::infinity();
     const auto least = std::ranges::min_element(products) - products.begin();
     // Bins count from the middle of the first pixel, places from its corner.
     return (static_cast<double>(least) + 0.5) / static_cast<double>(bins) + (wave.x + wave.y) / 2;
@@ -86,12 +85,6 @@ std::size_t PhaseMeans::bin(int x, int y, int channel) const
     return bin * channels_ + static_cast<std::size_t>(channel);
 }
 
-bool fits_tiles(const RegularWave& wave, int size)
-{
-    const double periods = std::hypot(from_whole(wave.x * size), from_whole(wave.y * size));
-    return periods * wave.period() <= most_offset;
-}
-
 namespace {
 
 /// What waves leave of the lightness.
@@ -120,7 +113,7 @@ bool PhaseRule::holds(const ExemplarWindow& window, double x, double y, double s
 {
     return std::ranges::all_of(waves_, [&](const Phase& phase) {
         const double periods = periods_to(phase.wave, window) - phase.tile_x * x - phase.tile_y * y - phase.start;
-        return from_whole(periods) * phase.wave.period() <= most_offset + slack;
+        return from_whole(periods) * phase.wave.period() <= most_crest_offset + slack;
     });
 }
 

@@ -14,10 +14,6 @@
 
 namespace poissonlab {
 
-/// True if a wave has nearly whole numbers of periods over T pixels along both axes: its crests are at most a pixel
-/// away from there after T pixels.
-bool fits_tiles(const RegularWave& wave, int size);
-
 class PhaseRule
 {
 public:
