@@ -122,8 +122,8 @@ Place whole_periods(const RegularWave& wave, int size)
     return whole;
 }
 
-/// What places of the straightened picture become places of the plane as it is from straight above by: a wave k of
-/// this one is the wave transposed(k) of the other.
+/// The map from places of the straightened picture to places of the plane as it is from straight above: a wave k of
+/// the plane is the wave transposed(k) of the straightened picture.
 Linear plane_of_tiles(const std::vector<RegularWave>& waves, int size)
 {
     const Place first = whole_periods(waves[0], size);
