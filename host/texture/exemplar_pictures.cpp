@@ -90,7 +90,7 @@ void check_companions(const fs::path& exemplar, const std::vector<fs::path>& als
 }
 
 ExemplarPictures read_exemplar_pictures(const fs::path& exemplar, const fs::path& marked_exemplar,
-                                        const std::vector<fs::path>& also, int straightened_for)
+                                        const std::vector<fs::path>& also)
 {
     ExemplarPictures pictures;
     std::string note;
@@ -105,7 +105,6 @@ ExemplarPictures read_exemplar_pictures(const fs::path& exemplar, const fs::path
     if (!also.empty()) check_companions(exemplar, also);
     for (const fs::path& file : also)
         pictures.companions.push_back(companion_map(companion_name(file), read_raw_picture(file)));
-    if (straightened_for > 0) straighten(pictures, straightened_for);
     return pictures;
 }
 

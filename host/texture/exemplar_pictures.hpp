@@ -22,13 +22,12 @@ struct ExemplarPictures
 void check_companions(const std::filesystem::path& exemplar, const std::vector<std::filesystem::path>& also);
 
 /// Reads the pictures of a set; `marked_exemplar` may be empty. Exemplars of 16 bits and of floating-point numbers are
-/// companions as well. `straightened_for`: all are straightened for tiles of that size (regular/straightening.hpp); 0:
-/// they stay as they are. Throws InputError as read_exemplar(), check_companions() and straightening_for() do.
+/// companions as well. Throws InputError as read_exemplar() and check_companions() do.
 ExemplarPictures read_exemplar_pictures(const std::filesystem::path& exemplar,
                                         const std::filesystem::path& marked_exemplar,
-                                        const std::vector<std::filesystem::path>& also, int straightened_for = 0);
+                                        const std::vector<std::filesystem::path>& also);
 
-/// Straightens all pictures of a set.
+/// Straightens all pictures of a set for tiles of that size. Throws InputError as straightening_for() does.
 void straighten(ExemplarPictures& pictures, int size);
 
 }

@@ -114,17 +114,18 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
 ExemplarPictures exemplar_pictures(const TextureSettings& asked)
 {
     const TextureRequest& request = asked.request;
-    try {
-        ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also,
-                                                           asked.is_straightened ? request.size : 0);
-        const std::string note =
-            request.joint && !asked.is_straightened ? regularity_note(pictures.exemplar, request.size) : "";
+    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
+    if (asked.is_straightened) {
+        try {
+            straighten(pictures, request.size);
+        } catch (const InputError& error) {
+            throw error.moved_to({asked.exemplar.string()});
+        }
+    } else if (request.joint) {
+        const std::string note = regularity_note(pictures.exemplar, request.size);
         if (!note.empty()) pictures.notes.push_back(note);
-        return pictures;
-    } catch (const InputError& error) {
-        if (!asked.is_straightened) throw;
-        throw error.moved_to({asked.exemplar.string()});
     }
+    return pictures;
 }
 
 BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)

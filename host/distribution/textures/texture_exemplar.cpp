@@ -7,13 +7,15 @@ namespace poissonlab {
 
 ExemplarPictures texture_exemplar(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    if (settings.pattern.empty())
-        return read_exemplar_pictures(settings.exemplar, settings.marked_exemplar, settings.also,
-                                      settings.is_straightened ? settings.request.size : 0);
-    SquarePoints places;
-    if (settings.pattern == "pebbles")
-        places = even_points(default_even_method(), pebble_count(settings.pattern_size), 1, 1, seed, place);
-    ExemplarPictures pictures{synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places), 0, {}, {}};
+    ExemplarPictures pictures;
+    if (settings.pattern.empty()) {
+        pictures = read_exemplar_pictures(settings.exemplar, settings.marked_exemplar, settings.also);
+    } else {
+        SquarePoints places;
+        if (settings.pattern == "pebbles")
+            places = even_points(default_even_method(), pebble_count(settings.pattern_size), 1, 1, seed, place);
+        pictures.exemplar = synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places);
+    }
     if (settings.is_straightened) straighten(pictures, settings.request.size);
     return pictures;
 }

@@ -237,7 +237,7 @@ private:
     }
 
     /// Lays first pieces over all sites of a kind, so many being chosen by what is shown before any of them is; each is
-    /// as far from all others as diversity asks.
+    /// as far from all others as diversity asks, unless windows have phases.
     void lay_first(Site::Kind kind, const FirstPiece& piece, std::size_t at_once, const std::string& stage)
     {
         const std::vector<const Site*> sites = sites_of_kind(kind);
@@ -259,7 +259,8 @@ private:
                     found[i] = look(*sites[first + i]);
                 }
                 auto best = std::ranges::find_if(found[i], is_free);
-                if (best == found[i].end()) { // there is no window left that is far from others
+                // Few windows have a phase: where none is left that is far from others, one near them is taken.
+                if (best == found[i].end() && !rule_.is_empty()) {
                     found[i] = candidates(*sites[first + i], piece.box, search, request_.candidates, UsedWindows(0),
                                           piece.is_taken);
                     best = found[i].begin();

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int harmonics = 4;
 constexpr int least_periods = 8; ///< over the picture
-constexpr int least_period = 6;  ///< in pixels
 
 /// Waves hold at least so much of the variance: without noise, the smallest would be many times what is around it.
 constexpr double least_share = 0.02;
@@ -73,6 +72,7 @@ public:
     /// The strongest wave, of those that are not parallel to another one if there is one.
     RegularWave strongest(const std::optional<RegularWave>& other = {}) const
     {
+        if (!(total_ > 0)) return {}; // one colour has no waves
         const Periods best = largest(other);
         for (int k = harmonics; k > 1; --k)
             for (int dy = -1; dy <= 1; ++dy)
@@ -93,17 +93,18 @@ private:
 
     bool is_looked_at(const Periods& p) const
     {
-        return p.x * p.x + p.y * p.y >= least_periods * least_periods && p.x >= 0 && p.x <= width_ / least_period &&
-               std::abs(p.y) <= height_ / least_period && (p.x > 0 || p.y > 0);
+        return p.x * p.x + p.y * p.y >= least_periods * least_periods && p.x >= 0 &&
+               p.x <= width_ / least_wave_period && std::abs(p.y) <= height_ / least_wave_period &&
+               (p.x > 0 || p.y > 0);
     }
 
     Periods largest(const std::optional<RegularWave>& other) const
     {
         Periods best;
         double largest = 0;
-        const int most_y = height_ / least_period;
+        const int most_y = height_ / least_wave_period;
         for (int y = -most_y; y <= most_y; ++y)
-            for (int x = 0; x <= width_ / least_period; ++x) {
+            for (int x = 0; x <= width_ / least_wave_period; ++x) {
                 const Periods periods{x, y};
                 if (!is_looked_at(periods) || (other && is_parallel(place(periods), *other))) continue;
                 const double share = share_of(periods);
@@ -243,10 +244,10 @@ std::vector<RegularWave> regular_waves(const LightMap& light)
     const auto is_regular = [](const RegularWave& wave) {
         return wave.times >= least_regular_times && wave.share >= least_share;
     };
-    for (RegularWave wave = spectrum.strongest(); waves.size() < 2 && is_regular(wave);
-         wave = spectrum.strongest(waves.front())) {
+    for (RegularWave wave = spectrum.strongest(); is_regular(wave); wave = spectrum.strongest(waves.front())) {
         refine(wave, map);
         waves.push_back(wave);
+        if (waves.size() == 2) break;
     }
     return waves;
 }

@@ -13,6 +13,9 @@
 
 namespace poissonlab {
 
+/// Waves of shorter periods are not looked for, in pixels.
+inline constexpr int least_wave_period = 6;
+
 struct RegularWave
 {
     double x = 0; ///< periods a pixel, to the east and to the south

@@ -1,8 +1,10 @@
 #include "host/texture/regular/straightening.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tiles/texture/texture_set.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,8 +20,17 @@ namespace {
 /// Pictures are compared at this size while their angle is looked for.
 constexpr int searched_side = 256;
 
+/// Larger ones are halved first: places between pixels would show waves that are not there.
+constexpr int most_searched_side = searched_side * 3 / 2;
+
+/// Places that move by less than this stay where they are, in pixels.
+constexpr double least_movement = 0.25;
+
 /// The view is looked for up to where one side of the picture is this much nearer than its middle.
 constexpr double most_slope = 0.45;
+
+/// The longest period that is fitted to a tile, in tiles.
+constexpr double most_period_in_tiles = 1.5;
 
 struct Place
 {
@@ -51,6 +62,32 @@ double linear_at(const LightMap& light, double x, double y)
     const double u = x - column, v = y - row;
     return (1 - v) * ((1 - u) * light.at(column, row) + u * light.at(column + 1, row)) +
            v * ((1 - u) * light.at(column, row + 1) + u * light.at(column + 1, row + 1));
+}
+
+/// Of half the width and height: means of four pixels each.
+LightMap halved(const LightMap& light)
+{
+    LightMap map{light.width / 2, light.height / 2, {}};
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            map.values.push_back((light.at(2 * x, 2 * y) + light.at(2 * x + 1, 2 * y) + light.at(2 * x, 2 * y + 1) +
+                                  light.at(2 * x + 1, 2 * y + 1)) /
+                                 4);
+    return map;
+}
+
+LightMap searched_map(const PngPixels& exemplar)
+{
+    LightMap light = lightness_map(exemplar);
+    while (std::max(light.width, light.height) > most_searched_side && std::min(light.width, light.height) > 3)
+        light = halved(light);
+    return light;
+}
+
+/// The shortest period that is found, in pixels of the exemplar.
+double least_found_period(const PngPixels& exemplar)
+{
+    return least_wave_period * static_cast<double>(std::max(exemplar.width, exemplar.height)) / searched_side;
 }
 
 /// The plane as it is from straight above.
@@ -85,7 +122,7 @@ Slope found_slope(const LightMap& light)
         tbb::parallel_for(std::size_t{0}, slopes.size(),
                           [&](std::size_t i) { shares[i] = strongest_wave(from_above(light, slopes[i])).share; });
         const auto largest = std::ranges::max_element(shares);
-        if (*largest <= share) continue;
+        if (!(*largest > share)) continue;
         share = *largest;
         best = slopes[static_cast<std::size_t>(largest - shares.begin())];
     }
@@ -122,17 +159,28 @@ Place whole_periods(const RegularWave& wave, int size)
     return whole;
 }
 
+/// Two waves as columns: as they are, or with whole numbers of periods over a tile.
+Linear known_waves(const std::vector<RegularWave>& waves) { return {waves[0].x, waves[1].x, waves[0].y, waves[1].y}; }
+Linear whole_waves(const std::vector<RegularWave>& waves, int size)
+{
+    const Place first = whole_periods(waves[0], size), second = whole_periods(waves[1], size);
+    return {first.x / size, second.x / size, first.y / size, second.y / size};
+}
+
+/// The waves of which all can have whole numbers of periods: where that would mirror the picture, the first alone.
+std::vector<RegularWave> waves_that_fit(std::vector<RegularWave> waves, int size)
+{
+    if (waves.size() == 2 && whole_waves(waves, size).determinant() * known_waves(waves).determinant() <= 0)
+        waves.pop_back();
+    return waves;
+}
+
 /// The map from places of the straightened picture to places of the plane as it is from straight above: a wave k of
 /// the plane is the wave transposed(k) of the straightened picture.
 Linear plane_of_tiles(const std::vector<RegularWave>& waves, int size)
 {
+    if (waves.size() == 2) return product(whole_waves(waves, size), known_waves(waves).inverse()).transposed();
     const Place first = whole_periods(waves[0], size);
-    if (waves.size() == 2) {
-        const Place second = whole_periods(waves[1], size);
-        const Linear whole{first.x / size, second.x / size, first.y / size, second.y / size};
-        const Linear known{waves[0].x, waves[1].x, waves[0].y, waves[1].y};
-        if (std::abs(whole.determinant()) > 0) return product(whole, known.inverse()).transposed();
-    }
     // As complex numbers, the quotient of two waves turns and scales one into the other.
     const std::complex<double> turn =
         std::complex(first.x, first.y) / static_cast<double>(size) / std::complex(waves[0].x, waves[0].y);
@@ -203,6 +251,32 @@ std::array<double, 9> source_map(const Linear& plane, const Slope& slope, const 
     return map;
 }
 
+/// As many whole pixels, of which a source of that many has the same number left and right.
+int whole_pixels(double side, int source)
+{
+    const int pixels = static_cast<int>(side + 1e-6);
+    return pixels - std::abs(source - pixels) % 2;
+}
+
+/// Pixels that hardly move stay what they are.
+void keep_pixels_that_stay(Straightening& map)
+{
+    std::array<double, 9>& m = map.to_source;
+    const auto seen = [&](double x, double y) {
+        const double w = m[6] * x + m[7] * y + m[8];
+        return Place{(m[0] * x + m[1] * y + m[2]) / w, (m[3] * x + m[4] * y + m[5]) / w};
+    };
+    const double right = map.width - 1, bottom = map.height - 1;
+    const Place middle = seen(right / 2, bottom / 2);
+    const double left = std::round(middle.x - right / 2), top = std::round(middle.y - bottom / 2);
+    for (const double x : {0.0, right})
+        for (const double y : {0.0, bottom}) {
+            const Place place = seen(x, y);
+            if (std::abs(place.x - x - left) > least_movement || std::abs(place.y - y - top) > least_movement) return;
+        }
+    m = {1, 0, left, 0, 1, top, 0, 0, 1};
+}
+
 /// Weights of the pixels one before to two after a place between two pixels: Catmull and Rom.
 std::array<double, 4> cubic_weights(double t)
 {
@@ -262,28 +336,34 @@ void straighten_samples(const RawPicture& picture, const Straightening& map, Raw
 
 Straightening straightening_for(const PngPixels& exemplar, int size)
 {
-    const LightMap light = lightness_map(exemplar);
+    if (std::min(exemplar.width, exemplar.height) < size)
+        throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", size, exemplar.width,
+                                     exemplar.height));
+    const LightMap light = searched_map(exemplar);
     const Slope slope = found_slope(light);
     std::vector<RegularWave> waves = regular_waves(from_above(light, slope));
     if (waves.empty())
         throw InputError(
-            fmt::format("straighten = true: nothing in the picture is regular: its strongest wave has {:.1f} "
-                        "times the power around it, of the {} that it needs",
-                        strongest_wave(from_above(light, slope)).times, least_regular_times));
+            fmt::format("straighten = true: nothing in the picture is regular: its strongest wave of {:.0f} pixels and "
+                        "more has {:.1f} times the power around it, of the {} that it needs",
+                        std::ceil(least_found_period(exemplar)), strongest_wave(from_above(light, slope)).times,
+                        least_regular_times));
     for (RegularWave& wave : waves) { // periods a pixel of the picture's middle
         wave.x *= searched_side / (slope.reach() * exemplar.width);
         wave.y *= searched_side / (slope.reach() * exemplar.height);
-        if (wave.period() > 1.5 * size)
+        if (wave.period() > most_period_in_tiles * size)
             throw InputError(fmt::format("size = {}: the picture repeats every {:.1f} pixels: must be at least {:.0f}",
-                                         size, wave.period(), std::ceil(wave.period() / 1.5)));
+                                         size, wave.period(), std::ceil(wave.period() / most_period_in_tiles)));
     }
+    waves = waves_that_fit(std::move(waves), size);
     const Linear plane = plane_of_tiles(waves, size);
     const Place half = InnerRectangle(plane, slope, exemplar.width, exemplar.height).half();
-    Straightening map{static_cast<int>(2 * half.x), static_cast<int>(2 * half.y), {}, {}, 1};
+    Straightening map{whole_pixels(2 * half.x, exemplar.width), whole_pixels(2 * half.y, exemplar.height), {}, {}, 1};
     if (std::min(map.width, map.height) < size)
         throw InputError(fmt::format("size = {}: must be at most the straightened exemplar's, {} x {} pixels", size,
                                      map.width, map.height));
     map.to_source = source_map(plane, slope, exemplar, map.width, map.height);
+    keep_pixels_that_stay(map);
     map.scale = 1 / std::sqrt(std::abs(plane.determinant()));
     for (const RegularWave& wave : waves) {
         const Place whole = whole_periods(wave, size);
@@ -341,13 +421,19 @@ std::string regularity_note(const PngPixels& exemplar, int size)
     if (fits(size)) return "";
     std::string periods = fmt::format("{:.1f}", waves.front().period());
     if (waves.size() > 1) periods += fmt::format(" and {:.1f}", waves.back().period());
-    std::string note = fmt::format("the picture repeats every {} pixels, which does not fit tiles of {}: joints run "
-                                   "through with --straighten",
-                                   periods, size);
-    for (int away = 2; away <= size / 2; away += 2)
+    const std::string begin =
+        fmt::format("the picture repeats every {} pixels, which does not fit tiles of {}", periods, size);
+    std::vector<std::string> ways;
+    if (waves.front().period() <= most_period_in_tiles * size && waves.front().period() >= least_found_period(exemplar))
+        ways.emplace_back("--straighten");
+    const int largest = std::min({most_tile_pixels, exemplar.width, exemplar.height});
+    for (int away = 2; away <= size / 2 && ways.size() < 2; away += 2)
         for (const int other : {size - away, size + away})
-            if (fits(other)) return note + fmt::format(", or with --size {}", other);
-    return note;
+            if (other >= least_tile_pixels && other <= largest && fits(other)) {
+                ways.push_back(fmt::format("--size {}", other));
+                break;
+            }
+    return ways.empty() ? begin : fmt::format("{}: joints run through with {}", begin, fmt::join(ways, ", or with "));
 }
 
 }

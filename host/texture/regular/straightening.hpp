@@ -27,8 +27,9 @@ struct Straightening
     double scale = 1;            ///< of lengths in the middle of the picture
 };
 
-/// For tiles of T x T pixels. Throws InputError where nothing is regular, where a period is larger than a tile by half,
-/// and where what is left is smaller than a tile.
+/// For tiles of T x T pixels. Waves are looked for whose period is 6/256 of the larger side or more. Throws InputError
+/// where nothing is regular, where a period is larger than a tile by half, and where the picture, or what is left of
+/// it, is smaller than a tile.
 Straightening straightening_for(const PngPixels& exemplar, int size);
 
 /// The pictures, by cubic interpolation (Catmull and Rom) within the range of the sixteen pixels around.

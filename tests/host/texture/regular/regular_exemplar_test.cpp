@@ -125,6 +125,32 @@ TEST(Straightening, LeavesAStraightPictureItsPixels)
     EXPECT_NEAR(map.scale, 1, 0.005);
 }
 
+/// What is straight and fits already is not sampled between its pixels.
+TEST(Straightening, MovesNoPixelsOfWhatFits)
+{
+    const PngPixels picture = planks(256, 0, 0, 16, 0);
+    const Straightening map = straightening_for(picture, 64);
+    const PngPixels made = straightened(picture, map);
+    const int left = static_cast<int>(map.to_source[2]), top = static_cast<int>(map.to_source[5]);
+    ASSERT_GE(made.width, 250);
+    for (int y = 0; y < made.height; ++y)
+        for (int x = 0; x < made.width; ++x)
+            ASSERT_EQ(made.values[made.at(x, y, 0)], picture.values[picture.at(x + left, y + top, 0)]);
+}
+
+/// A picture of 1,024 pixels is looked at with 256: threads of less than six of these are not found, nor waves that
+/// single pixels of them would show.
+TEST(Straightening, SeesNoWavesThatAreNotThere)
+{
+    PngPixels threads{1024, 1024, 1, {}};
+    for (int y = 0; y < 1024; ++y)
+        for (int x = 0; x < 1024; ++x)
+            threads.values.push_back(static_cast<std::uint8_t>(128 + 90 * std::cos(2 * std::numbers::pi * x / 4.4)));
+    EXPECT_THAT(message_of<InputError>([&] { straightening_for(threads, 64); }),
+                HasSubstr("its strongest wave of 24 pixels and more has"));
+    EXPECT_THAT(regularity_note(threads, 64), testing::Not(HasSubstr("--straighten")));
+}
+
 TEST(Straightening, TakesNumbersOfAllKindsAlike)
 {
     const PngPixels picture = planks(128, 0.05, 0.1, 16, 0);
@@ -158,6 +184,12 @@ TEST(Straightening, SaysWhatItCannotDo)
     EXPECT_THAT(message(planks(256, 0, 0, 30, 0), 16), HasSubstr("size = 16: the picture repeats every 30.0 pixels"));
     EXPECT_THAT(regularity_note(planks(256, 0, 0, 20, 0), 64), HasSubstr("with --size 60"));
     EXPECT_EQ(regularity_note(planks(256, 0, 0, 16, 0), 64), "");
+    const PngPixels black{128, 128, 1, std::vector<std::uint8_t>(128 * 128)},
+        line{64, 1, 1, std::vector<std::uint8_t>(64)};
+    EXPECT_THAT(message(black, 32), HasSubstr("has 0.0 times the power around it"));
+    EXPECT_EQ(message(line, 32), "size = 32: must be at most the exemplar's, 64 x 1 pixels");
+    EXPECT_EQ(regularity_note(black, 64), "");
+    EXPECT_THAT(regularity_note(planks(256, 0, 0, 30, 0), 16), testing::Not(HasSubstr("--straighten")));
     EXPECT_EQ(regularity_note(test::random_picture(128, 128, 1, 3), 64), "");
 }
 
