@@ -104,7 +104,7 @@ protected:
     {
         const fs::path configs = source_folder() + "/configs";
         folder_.write(name + ".toml", test::small_config(content_of(configs / (name + ".toml"))));
-        for (const char* beside : {"alphabets", "exemplars", "surfaces", "your-method.awk"})
+        for (const char* beside : {"alphabets", "exemplars", "regions", "surfaces", "your-method.awk"})
             fs::create_symlink(configs / beside, folder_.path() / beside);
         const Outcome outcome = run_program(folder_.path(), {"run", name + ".toml", "--out", "report", "--quiet"});
         ASSERT_EQ(outcome.status, 0) << outcome.error;
