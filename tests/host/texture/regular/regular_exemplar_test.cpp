@@ -142,10 +142,11 @@ TEST(Straightening, MovesNoPixelsOfWhatFits)
 /// single pixels of them would show.
 TEST(Straightening, SeesNoWavesThatAreNotThere)
 {
-    PngPixels threads{1024, 1024, 1, {}};
-    for (int y = 0; y < 1024; ++y)
-        for (int x = 0; x < 1024; ++x)
-            threads.values.push_back(static_cast<std::uint8_t>(128 + 90 * std::cos(2 * std::numbers::pi * x / 4.4)));
+    PngPixels threads = test::random_picture(1024, 1024, 1, 7);
+    for (std::size_t i = 0; i < threads.values.size(); ++i) {
+        const double thread = std::cos(2 * std::numbers::pi * static_cast<double>(i % 1024) / 4.4);
+        threads.values[i] = static_cast<std::uint8_t>(128 + 90 * thread + (threads.values[i] - 128) / 8);
+    }
     EXPECT_THAT(message_of<InputError>([&] { straightening_for(threads, 64); }),
                 HasSubstr("its strongest wave of 24 pixels and more has"));
     EXPECT_THAT(regularity_note(threads, 64), testing::Not(HasSubstr("--straighten")));
