@@ -183,7 +183,7 @@ private:
         return 2 * realizations_ * (best - without);
     }
 
-    /// Of one realization.
+    /// Returns the logarithm of the likelihood of one realization.
     double log_likelihood(int m, const PerModel& scale) const { return -pairs_ * std::log(scale[m]) - logarithms_[m]; }
 
     double pairs_;

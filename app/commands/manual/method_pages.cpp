@@ -152,7 +152,7 @@ std::string claims_about(const SamplerSpec& spec)
            text;
 }
 
-/// What the method takes where its sets lie in a region.
+/// Says what the method takes where its sets lie in a region.
 std::string in_regions(const SamplerSpec& spec)
 {
     const SamplerSpec* in_region = find_sampler(spec.name, region_sampler_registry());

@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-/// What becomes of parameters that are checked: all but the region.
+/// Writes checked parameters into the settings, all but the region.
 using ReadParameters = std::function<void(const Parameters&, const SampleRequest&, RegionPointSettings&)>;
 
 /// A method in regions.

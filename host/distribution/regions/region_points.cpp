@@ -142,7 +142,7 @@ private:
         return (box.high[0] - box.low[0] + 1.0) * (box.high[1] - box.low[1] + 1.0) * 0x1p-64;
     }
 
-    /// What is asked of relaxation dart throwing where a part `share` of the region's box lies inside.
+    /// Returns what relaxation dart throwing is asked for where a part `share` of the region's box lies inside.
     RelaxationDartThrowingRequest relaxation_request(double share) const
     {
         RelaxationDartThrowingRequest request;

@@ -65,7 +65,7 @@ PointSet chosen_points(const PointSet& points, std::span<const std::uint32_t> nu
     return chosen;
 }
 
-/// Of a square or cube of that area or volume.
+/// Returns the side of a square or cube of that area or volume.
 double side_of(double area, int dimension) { return dimension == 2 ? std::sqrt(area) : std::cbrt(area); }
 
 }

@@ -87,7 +87,7 @@ std::size_t PhaseMeans::bin(int x, int y, int channel) const
 
 namespace {
 
-/// What waves leave of the lightness.
+/// Returns what waves leave of the lightness.
 LightMap differences_from_means(const PngPixels& exemplar, const std::vector<RegularWave>& waves)
 {
     LightMap map = lightness_map(exemplar);

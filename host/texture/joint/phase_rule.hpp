@@ -20,7 +20,7 @@ public:
     /// Everything may lie everywhere.
     PhaseRule() = default;
 
-    /// Of waves that fit tiles of T x T pixels. Borders of tiles lie where the exemplar's two sides have least to do
+    /// The waves fit tiles of T x T pixels. Borders of tiles lie where the exemplar's two sides have least to do
     /// with each other, between two courses: what crosses them would have to go on in many tiles.
     PhaseRule(const PngPixels& exemplar, const std::vector<RegularWave>& waves, int size);
 
@@ -46,8 +46,8 @@ private:
 /// The regular waves of an exemplar that fit tiles of a size.
 std::vector<RegularWave> fitting_waves(const PngPixels& exemplar, int size);
 
-/// What waves alone make of a number of the exemplar: the mean of all that have the same place in a period. In a tiling
-/// whose windows lie alike this is what all tiles have at a place; without waves, the mean of all.
+/// These are what waves alone make of numbers of the exemplar: means of all that have the same place in a period. In a
+/// tiling whose windows lie alike this is what all tiles have at a place; without waves, the mean of all.
 class PhaseMeans
 {
 public:
