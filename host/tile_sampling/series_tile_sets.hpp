@@ -26,7 +26,7 @@ public:
 
     const std::vector<PoissonTileSet>& all() const { return sets_; }
 
-    /// What sets of points have of their tile sets; its tile_set_file is to be called while this lives.
+    /// Returns what sets of points have of their tile sets; its tile_set_file is to be called while this lives.
     SetTraits traits() const;
 
 private:

@@ -58,7 +58,7 @@ std::optional<double> ClaimSeries::scheme_number(const std::string& kind, const 
 ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series, std::vector<const DistributionResult*> distributions)
     : series_(std::move(series)), distributions_(std::move(distributions))
 {
-    // What papers say is of the torus, or of the plane.
+    // Papers speak of the torus, or of the plane.
     std::erase_if(series_, [](const ReportSeries* one) { return one->stored->region.has_value(); });
     std::vector<const ReportSeries*> plates;
     std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {

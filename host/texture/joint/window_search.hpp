@@ -15,7 +15,7 @@ namespace poissonlab {
 /// The means of 2 x 2 pixels each.
 PngPixels halved(const PngPixels& picture);
 
-/// Whether a window may be taken; with `slack` also those that are so many pixels away from one.
+/// Says whether a window may be taken; with `slack` also those that are so many pixels away from one.
 using WindowTest = std::function<bool(const ExemplarWindow& window, double slack)>;
 
 /// The test of windows whose middles are to lie at (x, y), pixels from a tile's corner: none where the rule is empty.

@@ -152,7 +152,7 @@ private:
                total_;
     }
 
-    /// Of the places that a wave between them is spread over by the window.
+    /// Adds up the places that the window spreads a wave between them over.
     double near_share(int x, int y) const { return square_share(x, y, 1); }
 
     /// The mean of a ring around those.

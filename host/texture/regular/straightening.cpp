@@ -64,7 +64,7 @@ double linear_at(const LightMap& light, double x, double y)
            v * ((1 - u) * light.at(column, row + 1) + u * light.at(column + 1, row + 1));
 }
 
-/// Of half the width and height, without what is too fine for that: by weights of 1, 3, 3 and 1 along each axis.
+/// Returns half the width and height, without what is too fine for that: by weights of 1, 3, 3 and 1 along each axis.
 LightMap halved(const LightMap& light)
 {
     constexpr std::array<double, 4> weights{1.0 / 8, 3.0 / 8, 3.0 / 8, 1.0 / 8};

@@ -1,7 +1,7 @@
 // A picture of something regular that was seen at an angle, or whose courses do not fit tiles, becomes one whose
 // courses are straight, alike everywhere, and a whole number for each tile.
 //
-// What is flat and seen at an angle is straight again after a projective map. Two of its numbers, the line at which
+// A plane that is seen at an angle is straight again after a projective map. Two of its numbers, the line at which
 // parallels meet, decide whether courses are alike everywhere: those are taken with which a wave and its harmonics hold
 // the largest share of the picture's variance. The others are chosen so that the regular waves have whole numbers of
 // periods over a tile: with one wave by turning and scaling, with two by the linear map that moves both.
