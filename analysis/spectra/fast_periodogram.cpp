@@ -9,6 +9,7 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/point_spreading.hpp"
+#include "analysis/spectra/transform_size.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
 #include "base/programs/interrupt.hpp"
 
@@ -32,8 +33,7 @@ using Complex = std::complex<double>;
 /// kernel, which less oversampling needs, is cheap; less so in 3D.
 double oversampling(int dimension) { return dimension == 2 ? 1.25 : 1.5; }
 
-/// Lines that change places with columns together: two cache lines.
-constexpr std::size_t block = 8;
+constexpr std::size_t block = transposed_lines;
 
 /// Complex numbers without values: threads touch first what they work on. (std::complex sets itself to zero.)
 class Numbers
@@ -46,18 +46,6 @@ private:
     UninitializedVector<double> parts_;
 };
 
-/// The smallest even size of at least `least` without other prime factors than 2, 3 and 5.
-std::size_t transform_size(double least)
-{
-    for (auto size = static_cast<std::size_t>(std::ceil(least));; ++size) {
-        std::size_t rest = size;
-        for (const std::size_t factor : {2, 3, 5}) {
-            while (rest % factor == 0) rest /= factor;
-        }
-        if (rest == 1 && size % 2 == 0) return size;
-    }
-}
-
 /// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that
 /// covers clusters, in 3D.
 int kernel_width(double tolerance, int dimension)
@@ -68,9 +56,6 @@ int kernel_width(double tolerance, int dimension)
     }
     throw std::invalid_argument("FastPeriodogram: no kernel is as accurate as the tolerance asks for");
 }
-
-/// Room for a line: whole blocks, and not a power of two, for which a cache has few places.
-std::size_t padded_line(std::size_t size) { return ((size + block - 1) / block | 1) * block; }
 
 }
 

@@ -62,6 +62,9 @@ void SpreadingKernel::make_polynomials()
         const auto polynomial = interpolating_polynomial(values);
         for (int p = 0; p < nodes; ++p) coefficients_[p * half + i] = polynomial[p];
     }
+    slopes_.resize(coefficients_.size());
+    for (int p = 0; p < degree; ++p)
+        for (int i = 0; i < half; ++i) slopes_[p * half + i] = 2 * (p + 1) * coefficients_[(p + 1) * half + i];
 }
 
 /// Gauss's quadrature from the kernel's middle to its end; t = sin a makes the integrand smooth there. All
@@ -99,13 +102,25 @@ void SpreadingKernel::evaluate(const double* coefficients, double x, double* res
     for (int i = 0; i < half; ++i) result[width - 1 - i] = even[i] - odd[i] * x;
 }
 
-void SpreadingKernel::values(double offset, double* result) const
+void SpreadingKernel::evaluate_all(const std::vector<double>& coefficients, double x, double* result) const
 {
     // Loops of known length are several times faster.
     constexpr std::array evaluate_width = {&evaluate<4>,  &evaluate<6>,  &evaluate<8>, &evaluate<10>,
                                            &evaluate<12>, &evaluate<14>, &evaluate<16>};
     static_assert(evaluate_width.size() == (max_width - min_width) / 2 + 1);
-    evaluate_width[(width_ - min_width) / 2](coefficients_.data(), 2 * offset - 1, result);
+    evaluate_width[(width_ - min_width) / 2](coefficients.data(), x, result);
+}
+
+void SpreadingKernel::values(double offset, double* result) const
+{
+    evaluate_all(coefficients_, 2 * offset - 1, result);
+}
+
+/// The right half mirrors the left one, and its derivatives change their sign by that.
+void SpreadingKernel::slopes(double offset, double* result) const
+{
+    evaluate_all(slopes_, 2 * offset - 1, result);
+    for (int i = width_ / 2; i < width_; ++i) result[i] = -result[i];
 }
 
 double SpreadingKernel::transform(double frequency) const

@@ -28,12 +28,16 @@ public:
     /// is 1.
     void values(double offset, double* result) const;
 
+    /// The derivatives of these by the offset; within 1e-8 of the kernel's.
+    void slopes(double offset, double* result) const;
+
     /// Its Fourier transform at a frequency in cycles per grid spacing.
     double transform(double frequency) const;
 
 private:
     template <int width>
     static void evaluate(const double* coefficients, double x, double* result);
+    void evaluate_all(const std::vector<double>& coefficients, double x, double* result) const;
     void make_polynomials();
     void make_nodes();
     double at(double t) const;
@@ -43,6 +47,7 @@ private:
     /// Powers of 2 offset - 1, for the grid points of the kernel's left half: [power][grid point]. The right
     /// half's are the same in reverse order but for the signs of odd powers.
     std::vector<double> coefficients_;
+    std::vector<double> slopes_; ///< of their derivatives by offset, in the same order
 
     /// cos(2 pi frequency place) weight, summed up, is the transform.
     struct Node

@@ -100,6 +100,12 @@ void check_joint(const TextureRequest& r)
     if (r.smooth) refuse("joint", "true", "does not go with smooth");
 }
 
+/// All pixels of a set.
+std::size_t pixels_of(const TextureRequest& r)
+{
+    return requested_tiles(r).size() * static_cast<std::size_t>(r.size) * static_cast<std::size_t>(r.size);
+}
+
 bool is_compact(const TextureRequest& r)
 {
     return r.kind == TextureKind::wang && (r.tiles == "compact" || r.tiles == random_marks);
@@ -163,11 +169,16 @@ void check(const TextureRequest& r)
     check_joint(r);
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
-    const std::size_t pixels =
-        requested_tiles(r).size() * static_cast<std::size_t>(r.size) * static_cast<std::size_t>(r.size);
+    const std::size_t pixels = pixels_of(r);
     if (pixels > most_atlas_pixels)
         refuse("size", std::to_string(r.size),
                fmt::format("all tiles have {} pixels: must be at most {}", pixels, most_atlas_pixels));
+}
+
+bool is_joint_by_default(const TextureRequest& r)
+{
+    return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
+           !r.smooth && pixels_of(r) <= most_pixels_together;
 }
 
 std::vector<TextureTile> requested_tiles(const TextureRequest& r)

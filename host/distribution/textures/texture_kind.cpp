@@ -37,6 +37,26 @@ std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
     return names;
 }
 
+/// Sets are chosen together unless they are large, or something is asked for that does not go with it.
+void joint_keys(Keys& keys, TextureRequest& r)
+{
+    std::optional<bool> joint;
+    keys.flag("joint", joint,
+              "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
+              "fit by it")
+        .otherwise(fmt::format("true for sets of at most {} pixels, but not with stages, weight, cut, overlap, smooth "
+                               "or marked_exemplar",
+                               most_pixels_together));
+    keys.integer(
+        "rounds", r.rounds, 1, most_joint_rounds,
+        "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
+        "better and take longer");
+    if (!keys.is_read()) return;
+    r.joint = joint.value_or(is_joint_by_default(r) && !keys.is_given("overlap") && !keys.is_given("marked_exemplar"));
+    if (!r.joint && keys.is_given("rounds")) throw keys.invalid("rounds", "needs " + keys.name_of("joint"));
+    if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
+}
+
 /// `is_built`: by the command, which has to be told the size of the set.
 void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
 {
@@ -77,16 +97,8 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
                 "half of the side of a rounded square that the middle of a tile covers, in tiles; with one stage the "
                 "radius of a disk")
         .otherwise("0.36, with one stage 0");
-    keys.flag("joint", r.joint,
-              "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
-              "fit by it");
-    keys.integer(
-        "rounds", r.rounds, 1, most_joint_rounds,
-        "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
-        "better and take longer");
-    if (!r.joint && keys.is_given("rounds")) throw keys.invalid("rounds", "needs " + keys.name_of("joint"));
-    if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
+    joint_keys(keys, r);
 }
 
 void marked_exemplar_key(Keys& keys, TextureSettings& s)

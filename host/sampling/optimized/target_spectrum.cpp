@@ -6,9 +6,12 @@
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/optimized/row_order.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace poissonlab {
@@ -17,6 +20,7 @@ namespace {
 constexpr double ring_reach = 2;     ///< sqrt(N)
 constexpr double longest_move = 0.2; ///< of a coordinate in a step; mean distances
 constexpr int most_halvings = 20;
+constexpr int rows_at_once = 64; ///< of frequencies
 
 double squared_norm(const std::vector<double>& values)
 {
@@ -65,23 +69,40 @@ struct SpectrumDifference::State
 {
     State(std::size_t count, const TargetCurve& target)
         : points(static_cast<double>(count)), reach(static_cast<int>(ring_reach * std::sqrt(points))),
-          nonuniform(reach), transform(reach), wanted(static_cast<std::size_t>(reach) + 1), samples(wanted.size()),
-          power(wanted.size())
+          nonuniform(reach), transform(reach), wanted(static_cast<std::size_t>(reach) + 1), power(wanted.size())
     {
         for (std::size_t k = 0; k < wanted.size(); ++k)
             wanted[k] = target.at(static_cast<double>(k) / std::sqrt(points));
-        for_each_frequency([&](int, int, std::size_t ring, double weight) { samples[ring] += weight; });
+        samples = ring_sums([](int, int) { return 1.0; });
     }
 
-    /// Calls what(u, v, ring, weight): frequencies with u > 0 stand for those opposite to them as well.
+    /// Calls what(u, ring, weight) for a row of frequencies: those with u > 0 stand for their opposites as well.
     template <typename What>
-    void for_each_frequency(What&& what) const
+    void for_each_frequency(int v, What&& what) const
     {
-        for (int v = -reach; v <= reach; ++v)
-            for (int u = 0; u <= reach; ++u) {
-                const auto ring = static_cast<std::size_t>(std::lround(std::hypot(u, v)));
-                if (ring > 0 && ring < wanted.size()) what(u, v, ring, u > 0 ? 2.0 : 1.0);
-            }
+        for (int u = 0; u <= reach; ++u) {
+            const double squared = static_cast<double>(u) * u + static_cast<double>(v) * v;
+            const auto ring = static_cast<std::size_t>(std::sqrt(squared) + 0.5);
+            if (ring > 0 && ring < wanted.size()) what(u, ring, u > 0 ? 2.0 : 1.0);
+        }
+    }
+
+    /// The sums of value(u, v, weight) over each ring. Rows are added up in runs of the same lengths in any case.
+    template <typename Value>
+    std::vector<double> ring_sums(const Value& value) const
+    {
+        return tbb::parallel_deterministic_reduce(
+            tbb::blocked_range<int>(-reach, reach + 1, rows_at_once), std::vector<double>(wanted.size()),
+            [&](const tbb::blocked_range<int>& rows, std::vector<double> sums) {
+                for (int v = rows.begin(); v < rows.end(); ++v)
+                    for_each_frequency(
+                        v, [&](int u, std::size_t ring, double weight) { sums[ring] += weight * value(u, v); });
+                return sums;
+            },
+            [](std::vector<double> sums, const std::vector<double>& others) {
+                for (std::size_t ring = 0; ring < sums.size(); ++ring) sums[ring] += others[ring];
+                return sums;
+            });
     }
 
     double points;
@@ -101,34 +122,29 @@ double SpectrumDifference::of(const PointSet& points)
 {
     State& s = *state_;
     s.transform = s.nonuniform.forward(points);
-    std::ranges::fill(s.power, 0);
-    s.for_each_frequency([&](int u, int v, std::size_t ring, double weight) {
-        s.power[ring] += weight * std::norm(s.transform.at(u, v)) / s.points / s.samples[ring];
-    });
+    s.power = s.ring_sums([&](int u, int v) { return std::norm(s.transform.at(u, v)); });
     double sum = 0;
-    for (std::size_t k = 1; k < s.power.size(); ++k)
+    for (std::size_t k = 1; k < s.power.size(); ++k) {
+        s.power[k] /= s.points * s.samples[k];
         sum += (s.power[k] - s.wanted[k]) * (s.power[k] - s.wanted[k]) / s.reach;
+    }
     return sum;
 }
 
-/// d |F(f)|^2 / dx_j is twice the real part of 2 pi i f F(f) exp(2 pi i f.x_j); both f and -f are summed up.
+/// d |F(f)|^2 / dx_j is the derivative along x, at x_j, of twice the real part of F(f) exp(2 pi i f.x); both f and -f
+/// are summed up.
 std::vector<double> SpectrumDifference::gradient(const PointSet& points)
 {
     State& s = *state_;
-    std::vector<double> gradient(points.coordinates.size());
-    for (const int axis : {0, 1}) {
-        HalfPlane coefficients(s.reach);
-        s.for_each_frequency([&](int u, int v, std::size_t ring, double) {
-            const double by_power = 2 * (s.power[ring] - s.wanted[ring]) / s.samples[ring] / s.reach;
-            coefficients.at(u, v) =
-                std::complex<double>(0, 4 * std::numbers::pi / s.points * by_power * (axis == 0 ? u : v)) *
-                s.transform.at(u, v);
-        });
-        const std::vector<double> along_axis = s.nonuniform.adjoint(coefficients, points);
-        for (std::size_t j = 0; j < points.size(); ++j)
-            gradient[2 * j + static_cast<std::size_t>(axis)] = along_axis[j];
-    }
-    return gradient;
+    std::vector<double> by_power(s.power.size());
+    for (std::size_t k = 1; k < by_power.size(); ++k)
+        by_power[k] = 4 / s.points * (s.power[k] - s.wanted[k]) / s.samples[k] / s.reach;
+    HalfPlane coefficients(s.reach);
+    tbb::parallel_for(-s.reach, s.reach + 1, [&](int v) {
+        s.for_each_frequency(
+            v, [&](int u, std::size_t ring, double) { coefficients.at(u, v) = by_power[ring] * s.transform.at(u, v); });
+    });
+    return s.nonuniform.adjoint_gradient(coefficients, points);
 }
 
 LloydResult follow_curve(const PointSet& points, const TargetCurve& target, std::size_t iterations)
