@@ -35,7 +35,7 @@ With --also normal.png, which may be repeated, tiles of that picture are cut alo
 number for number. An exemplar of 16 bits or floating-point numbers, NAME, is chosen and cut by 8 bits of sRGB; atlas-NAME
 has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
-number for each tile, and with --joint their joints run through. exemplar.png is the straightened picture then.
+number for each tile, and their joints run through. exemplar.png is the straightened picture then.
   poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
 
 struct TextureBuildOptions : KindOptions
