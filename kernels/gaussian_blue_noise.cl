@@ -12,6 +12,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/grid_part.clh"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #if ADAPTIVE
@@ -104,11 +105,10 @@ double squared_gap(const Block* b, int axis, Span span, int cell, int grid_size)
     return gap * gap;
 }
 
-/// Adds the points of a row of cells, up to some distance along it, in the order of the grid.
-ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, global const int* coordinates,
+/// Adds the points of a row of `n` cells, up to some distance along it, in the order of the grid.
+ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, int n, global const int* coordinates,
                            global const uint* row_starts, double reach, bool may_be_near)
 {
-    const int n = (int)g->grid_size;
     const Span cells = span_around(b->low[0], b->high[0], reach, n);
     FOR_EACH_AXIS(k) b->row_force[k] = 0;
     b->row_energy = 0;
@@ -121,53 +121,55 @@ ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, global const int
     b->energy += b->row_energy;
 }
 
-/// Adds the points of a plane of cells that is `squared_distance` away, up to `squared_reach`; in cells.
-ALWAYS_INLINE void add_plane(Block* b, const struct Gaussians* g, global const int* coordinates,
-                             global const uint* plane_starts, double squared_distance, double squared_reach)
+/// Adds the points of the plane of cells that begins with `plane` and is `squared_distance` away, up to
+/// `squared_reach`; in cells.
+ALWAYS_INLINE void add_plane(Block* b, const struct Gaussians* g, const struct GridPart* part,
+                             global const int* coordinates, global const uint* starts, uint plane,
+                             double squared_distance, double squared_reach)
 {
-    const int n = (int)g->grid_size;
+    const int n = (int)part->grid_size;
     const Span rows = span_around(b->low[1], b->high[1], sqrt(squared_reach - squared_distance), n);
     for (int i = 0; i < rows.count; ++i) {
         const int y = cell_of_span(rows, i);
         const double squared = squared_distance + squared_gap(b, 1, rows, y, n);
         if (squared > squared_reach) continue;
-        global const uint* row_starts = plane_starts + wrapped_cell(y, n) * n;
+        global const uint* row_starts = starts + place_of_cell(part, plane + (uint)wrapped_cell(y, n) * n);
         const double reach = sqrt(squared_reach - squared);
         if (squared > (double)g->near * g->near)
-            add_row(b, g, coordinates, row_starts, reach, false);
+            add_row(b, g, n, coordinates, row_starts, reach, false);
         else
-            add_row(b, g, coordinates, row_starts, reach, true);
+            add_row(b, g, n, coordinates, row_starts, reach, true);
     }
 }
 
 /// Adds all neighbours of a block, up to some distance in cells.
-ALWAYS_INLINE void add_neighbours(Block* b, const struct Gaussians* g, global const int* coordinates,
-                                  global const uint* starts, double reach)
+ALWAYS_INLINE void add_neighbours(Block* b, const struct Gaussians* g, const struct GridPart* part,
+                                  global const int* coordinates, global const uint* starts, double reach)
 {
 #if DIMENSION == 2
-    add_plane(b, g, coordinates, starts, 0, reach * reach);
+    add_plane(b, g, part, coordinates, starts, 0, 0, reach * reach);
 #else
-    const int n = (int)g->grid_size;
+    const int n = (int)part->grid_size;
     const Span planes = span_around(b->low[2], b->high[2], reach, n);
     for (int i = 0; i < planes.count; ++i) {
         const int z = cell_of_span(planes, i);
         const double squared = squared_gap(b, 2, planes, z, n);
         if (squared <= reach * reach)
-            add_plane(b, g, coordinates, starts + wrapped_cell(z, n) * n * n, squared, reach * reach);
+            add_plane(b, g, part, coordinates, starts, (uint)wrapped_cell(z, n) * n * n, squared, reach * reach);
     }
 #endif
 }
 
 /// Takes the points from `first` on that are in its row of cells, up to `end`; no sums yet.
 ALWAYS_INLINE void begin_block(Block* b, uint first, uint end, const struct Gaussians* g,
-                               global const double* positions, global const int* coordinates,
-                               global const uint* starts)
+                               const struct GridPart* part, global const double* positions,
+                               global const int* coordinates, global const uint* starts)
 {
-    const int n = (int)g->grid_size;
-    int row = 0;
+    const int n = (int)part->grid_size;
+    uint row = 0;
     for (int k = DIMENSION - 1; k > 0; --k) row = row * n + min((int)(positions[first * DIMENSION + k] * n), n - 1);
     b->first = first;
-    b->end = min(end, starts[(row + 1) * n]);
+    b->end = min(end, starts[place_of_cell(part, row * n) + n]);
     FOR_EACH_AXIS(k) {
         b->place[k] = vload8(0, coordinates + k * g->stride + first);
         b->low[k] = n;
@@ -189,11 +191,11 @@ double reach_of(float exponent, uint grid_size)
     return (sqrt(CUT_EXPONENT / exponent) * 1.000001 + 2) * 0x1p-32 * grid_size;
 }
 
-/// One work-item owns BLOCK_POINTS points: their displacements, the Gaussians of all others there, and the squared
+/// One work-item owns BLOCK_POINTS points, of those that are asked about: their displacements, the Gaussians of all others there, and the squared
 /// distances of the nearest of them, of the torus' side; too large where it is farther away than Gaussians.near. With a
 /// density, a point's own width of Gaussians counts for all of its pairs.
-kernel void sum_gaussians(struct Gaussians g, global const double* positions, global const int* coordinates,
-                          global const uint* starts, global double* displacements, global double* energies,
+kernel void sum_gaussians(struct Gaussians g, struct GridPart part, global const double* positions,
+                          global const int* coordinates, global const uint* starts, global double* displacements, global double* energies,
                           global double* squared_near
 #if ADAPTIVE
                           ,
@@ -201,23 +203,23 @@ kernel void sum_gaussians(struct Gaussians g, global const double* positions, gl
 #endif
 )
 {
-    const uint begin = get_global_id(0) * BLOCK_POINTS;
-    const uint end = min(begin + BLOCK_POINTS, g.points);
+    const uint begin = g.first + (uint)get_global_id(0) * BLOCK_POINTS;
+    const uint end = min(begin + BLOCK_POINTS, g.end);
     for (uint first = begin; first < end;) {
         Block b;
-        begin_block(&b, first, end, &g, positions, coordinates, starts);
-        double reach = reach_of(g.exponent, g.grid_size);
+        begin_block(&b, first, end, &g, &part, positions, coordinates, starts);
+        double reach = reach_of(g.exponent, part.grid_size);
 #if ADAPTIVE
         const DensityField field = {density_cells, (int)density_size};
         float exponents[BLOCK_POINTS] = {0};
         reach = 0;
         for (uint i = first; i < b.end; ++i) {
             exponents[i - first] = cell_at(field, positions[2 * i], positions[2 * i + 1]).exponent;
-            reach = fmax(reach, reach_of(exponents[i - first], g.grid_size));
+            reach = fmax(reach, reach_of(exponents[i - first], part.grid_size));
         }
         b.exponent = vload8(0, exponents);
 #endif
-        add_neighbours(&b, &g, coordinates, starts, reach);
+        add_neighbours(&b, &g, &part, coordinates, starts, reach);
         float force[DIMENSION][BLOCK_POINTS], energy[BLOCK_POINTS], near[BLOCK_POINTS];
         FOR_EACH_AXIS(k) vstore8(b.force[k], 0, force[k]);
         vstore8(b.energy, 0, energy);

@@ -10,19 +10,22 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/grid_part.clh"
+
 #define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
 
-/// One work-item owns one point. `counts` is clear before; a cell's number is x + grid_size * (y + grid_size * z).
-kernel void count_points(global const double* positions, uint point_count, uint grid_size, global uint* counts,
+/// One work-item owns one point. `counts` is clear before; all points are in cells that are held.
+kernel void count_points(global const double* positions, uint point_count, struct GridPart part, global uint* counts,
                          global uint* cells, global uint* places)
 {
     const uint id = get_global_id(0);
     if (id >= point_count) return;
     uint cell = 0;
     for (int k = DIMENSION - 1; k >= 0; --k) {
-        const uint c = (uint)(positions[id * DIMENSION + k] * grid_size);
-        cell = cell * grid_size + min(c, grid_size - 1); // just below 1, the product rounds up
+        const uint c = (uint)(positions[id * DIMENSION + k] * part.grid_size);
+        cell = cell * part.grid_size + min(c, part.grid_size - 1); // just below 1, the product rounds up
     }
+    cell = place_of_cell(&part, cell);
     cells[id] = cell;
     places[id] = atomic_inc(&counts[cell]);
 }

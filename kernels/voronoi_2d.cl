@@ -88,16 +88,15 @@ bool find_in_window(const Window* window, Margins margins, uint site, const Grid
 void finish_in_large(Search* search, uint site, uint grid_cell)
 {
     const Grid* grid = &search->grid;
-    if (grid->grid_size >= 6 && search->large_cell != grid_cell) {
-        gather_window(&search->large, grid_cell % grid->grid_size, grid_cell / grid->grid_size, 2, grid->grid_size,
-                      grid->starts, grid->fixed_point, grid->stride);
+    if (grid->part.grid_size >= 6 && search->large_cell != grid_cell) {
+        gather_window(&search->large, grid_cell, 2, grid);
         search->large_cell = grid_cell;
     }
     Margins margins;
     margins_around(site, grid_cell, 2, grid, &margins);
     VoronoiCell cell;
     bool is_closed;
-    if (grid->grid_size >= 6 && search->large.count <= MAX_POINTS &&
+    if (grid->part.grid_size >= 6 && search->large.count <= MAX_POINTS &&
         find_in_window(&search->large, margins, site, grid, &cell, &is_closed)) {
         store_cell(&cell, site, search->results);
     } else {
@@ -146,7 +145,7 @@ void widen(Search* search, const BatchCells* cells, const BatchNeighbours* neigh
     const Batch* near = &search->near;
     const uint site = near->site[slot];
     const uint grid_cell = near->grid_cell[slot];
-    if (grid->grid_size < 6) {
+    if (grid->part.grid_size < 6) {
         list_slow(search, site);
         return;
     }
@@ -196,17 +195,17 @@ void finish_near(Search* search)
     search->near.count = 0;
 }
 
-/// One work-item owns `run` grid cells in a row and the Voronoi cells of their points. `displacements` lead from sites
-/// to centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are
-/// appended to `slow` (in any order); slow_count is 0 before.
+/// One work-item owns `run` grid cells in a row, of those that are asked about, and the Voronoi cells of their points.
+/// `displacements` lead from sites to centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites
+/// that need the slow way are appended to `slow` (in any order); slow_count is 0 before.
 kernel void find_centroids_fast(global const double2* positions, global const int* fixed_point, uint stride,
-                                global const uint* starts, uint grid_size, float width, uint run,
+                                global const uint* starts, struct GridPart part, float width, uint run,
                                 global double* areas, global double2* displacements, global double* energies,
                                 global double* squared_near, global uint* slow, global uint* slow_count)
 {
-    const uint begin = (uint)get_global_id(0) * run;
-    const uint end = min(begin + run, grid_size * grid_size);
-    const Grid grid = {positions, fixed_point, stride, starts, grid_size, width};
+    const uint begin = part.own_first + (uint)get_global_id(0) * run;
+    const uint end = min(begin + run, part.own_end);
+    const Grid grid = {positions, fixed_point, stride, starts, part, width};
     const Results results = {areas, displacements, energies, squared_near};
     Search search;
     search.grid = grid;
@@ -217,21 +216,21 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     search.large_cell = UINT_MAX;
     uint number = 0;
     for (uint cell = begin; cell < end; ++cell) {
-        const uint last = starts[cell + 1];
-        if (starts[cell] == last) continue;
+        const uint place = place_of_cell(&part, cell);
+        const uint first = starts[place];
+        const uint last = starts[place + 1];
+        if (first == last) continue;
         // Sites wait for others, each with the window of its cell: it stays until BATCH_SITES cells later, when they
         // are done. Empty and crowded cells do not count.
         Window* window = &search.near_windows[number % BATCH_SITES];
         window->count = MAX_POINTS + 1;
-        if (grid_size >= 4) {
-            gather_window(window, cell % grid_size, cell / grid_size, 1, grid_size, starts, fixed_point, stride);
-        }
+        if (part.grid_size >= 4) gather_window(window, cell, 1, &grid);
         if (window->count > MAX_POINTS) {
-            for (uint site = starts[cell]; site < last; ++site) list_slow(&search, site);
+            for (uint site = first; site < last; ++site) list_slow(&search, site);
             continue;
         }
         ++number;
-        for (uint site = starts[cell]; site < last; ++site) {
+        for (uint site = first; site < last; ++site) {
             Margins margins;
             margins_around(site, cell, 1, &grid, &margins);
             add_to_batch(&search.near, window, site, cell, &margins);
@@ -242,31 +241,35 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     if (search.wide.count > 0) finish_wide(&search);
 }
 
-#define SLOW_PARTS 16 // of the work-items; threads take those in a row
+#define SLOW_SECTIONS 16 // of the work-items; threads take those in a row
 
-/// The work-items share the sites of the list: the first of each part begin, so that threads share few sites as well.
+/// The work-items share the sites of the list: the first of each section begin, so that threads share few sites as well.
+/// `unknown` is set where points that are not held may matter.
 kernel void find_centroids(global const double2* positions, global const uint* ids, global const uint* starts,
-                           uint grid_size, global const uint* slow, global const uint* slow_count,
+                           struct GridPart part, global const uint* slow, global const uint* slow_count,
                            global double* areas, global double2* displacements, global double* energies,
-                           global double* squared_near)
+                           global double* squared_near, global uint* unknown)
 {
     const uint count = *slow_count;
-    const uint parts = get_global_size(0) % SLOW_PARTS == 0 ? SLOW_PARTS : 1;
-    const uint run = get_global_size(0) / parts;
-    for (uint i = get_global_id(0) % run * parts + get_global_id(0) / run; i < count; i += get_global_size(0)) {
+    const uint sections = get_global_size(0) % SLOW_SECTIONS == 0 ? SLOW_SECTIONS : 1;
+    const uint run = get_global_size(0) / sections;
+    for (uint i = get_global_id(0) % run * sections + get_global_id(0) / run; i < count; i += get_global_size(0)) {
         const uint site = slow[i];
         const double2 position = positions[site];
-        const int cell_x = min((int)(position.x * grid_size), (int)grid_size - 1);
-        const int cell_y = min((int)(position.y * grid_size), (int)grid_size - 1);
-        const Surroundings s = {positions, ids, starts, grid_size, site, position, cell_x, cell_y};
-        const VoronoiCell cell = cell_by_rings(&s);
+        const int cell_x = min((int)(position.x * part.grid_size), (int)part.grid_size - 1);
+        const int cell_y = min((int)(position.y * part.grid_size), (int)part.grid_size - 1);
+        const Surroundings s = {positions, ids,    starts, part, site, position,
+                                cell_x,    cell_y, last_ring_of(&part, cell_y)};
+        bool is_known;
+        const VoronoiCell cell = cell_by_rings(&s, &is_known);
+        if (!is_known) *unknown = 1;
         const Results results = {areas, displacements, energies, squared_near};
         store_cell(&cell, site, results);
     }
 }
 
 /// A single work-item.
-kernel void forget_slow(global uint* slow_count)
+kernel void forget_slow(global uint* slow_count, global uint* unknown)
 {
-    if (get_global_id(0) == 0) *slow_count = 0;
+    if (get_global_id(0) == 0) *slow_count = *unknown = 0;
 }

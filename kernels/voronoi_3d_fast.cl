@@ -15,6 +15,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/grid_part.clh"
 #include "kernels/common/voronoi/voronoi_3d_window.clh"
 
 /// Appends a row's points. Copies whole vectors; what is too much is overwritten by the next row.
@@ -43,17 +44,20 @@ ALWAYS_INLINE uint wrapped(uint at, int offset, uint size)
 }
 
 /// All points in the (2 reach + 1)^3 cells around a cell; count > MAX_POINTS where there are too many.
-ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint cell_z, int reach, uint grid_size,
-                                 global const uint* starts, global const int* fixed_point, uint stride)
+ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint cell_z, int reach,
+                                 const struct GridPart* part, global const uint* starts,
+                                 global const int* fixed_point, uint stride)
 {
+    const uint grid_size = part->grid_size;
     window->count = 0;
     const uint low = wrapped(cell_x, -reach, grid_size);
     const uint high = low + 2 * (uint)reach + 1;
     for (int k = -reach; k <= reach; ++k) {
-        const uint z = wrapped(cell_z, k, grid_size);
+        const uint plane = wrapped(cell_z, k, grid_size) * grid_size * grid_size;
+        global const uint* plane_starts = starts + place_of_cell(part, plane);
         for (int j = -reach; j <= reach; ++j) {
             if (window->count > MAX_POINTS) return;
-            global const uint* row = starts + (wrapped(cell_y, j, grid_size) + z * grid_size) * grid_size;
+            global const uint* row = plane_starts + wrapped(cell_y, j, grid_size) * grid_size;
             append_row(window, fixed_point, stride, row[low], row[min(high, grid_size)]);
             if (high > grid_size && window->count <= MAX_POINTS) {
                 append_row(window, fixed_point, stride, row[0], row[high - grid_size]);
@@ -62,19 +66,22 @@ ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint 
     }
 }
 
-/// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to centroids.
+/// One work-item owns one grid cell, of those that are asked about, and the Voronoi cells of its points. Points of three
+/// layers of cells around these are there. `displacements` lead from sites to centroids.
 /// `margin`: the width of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended to
 /// `slow` (in any order); slow_count is 0 before.
 kernel void find_centroids_fast(global const double* positions, global const int* fixed_point, uint stride,
-                                global const uint* starts, uint grid_size, float margin, global double* volumes,
+                                global const uint* starts, struct GridPart part, float margin, global double* volumes,
                                 global double* displacements, global double* energies, global double* squared_near,
                                 global uint* slow, global uint* slow_count)
 {
-    const uint id = get_global_id(0);
-    if (id >= grid_size * grid_size * grid_size) return;
-    const uint begin = starts[id];
-    const uint end = starts[id + 1];
+    const uint id = part.own_first + (uint)get_global_id(0);
+    if (id >= part.own_end) return;
+    const uint place = place_of_cell(&part, id);
+    const uint begin = starts[place];
+    const uint end = starts[place + 1];
     if (begin == end) return;
+    const uint grid_size = part.grid_size;
     const uint cell_x = id % grid_size;
     const uint cell_y = id / grid_size % grid_size;
     const uint cell_z = id / grid_size / grid_size;
@@ -88,7 +95,7 @@ kernel void find_centroids_fast(global const double* positions, global const int
         if (!is_first && left == 0) return;
         bool has_window = 2 * (uint)reach + 2 <= grid_size;
         if (has_window) {
-            gather_window(&window, cell_x, cell_y, cell_z, reach, grid_size, starts, fixed_point, stride);
+            gather_window(&window, cell_x, cell_y, cell_z, reach, &part, starts, fixed_point, stride);
             has_window = window.count <= MAX_POINTS;
         }
         for (uint site = begin; site < end; ++site) {

@@ -1,14 +1,15 @@
 // The centroids of the Voronoi cells on the 3-torus that the fast way, voronoi_3d_fast.cl, leaves: in double precision,
 // by clipping. Faces are polygons that share their corners, so that ties, as lattices have them, do no harm. Cells with
-// too many faces or corners are made edge by edge, without storage.
+// too many faces or corners are made edge by edge, without storage. Where points that are not held may matter, a cell
+// cannot be known.
 //
 // Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of their
 // ids: the first gets the left part of the cell, the last the right part, those between them nothing.
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/grid_part.clh"
 #include "kernels/common/voronoi/voronoi_3d.clh"
-
 
 #define SLOW_FACES 128
 #define SLOW_CORNERS 40
@@ -19,15 +20,26 @@ typedef struct
     global const double* positions;
     global const uint* ids;
     global const uint* starts;
-    uint grid_size;
+    struct GridPart part;
     uint site;
     double3 position;
     int cell_x, cell_y, cell_z;
+    int last_shell;                       // that is held
     bool has_twin_before, has_twin_after; // points of lower or of higher id that coincide with the site
 } Surroundings;
 
+/// The number of shells around a cell that are held, where not all of the grid is.
+int last_shell_of(const struct GridPart* part, int cell_z)
+{
+    if (part->held == part->cells) return INT_MAX;
+    const uint plane = part->grid_size * part->grid_size;
+    const int planes = (int)(part->held / plane);
+    const int place = (int)(place_of_cell(part, (uint)cell_z * plane) / plane);
+    return min(place, planes - 1 - place);
+}
+
 /// Everything farther away than this is outside of shells 0 to `shell`.
-double reach_of(const Surroundings* s, int shell) { return shell * ((1 - 0x1p-40) / s->grid_size); }
+double reach_of(const Surroundings* s, int shell) { return shell * ((1 - 0x1p-40) / s->part.grid_size); }
 
 /// Floor of i / n.
 int repetition_of(int i, int n) { return i >= 0 ? i / n : -((n - 1 - i) / n); }
@@ -39,12 +51,12 @@ int repetition_of(int i, int n) { return i >= 0 ? i / n : -((n - 1 - i) / n); }
         for (int j_ = -(shell); j_ <= (shell); ++j_) {                                                                 \
             const bool is_border_ = abs(k_) == (shell) || abs(j_) == (shell);                                          \
             const int step_ = is_border_ ? 1 : 2 * (shell);                                                            \
-            const int n_ = (int)(s)->grid_size;                                                                        \
+            const int n_ = (int)(s)->part.grid_size;                                                                   \
             const int repeat_z_ = repetition_of((s)->cell_z + k_, n_);                                                 \
             const int repeat_y_ = repetition_of((s)->cell_y + j_, n_);                                                 \
-            const uint row_ = ((uint)((s)->cell_y + j_ - repeat_y_ * n_) +                                             \
-                               (uint)((s)->cell_z + k_ - repeat_z_ * n_) * (s)->grid_size) *                           \
-                              (s)->grid_size;                                                                          \
+            const uint row_ = place_of_cell(                                                                           \
+                &(s)->part,                                                                                            \
+                (uint)(((s)->cell_y + j_ - repeat_y_ * n_ + ((s)->cell_z + k_ - repeat_z_ * n_) * n_) * n_));          \
             for (int i_ = -(shell); i_ <= (shell); i_ += step_) {                                                      \
                 const int repeat_x_ = repetition_of((s)->cell_x + i_, n_);                                             \
                 const uint cell_ = row_ + (uint)((s)->cell_x + i_ - repeat_x_ * n_);                                   \
@@ -345,14 +357,16 @@ void add_face_by_edges(const Surroundings* s, double3 face_difference, FacePlane
 }
 
 /// A cell inside a ball around the site, without limit to the number of faces and edges, in a time of the cube of the
-/// number of points within twice the radius.
-VoronoiCell cell_by_edges(const Surroundings* s, double squared_radius)
+/// number of points within twice the radius. Sets `is_known` to false where some of these may not be held.
+VoronoiCell cell_by_edges(const Surroundings* s, double squared_radius, bool* is_known)
 {
     VoronoiCell cell = {0, (double3)0, 0, 1};
     FacePlane plane;
     plane.squared_radius = 1.01 * squared_radius;
     plane.last_shell = 0;
     while (!(reach_of(s, plane.last_shell) > 2 * sqrt(squared_radius))) ++plane.last_shell;
+    *is_known = plane.last_shell <= s->last_shell;
+    if (!*is_known) return cell;
     uint number = 2;
     for (int shell = 0; shell <= plane.last_shell; ++shell) {
         FOR_EACH_IN_SHELL(s, shell, {
@@ -387,21 +401,27 @@ void start_with_box(const Surroundings* s, Polyhedron* p)
     if (s->has_twin_after) clip(p, HALF_SPACE_AFTER);
 }
 
-VoronoiCell cell_by_shells(const Surroundings* s)
+/// Sets `is_known` to false, and returns any cell, where points that are not held may matter.
+VoronoiCell cell_by_shells(const Surroundings* s, bool* is_known)
 {
     VoronoiCell cell = {0, (double3)0, 0, 0};
+    *is_known = true;
     if (s->has_twin_before && s->has_twin_after) return cell;
 
     Polyhedron p;
     start_with_box(s, &p);
     double squared_near = 1;
     for (int shell = 0; shell == 0 || !(reach_of(s, shell - 1) > 2 * sqrt(p.squared_radius)); ++shell) {
+        if (shell > s->last_shell) {
+            *is_known = false;
+            return cell;
+        }
         FOR_EACH_IN_SHELL(s, shell, {
             const double squared = dot_product(difference, difference);
             squared_near = fmin(squared_near, squared);
             const double squared_radius = p.squared_radius;
             if (squared < 4.0001 * squared_radius && !clip(&p, half_space_of(difference))) {
-                cell = cell_by_edges(s, squared_radius);
+                cell = cell_by_edges(s, squared_radius, is_known);
                 if (s->has_twin_before || s->has_twin_after) cell.squared_near = 0;
                 return cell;
             }
@@ -416,12 +436,13 @@ VoronoiCell cell_by_shells(const Surroundings* s)
     return cell;
 }
 
-/// The work-items share the sites of the list.
+/// The work-items share the sites of the list. `unknown` is set where points that are not held may matter.
 kernel void find_centroids(global const double* positions, global const uint* ids, global const uint* starts,
-                           uint grid_size, global const uint* slow, global const uint* slow_count,
+                           struct GridPart part, global const uint* slow, global const uint* slow_count,
                            global double* volumes, global double* displacements, global double* energies,
-                           global double* squared_near)
+                           global double* squared_near, global uint* unknown)
 {
+    const uint grid_size = part.grid_size;
     const uint count = *slow_count;
     for (uint i = get_global_id(0); i < count; i += get_global_size(0)) {
         const uint site = slow[i];
@@ -429,21 +450,25 @@ kernel void find_centroids(global const double* positions, global const uint* id
         const int cell_x = min((int)(position.x * grid_size), (int)grid_size - 1);
         const int cell_y = min((int)(position.y * grid_size), (int)grid_size - 1);
         const int cell_z = min((int)(position.z * grid_size), (int)grid_size - 1);
-        Surroundings s = {positions, ids, starts, grid_size, site, position, cell_x, cell_y, cell_z, false, false};
-        const uint cell_number = (uint)cell_x + ((uint)cell_y + (uint)cell_z * grid_size) * grid_size;
+        Surroundings s = {positions, ids,    starts, part, site, position, cell_x, cell_y, cell_z,
+                          last_shell_of(&part, cell_z), false, false};
+        const uint cell_number = place_of_cell(
+            &part, (uint)cell_x + ((uint)cell_y + (uint)cell_z * grid_size) * grid_size);
         for (uint other = starts[cell_number]; other < starts[cell_number + 1]; ++other) {
             const double3 q = vload3(other, positions);
             if (q.x != position.x || q.y != position.y || q.z != position.z) continue;
             s.has_twin_before |= ids[other] < ids[site];
             s.has_twin_after |= ids[other] > ids[site];
         }
-        const VoronoiCell cell = cell_by_shells(&s);
+        bool is_known;
+        const VoronoiCell cell = cell_by_shells(&s, &is_known);
+        if (!is_known) *unknown = 1;
         store_cell(&cell, site, volumes, displacements, energies, squared_near);
     }
 }
 
 /// A single work-item.
-kernel void forget_slow(global uint* slow_count)
+kernel void forget_slow(global uint* slow_count, global uint* unknown)
 {
-    if (get_global_id(0) == 0) *slow_count = 0;
+    if (get_global_id(0) == 0) *slow_count = *unknown = 0;
 }

@@ -3,9 +3,11 @@
 
 #include "experiment/crew/schedule.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ public:
     virtual ~Crew() = default;
 
     virtual int size() const = 0;
+    virtual int rank() const = 0; ///< from 0 on
     virtual bool leads() const = 0;
 
     /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one
@@ -41,6 +44,11 @@ public:
 
     /// The sums of the numbers of all processes, place by place, in every process; each has as many numbers.
     virtual std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) = 0;
+
+    /// Sends bytes to each process, by its rank, and returns what each of them sends to this one. Nothing where one has
+    /// no memory for it, which the process that leads throws.
+    virtual std::optional<std::vector<std::vector<std::byte>>>
+    exchange(std::vector<std::vector<std::byte>> messages) = 0;
 };
 
 /// A crew of this process alone.

@@ -3,17 +3,15 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/crew/failure.hpp"
+#include "experiment/crew/mpi_exchange.hpp"
+#include "experiment/crew/mpi_waiting.hpp"
 
 #include <fmt/format.h>
-#define OMPI_SKIP_MPICXX
-#define MPICH_SKIP_MPICXX
-#include <mpi.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <deque>
@@ -28,10 +26,6 @@ namespace {
 constexpr int report_tag = 1;   ///< to the leader: what became of a job, and that another one is wanted
 constexpr int order_tag = 2;    ///< from the leader
 constexpr int farewell_tag = 3; ///< from the leader: the end
-
-/// Between two looks for messages: looking takes some microseconds, of a core that has other work, and jobs take tens
-/// of milliseconds.
-constexpr auto pause = std::chrono::milliseconds(1);
 
 /// A process's report to the leader. The message of a failure follows.
 struct JobReport
@@ -109,7 +103,7 @@ private:
                 }
                 done(job, true);
             } else if (finished.empty()) {
-                std::this_thread::sleep_for(pause);
+                std::this_thread::sleep_for(longest_pause);
             }
         }
     }
@@ -138,7 +132,7 @@ private:
                 if (order->id < 0) --left;
                 idle = false;
             }
-            if (idle) std::this_thread::sleep_for(pause);
+            if (idle) std::this_thread::sleep_for(longest_pause);
         }
     }
 
@@ -219,6 +213,7 @@ public:
     MpiCrew& operator=(const MpiCrew&) = delete;
 
     int size() const override { return size_; }
+    int rank() const override { return rank_; }
     bool leads() const override { return rank_ == 0; }
 
     bool work(Schedule& schedule, const Execute& execute, const Done& done) override
@@ -260,9 +255,27 @@ public:
     std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) override
     {
         std::vector<std::uint64_t> sums(numbers.size());
-        MPI_Allreduce(numbers.data(), sums.data(), static_cast<int>(numbers.size()), MPI_UINT64_T, MPI_SUM,
-                      MPI_COMM_WORLD);
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Iallreduce(numbers.data(), sums.data(), static_cast<int>(numbers.size()), MPI_UINT64_T, MPI_SUM,
+                       MPI_COMM_WORLD, &request);
+        wait_for(request);
         return sums;
+    }
+
+    std::optional<Messages> exchange(Messages messages) override
+    {
+        std::vector<std::uint64_t> lengths;
+        for (const auto& message : messages) lengths.push_back(message.size());
+        const std::vector<std::uint64_t> lengths_taken = exchange_lengths(lengths);
+        Messages taken(messages.size());
+        const bool has_room = together([&] {
+            for (std::size_t from = 0; from < taken.size(); ++from)
+                if (static_cast<int>(from) != rank_) taken[from].resize(lengths_taken[from]);
+        });
+        if (!has_room) return {};
+        exchange_messages(rank_, messages, taken);
+        taken[static_cast<std::size_t>(rank_)] = std::move(messages[static_cast<std::size_t>(rank_)]);
+        return taken;
     }
 
 private:
@@ -309,15 +322,6 @@ private:
         return order;
     }
 
-    /// Waits without keeping a core busy, as MPI_Wait would.
-    static void wait_for(MPI_Request& request)
-    {
-        for (int there = 0; !there;) {
-            MPI_Test(&request, &there, MPI_STATUS_IGNORE);
-            if (!there) std::this_thread::sleep_for(pause);
-        }
-    }
-
     /// The failures of all processes by rank, messages cut to what fits into a fixed length.
     std::vector<Failure> gather(const Failure& failure) const
     {
@@ -326,7 +330,9 @@ private:
         own[0] = static_cast<char>(failure.kind);
         std::memcpy(own.data() + 1, failure.message.data(), std::min(failure.message.size(), length - 2));
         std::vector<char> all(length * static_cast<std::size_t>(size_));
-        MPI_Allgather(own.data(), length, MPI_BYTE, all.data(), length, MPI_BYTE, MPI_COMM_WORLD);
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Iallgather(own.data(), length, MPI_BYTE, all.data(), length, MPI_BYTE, MPI_COMM_WORLD, &request);
+        wait_for(request);
         std::vector<Failure> failures;
         for (std::size_t at = 0; at < all.size(); at += length)
             failures.push_back({static_cast<Failure::Kind>(all[at]), &all[at + 1]});

@@ -52,15 +52,8 @@ public:
 
     PointSet sample(std::uint32_t realization) override
     {
-        const StreamKey stream = stream_key(request_.seed, Purpose::random_points, realization);
-        const auto axes = static_cast<std::size_t>(request_.dimension);
-        PointSet points{request_.dimension, {}};
-        points.coordinates.reserve(request_.points * axes);
-        for (std::size_t i = 0; i < request_.points; ++i) {
-            const auto words = words_of_point(i, stream);
-            for (std::size_t axis = 0; axis < axes; ++axis) points.coordinates.push_back(coordinate(words[axis]));
-        }
-        return points;
+        return {request_.dimension,
+                random_points_from(0, request_.points, request_.dimension, request_.seed, realization)};
     }
 
 private:
@@ -143,6 +136,20 @@ std::uint32_t lattice_side(std::size_t points, int dimension)
 std::size_t lattice_points(const Parameters&, const SampleRequest& request)
 {
     return lattice_cells(lattice_side(request.points, request.dimension), request.dimension);
+}
+
+std::vector<double> random_points_from(std::uint64_t first, std::size_t count, int dimension, std::uint64_t seed,
+                                       std::uint32_t realization)
+{
+    const StreamKey stream = stream_key(seed, Purpose::random_points, realization);
+    const auto axes = static_cast<std::size_t>(dimension);
+    std::vector<double> coordinates;
+    coordinates.reserve(count * axes);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto words = words_of_point(first + i, stream);
+        for (std::size_t axis = 0; axis < axes; ++axis) coordinates.push_back(coordinate(words[axis]));
+    }
+    return coordinates;
 }
 
 SamplerSpec random_sampler()

@@ -20,34 +20,55 @@ std::uint32_t chunk_of(std::size_t cells)
     return cells <= max_single_chunk ? static_cast<std::uint32_t>(cells) : chunk_of_many;
 }
 
+std::size_t chunks_of(std::size_t cells) { return (cells + chunk_of(cells) - 1) / chunk_of(cells); }
+
 }
 
-NeededBuffers PointGrid::Buffers::needed(int dimension, std::size_t points, std::uint32_t cells_per_axis)
+GridPart whole_grid(std::uint32_t cells_per_axis, int dimension)
+{
+    return layers_of_grid(cells_per_axis, dimension, 0, cells_per_axis, 0);
+}
+
+GridPart layers_of_grid(std::uint32_t cells_per_axis, int dimension, std::uint32_t first, std::uint32_t end,
+                        std::uint32_t around)
+{
+    const auto layer = static_cast<std::uint32_t>(lattice_cells(cells_per_axis, dimension - 1));
+    const std::uint64_t held = end - first + std::uint64_t{2} * around;
+    const bool is_whole = held >= cells_per_axis;
+    const std::uint32_t first_held = is_whole ? 0 : (first >= around ? first : first + cells_per_axis) - around;
+    return {.grid_size = cells_per_axis,
+            .cells = layer * cells_per_axis,
+            .first = layer * first_held,
+            .held = layer * (is_whole ? cells_per_axis : static_cast<std::uint32_t>(held)),
+            .own_first = layer * first,
+            .own_end = layer * end};
+}
+
+NeededBuffers PointGrid::Buffers::needed(int dimension, std::size_t points, const GridPart& part)
 {
     const auto axes = static_cast<std::size_t>(dimension);
-    const std::size_t cells = lattice_cells(cells_per_axis, dimension);
+    const std::size_t cells = part.held;
     return {{positions, points * axes},
             {unsorted_positions, points * axes},
             {ids, points},
             {unsorted_ids, points},
             {counts, cells},
             {starts, cells + 1},
-            {totals, (cells + chunk_of(cells) - 1) / chunk_of(cells)},
+            {totals, chunks_of(cells)},
             {point_cells, points},
             {places, points},
             {order, points},
             {fixed_point, (points + contract::vectors::PADDING) * axes}};
 }
 
-PointGrid::PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
+PointGrid::PointGrid(Device device, int dimension, std::size_t points, const GridPart& part,
                      std::size_t work_group_size)
-    : device_(std::move(device)), dimension_(dimension), size_(points), cells_per_axis_(cells_per_axis),
-      cells_(lattice_cells(cells_per_axis, dimension)), work_group_size_(work_group_size), chunk_(chunk_of(cells_)),
+    : device_(std::move(device)), dimension_(dimension), size_(points), part_(part), work_group_size_(work_group_size),
       stride_(static_cast<std::uint32_t>(points) + contract::vectors::PADDING)
 {
-    reserve(device_, buffers_.needed(dimension, points, cells_per_axis));
+    reserve(device_, buffers_.needed(dimension, points, part));
     buffers_.fixed_point.write(std::vector<std::uint32_t>(buffers_.fixed_point.size()));
-    buffers_.counts.write(std::vector<std::uint32_t>(cells_));
+    buffers_.counts.write(std::vector<std::uint32_t>(part.held));
 
     const KernelProgram program = kernel_program("point_grid.cl", {{"DIMENSION", dimension}});
     count_ = device_.kernel(program, "count_points");
@@ -66,23 +87,44 @@ void PointGrid::load(const PointSet& points)
     buffers_.ids.write(ids);
 }
 
+void PointGrid::clear(const GridPart& part)
+{
+    size_ = 0;
+    part_ = part;
+}
+
+void PointGrid::add(std::span<const double> coordinates, std::span<const std::uint32_t> ids)
+{
+    buffers_.positions.write(coordinates, size_ * static_cast<std::size_t>(dimension_));
+    buffers_.ids.write(ids, size_);
+    size_ += ids.size();
+}
+
+std::pair<std::size_t, std::size_t> PointGrid::own_points() const
+{
+    const std::uint32_t own = part_.own_end - part_.own_first;
+    if (own == part_.cells) return {0, size_};
+    const std::uint32_t place = part_.own_first - part_.first + (part_.own_first < part_.first ? part_.cells : 0);
+    return {buffers_.starts.read(place, 1)[0], buffers_.starts.read(place + own, 1)[0]};
+}
+
 void PointGrid::sort()
 {
     Buffers& b = buffers_;
     std::swap(b.positions, b.unsorted_positions);
     std::swap(b.ids, b.unsorted_ids);
     const auto points = static_cast<std::uint32_t>(size_);
-    const auto cells = static_cast<std::uint32_t>(cells_);
-    const auto chunks = static_cast<std::uint32_t>(b.totals.size());
-    count_.run(size_, work_group_size_, b.unsorted_positions, points, cells_per_axis_, b.counts, b.point_cells,
-               b.places);
-    scan_.run(chunks, work_group_size_, b.counts, cells, chunk_, b.starts, b.totals);
+    const std::uint32_t cells = part_.held;
+    const std::uint32_t chunk = chunk_of(cells);
+    const auto chunks = static_cast<std::uint32_t>(chunks_of(cells));
+    count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places);
+    scan_.run(chunks, work_group_size_, b.counts, cells, chunk, b.starts, b.totals);
     if (chunks > 1) {
         scan_totals_.run(1, 1, b.totals, chunks);
-        add_totals_.run(cells_ + 1, work_group_size_, b.starts, cells, chunk_, b.totals);
+        add_totals_.run(std::size_t{cells} + 1, work_group_size_, b.starts, cells, chunk, b.totals);
     }
     place_.run(size_, work_group_size_, b.point_cells, b.places, points, b.starts, b.order);
-    gather_.run(cells_, work_group_size_, b.unsorted_positions, b.unsorted_ids, cells, b.starts, b.order, b.positions,
+    gather_.run(cells, work_group_size_, b.unsorted_positions, b.unsorted_ids, cells, b.starts, b.order, b.positions,
                 b.ids, b.fixed_point, stride_);
 }
 

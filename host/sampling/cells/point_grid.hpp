@@ -4,28 +4,55 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/needed_buffers.hpp"
+#include "kernels/common/grid_part.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace poissonlab {
+
+using contract::grid_part::GridPart;
+
+/// All cells of a grid.
+GridPart whole_grid(std::uint32_t cells_per_axis, int dimension);
+
+/// The layers `first` to `end` - 1 of a grid along the last axis, to be asked about, and so many around them on both
+/// sides: the whole grid where these meet.
+GridPart layers_of_grid(std::uint32_t cells_per_axis, int dimension, std::uint32_t first, std::uint32_t end,
+                        std::uint32_t around);
 
 class PointGrid
 {
 public:
     /// Room for so many points on a grid of cells_per_axis^dimension cells. `work_group_size` > 0.
     PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
-              std::size_t work_group_size);
+              std::size_t work_group_size)
+        : PointGrid(std::move(device), dimension, points, whole_grid(cells_per_axis, dimension), work_group_size)
+    {}
+
+    /// The same for a part of a grid.
+    PointGrid(Device device, int dimension, std::size_t points, const GridPart& part, std::size_t work_group_size);
 
     /// The memory that such a grid takes.
     static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis)
     {
-        return memory_of(Buffers{}.needed(dimension, points, cells_per_axis));
+        return memory(dimension, points, whole_grid(cells_per_axis, dimension));
+    }
+    static DeviceMemory memory(int dimension, std::size_t points, const GridPart& part)
+    {
+        return memory_of(Buffers{}.needed(dimension, points, part));
     }
 
     /// Replaces all points; ids count from 0. Not sorted yet.
     void load(const PointSet& points);
+
+    /// Replaces all points by none, and the part of the grid by another one of it.
+    void clear(const GridPart& part);
+
+    /// Adds points that are in this part, dimension values and an id each, as far as there is room. Not sorted yet.
+    void add(std::span<const double> coordinates, std::span<const std::uint32_t> ids);
 
     /// Enqueues sorting.
     void sort();
@@ -34,8 +61,12 @@ public:
     PointSet points() const;
 
     std::size_t size() const { return size_; }
-    std::size_t cells() const { return cells_; }
-    std::uint32_t cells_per_axis() const { return cells_per_axis_; }
+    std::size_t cells() const { return part_.held; }
+    std::uint32_t cells_per_axis() const { return part_.grid_size; }
+    const GridPart& part() const { return part_; }
+
+    /// The first of the sorted points in cells that are asked about, and the end of these.
+    std::pair<std::size_t, std::size_t> own_points() const;
 
     /// dimension values a point, in sorted order.
     Buffer<double>& positions() { return buffers_.positions; }
@@ -53,16 +84,14 @@ private:
         Buffer<std::uint32_t> ids, unsorted_ids;
         Buffer<std::uint32_t> counts, starts, totals, point_cells, places, order, fixed_point;
 
-        NeededBuffers needed(int dimension, std::size_t points, std::uint32_t cells_per_axis);
+        NeededBuffers needed(int dimension, std::size_t points, const GridPart& part);
     };
 
     Device device_;
     int dimension_;
     std::size_t size_;
-    std::uint32_t cells_per_axis_;
-    std::size_t cells_;
+    GridPart part_;
     std::size_t work_group_size_;
-    std::uint32_t chunk_;  ///< cells that one work-item of scan_counts owns
     std::uint32_t stride_; ///< with room for a vector read at the last point
     Buffers buffers_;
     Kernel count_, scan_, scan_totals_, add_totals_, place_, gather_;

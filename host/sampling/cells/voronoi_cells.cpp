@@ -33,7 +33,8 @@ NeededBuffers VoronoiKernels::Buffers::needed(int dimension, std::size_t points)
 {
     return {{volumes, points},  {displacements, points * static_cast<std::size_t>(dimension)},
             {energies, points}, {squared_near, points},
-            {slow, points},     {slow_count, 1}};
+            {slow, points},     {slow_count, 1},
+            {unknown, 1}};
 }
 
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
@@ -52,22 +53,22 @@ VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points,
 
 void VoronoiKernels::find_cells(PointGrid& grid)
 {
-    const std::uint32_t cells = grid.cells_per_axis();
-    const float margin = std::nextafter(static_cast<float>(0x1p32 / cells), 0.0f);
+    const GridPart& part = grid.part();
+    const std::uint32_t own = part.own_end - part.own_first;
+    const float margin = std::nextafter(static_cast<float>(0x1p32 / part.grid_size), 0.0f);
     const Buffers& b = buffers_;
-    forget_slow_.run(1, 1, b.slow_count);
+    forget_slow_.run(1, 1, b.slow_count, b.unknown);
     if (dimension_ == 2) {
-        const std::size_t runs = (grid.cells() + cells_a_run_ - 1) / cells_a_run_;
-        find_fast_.run(runs, runs_a_group_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), cells,
+        const std::size_t runs = (own + cells_a_run_ - 1) / cells_a_run_;
+        find_fast_.run(runs, runs_a_group_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), part,
                        margin, cells_a_run_, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,
                        b.slow_count);
     } else {
-        find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(),
-                       grid.starts(), cells, margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,
-                       b.slow_count);
+        find_fast_.run(own, work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), part,
+                       margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow, b.slow_count);
     }
-    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, b.slow, b.slow_count, b.volumes,
-                   b.displacements, b.energies, b.squared_near);
+    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), part, b.slow, b.slow_count, b.volumes,
+                   b.displacements, b.energies, b.squared_near, b.unknown);
 }
 
 DeviceMemory voronoi_memory(int dimension, std::size_t points)

@@ -42,8 +42,15 @@ public:
     /// The grid that points must be sorted by.
     static std::uint32_t cells_per_axis(int dimension, std::size_t points);
 
-    /// Enqueues the computation for sorted points. Results are in sorted order.
+    /// Layers of a grid that must be held around those that are asked about, at least.
+    static std::uint32_t least_around(int dimension) { return dimension == 2 ? 2 : 3; }
+
+    /// Enqueues the computation for sorted points, those in cells of the grid that are asked about. Results are in
+    /// sorted order.
     void find_cells(PointGrid& grid);
+
+    /// False where points that the grid does not hold may cut one of the cells that were found last.
+    bool are_known() const { return buffers_.unknown.read(0, 1)[0] == 0; }
 
     const Buffer<double>& volumes() const { return buffers_.volumes; }
     const Buffer<double>& displacements() const { return buffers_.displacements; }
@@ -58,7 +65,7 @@ private:
     struct Buffers
     {
         Buffer<double> volumes, displacements, energies, squared_near;
-        Buffer<std::uint32_t> slow, slow_count;
+        Buffer<std::uint32_t> slow, slow_count, unknown;
 
         NeededBuffers needed(int dimension, std::size_t points);
     };

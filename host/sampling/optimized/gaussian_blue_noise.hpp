@@ -14,9 +14,11 @@
 #include "host/sampling/optimized/gaussian_field.hpp"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace poissonlab {
 
@@ -37,7 +39,10 @@ std::size_t least_gaussian_points(double sigma, int dimension);
 /// k^2 (2 pi sigma^2)^(dimension / 2) exp(-k^2 sigma^2 / 2).
 double usual_gaussian_step(double sigma, int dimension);
 
-/// Both engines are told these numbers.
+/// The cells of the grid in which a point's neighbours are looked for, along each axis.
+std::uint32_t gaussian_grid_size(const GaussianRequest& request, std::size_t points, int dimension);
+
+/// Both engines are told these numbers, of all points.
 contract::gaussian_blue_noise::Gaussians gaussians_for(const GaussianRequest& request, std::size_t points,
                                                        int dimension);
 
@@ -77,6 +82,10 @@ std::size_t coarser_points(std::size_t points, int dimension);
 /// what the set has at low frequencies stays. The first `points` of the corners come first: what is too many is left
 /// out of the last corner alone.
 PointSet split_points(const PointSet& coarse, std::size_t points);
+
+/// The place of a point's part at a corner, from 0 to 2^dimension - 1, in a set of `coarse` points. Parts of a corner
+/// are numbered as the points are, after those of the corners before.
+std::array<double, 3> split_place(std::span<const double> place, std::size_t corner, std::size_t coarse);
 
 /// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, density, start.
 SamplerSpec gaussian_blue_noise_sampler();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/common/contract.h"
+#include "kernels/common/grid_part.h"
 
 CONTRACT(gaussian_blue_noise)
 
@@ -20,9 +21,8 @@ struct Gaussians
     double step;    ///< displacement for a unit of force; of the torus' side
     float exponent; ///< the Gaussian is 2^(exponent * squared distance)
     float near;     ///< in no set are all points farther apart from each other than so many cells
-    uint points;
-    uint grid_size; ///< cells along each axis
-    uint stride;    ///< of coordinates
+    uint first, end; ///< of the sorted points, those that are asked about
+    uint stride;     ///< of coordinates
 };
 
 /// The width and the pull that a density gives a place: see host/sampling/optimized/gaussian_field.hpp.

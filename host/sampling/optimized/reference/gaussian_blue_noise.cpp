@@ -72,12 +72,13 @@ public:
     PlainGaussianState(const PointSet& points, const GaussianRequest& request)
         : points_(points), sigma_(request.sigma), field_(request.field),
           axes_(static_cast<std::size_t>(points.dimension)),
+          grid_size_(static_cast<int>(gaussian_grid_size(request, points.size(), points.dimension))),
           gaussians_(gaussians_for(request, points.size(), points.dimension)), displacements_(points.coordinates.size())
     {}
 
     IterateMeasure measure()
     {
-        const PlainCells cells(points_, static_cast<int>(gaussians_.grid_size));
+        const PlainCells cells(points_, grid_size_);
         std::vector<double> energies;
         double squared_near = std::numeric_limits<double>::infinity();
         for (std::size_t id = 0; id < points_.size(); ++id) {
@@ -145,7 +146,7 @@ private:
     {
         Sums sums;
         const float exponent = exponent_of(id);
-        const int n = static_cast<int>(gaussians_.grid_size);
+        const int n = grid_size_;
         const int reach = 1 + static_cast<int>(std::sqrt(CUT_EXPONENT / double{exponent}) * 0x1p-32 * n * 1.000001);
         const auto cell = cells.cell_of(points_[id]);
         const std::vector<int> columns = cells_around(cell[0], reach, n), rows = cells_around(cell[1], reach, n);
@@ -187,6 +188,7 @@ private:
     double sigma_;
     std::shared_ptr<const GaussianField> field_;
     std::size_t axes_;
+    int grid_size_;
     Gaussians gaussians_;
     std::vector<double> displacements_;
     PointSet kept_;

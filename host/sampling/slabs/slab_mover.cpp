@@ -1,0 +1,56 @@
+#include "host/sampling/slabs/slab_mover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// As kernels/relaxation.cl moves points, so that bytes are the same.
+void move_all(std::span<double> coordinates, std::span<const double> displacements)
+{
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const double moved = coordinates[i] + displacements[i];
+        const double wrapped = moved - std::floor(moved);
+        coordinates[i] = wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
+    }
+}
+
+}
+
+void SlabMover::make_room(const GridPart& part, std::size_t points)
+{
+    if (grid_ && points <= room_ && part.held <= largest_.held) return;
+    grid_.reset();
+    room_ = std::max(room_, with_slack(points));
+    if (part.held > largest_.held) largest_ = part;
+    check_fits(fmt::format("a slab with {} points", points), memory(*method_, dimension_, points, part),
+               device_.info());
+    method_->make_room(device_, room_);
+    grid_.emplace(device_, dimension_, room_, largest_, default_work_group_size);
+}
+
+std::optional<SlabMover::Moved> SlabMover::move(const GridPart& part, const NumberedPoints& own,
+                                                const NumberedPoints& around)
+{
+    make_room(part, own.size() + around.size());
+    grid_->clear(part);
+    grid_->add(own.coordinates, own.ids);
+    grid_->add(around.coordinates, around.ids);
+    grid_->sort();
+    method_->find(*grid_);
+    if (!method_->is_known()) return {};
+
+    const auto axes = static_cast<std::size_t>(dimension_);
+    const std::size_t first = grid_->own_points().first;
+    Moved moved;
+    moved.points.coordinates = grid_->positions().read(first * axes, own.size() * axes);
+    moved.points.ids = grid_->ids().read(first, own.size());
+    moved.squared_near = std::ranges::min(method_->squared_near().read(first, own.size()));
+    move_all(moved.points.coordinates, method_->displacements().read(first * axes, own.size() * axes));
+    return moved;
+}
+
+}

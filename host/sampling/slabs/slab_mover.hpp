@@ -1,0 +1,52 @@
+// Moves the points of slabs, one slab after the other, by a method's step on a device.
+#pragma once
+
+#include "host/sampling/slabs/numbered_points.hpp"
+#include "host/sampling/slabs/slab_method.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace poissonlab {
+
+class SlabMover
+{
+public:
+    SlabMover(Device device, int dimension, std::unique_ptr<SlabMethod> method)
+        : device_(std::move(device)), dimension_(dimension), method_(std::move(method))
+    {}
+
+    const SlabMethod& method() const { return *method_; }
+
+    /// The device memory that it takes for so many points in a part of the grid, with those around.
+    static DeviceMemory memory(const SlabMethod& method, int dimension, std::size_t points, const GridPart& part)
+    {
+        return PointGrid::memory(dimension, with_slack(points), part) + method.memory(with_slack(points));
+    }
+
+    struct Moved
+    {
+        NumberedPoints points;   ///< those of the slab, after the step
+        double squared_near = 0; ///< of the nearest two before it, of which one is in the slab
+    };
+
+    /// `own` are the points in cells that are asked about, `around` those of the other cells that are held. Nothing
+    /// where points of more layers matter. Throws InputError where the device has no room for so many points.
+    std::optional<Moved> move(const GridPart& part, const NumberedPoints& own, const NumberedPoints& around);
+
+private:
+    /// Points come and go, and room is made anew seldom.
+    static std::size_t with_slack(std::size_t points) { return points + points / 32; }
+
+    void make_room(const GridPart& part, std::size_t points);
+
+    Device device_;
+    int dimension_;
+    std::unique_ptr<SlabMethod> method_;
+    std::optional<PointGrid> grid_;
+    std::size_t room_ = 0; ///< points
+    GridPart largest_{};
+};
+
+}
