@@ -262,7 +262,7 @@ kernel void find_centroids(global const double2* positions, global const uint* i
                                 cell_x,    cell_y, last_ring_of(&part, cell_y)};
         bool is_known;
         const VoronoiCell cell = cell_by_rings(&s, &is_known);
-        if (!is_known) *unknown = 1;
+        if (!is_known) atomic_or(unknown, 1u);
         const Results results = {areas, displacements, energies, squared_near};
         store_cell(&cell, site, results);
     }

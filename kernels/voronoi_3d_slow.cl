@@ -462,7 +462,7 @@ kernel void find_centroids(global const double* positions, global const uint* id
         }
         bool is_known;
         const VoronoiCell cell = cell_by_shells(&s, &is_known);
-        if (!is_known) *unknown = 1;
+        if (!is_known) atomic_or(unknown, 1u);
         store_cell(&cell, site, volumes, displacements, energies, squared_near);
     }
 }

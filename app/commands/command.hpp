@@ -118,6 +118,8 @@ Command aperiodic_sets_command();
 Command aperiodic_convert_command();
 Command aperiodic_verify_command();
 Command points_dart_throwing_command();
+Command points_gaussian_blue_noise_command();
+Command points_lloyd_command();
 Command distribute_warp_command();
 Command distribute_rank_command();
 Command distribute_classes_command();

@@ -51,6 +51,9 @@ private:
     std::size_t work_group_size_;
 };
 
+/// What the parameters of the sampler ask for, but for repulsion.
+LloydRequest lloyd_request(const Parameters& parameters);
+
 /// The sampler "lloyd": iterations, until_relative_radius, start, keep, repulsion.
 SamplerSpec lloyd_sampler();
 

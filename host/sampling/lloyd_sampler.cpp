@@ -29,15 +29,9 @@ class LloydSampler final : public StartedSampler
 public:
     LloydSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                  const DeviceProvider& device)
-        : StartedSampler("Lloyd relaxation", relaxation_memory, parameters, request, engine, device)
-    {
-        request_.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
-        if (parameters.is_given("until_relative_radius")) {
-            request_.until_relative_radius = parameters.number("until_relative_radius");
-        }
-        request_.keep_best = parameters.text("keep") == "best";
-        repels_ = parameters.flag("repulsion");
-    }
+        : StartedSampler("Lloyd relaxation", relaxation_memory, parameters, request, engine, device),
+          request_(lloyd_request(parameters)), repels_(parameters.flag("repulsion"))
+    {}
 
     PointSet sample(std::uint32_t realization) override
     {
@@ -57,7 +51,7 @@ public:
 
 private:
     LloydRequest request_;
-    bool repels_ = false;
+    bool repels_;
 };
 
 std::vector<ParameterSpec> parameters()
@@ -96,6 +90,15 @@ void check_lloyd(const Parameters& parameters, const SampleRequest&, const Sourc
     }
 }
 
+}
+
+LloydRequest lloyd_request(const Parameters& parameters)
+{
+    LloydRequest request{.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
+                         .keep_best = parameters.text("keep") == "best"};
+    if (parameters.is_given("until_relative_radius"))
+        request.until_relative_radius = parameters.number("until_relative_radius");
+    return request;
 }
 
 SamplerSpec lloyd_sampler()

@@ -60,6 +60,8 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"distribute points",
          {"--region 'rectangle 0 0 3 2' --min-distance 0.3+0.1*x --between mean --quiet --out a.txt", "too_near", "0"}},
         {"points dart-throwing", {"--points 20 --relative-radius 0.6 --quiet --out p.npy", "points", "20"}},
+        {"points lloyd", {"--points 20 --iterations 1 --quiet --out p.npy", "points", "20"}},
+        {"points gaussian-blue-noise", {"--points 200 --iterations 1 --quiet --out p.npy", "iteration", "1"}},
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
         {"distribute surface", {"square.off --points 5 --quiet --engine reference --out a.ply", "area", "1"}},
         {"distribute mri-mask", {"--shape 32 32 --acceleration 4 --out a.npy", "samples", "256"}},

@@ -195,6 +195,32 @@ TEST_F(ManyProcesses, RanksThrowTheDartsOfOneSet)
         EXPECT_THAT(entry.path().filename().string(), testing::MatchesRegex("[123].npy"));
 }
 
+/// Each process has some slabs; with random starts points go from process to process in each iteration.
+TEST_F(ManyProcesses, RanksRelaxThePointsOfOneSet)
+{
+    fs::create_directories(folder_->path() / "relaxed");
+    const auto same = [](const std::string& arguments, const std::string& extension) {
+        for (const int ranks : {1, 2, 3}) {
+            const std::string file = "relaxed/" + std::to_string(ranks) + extension;
+            const Outcome outcome = run_ranks(folder_->path(), ranks, "points " + arguments + " --quiet --out " + file);
+            EXPECT_EQ(outcome.status, 0) << outcome.error;
+            EXPECT_TRUE(content_of(folder_->path() / file) == content_of(folder_->path() / ("relaxed/1" + extension)))
+                << arguments << ", " << ranks << " processes";
+        }
+    };
+    same("lloyd --points 5000 --iterations 5 --memory 0.001 --start jittered --keep best", ".npy");
+    same("gaussian-blue-noise --points 5000 --iterations 3 --levels 1", ".txt");
+    expect_one_error(run_ranks(folder_->path(), 2, "points lloyd --points 100 --out relaxed/4.npy"),
+                     "points lloyd: needs --iterations");
+    const std::string command =
+        quoted(program_file()) + " points lloyd --points 90000 --iterations 1 --quiet --out relaxed/5.npy";
+    const Outcome died = run_in_shell(folder_->path(), mpirun + "-n 1 " + command + " : -n 1 sh -c " +
+                                                           quoted("ulimit -f 1; exec " + command));
+    EXPECT_NE(died.status, 0);
+    for (const auto& entry : fs::directory_iterator(folder_->path() / "relaxed"))
+        EXPECT_THAT(entry.path().filename().string(), testing::MatchesRegex("[123]\\.(npy|txt)"));
+}
+
 /// mpirun ends the others; whoever starts it again gets the file.
 TEST_F(ManyProcesses, ARankThatDiesLeavesNoFileOfPoints)
 {

@@ -101,6 +101,13 @@ std::size_t coarser_points(std::size_t points, int dimension)
     return (points + children - 1) / children;
 }
 
+std::vector<std::size_t> level_points(std::size_t points, int dimension, std::int64_t coarser)
+{
+    std::vector<std::size_t> counts{points};
+    for (; coarser > 0; --coarser) counts.insert(counts.begin(), coarser_points(counts.front(), dimension));
+    return counts;
+}
+
 std::array<double, 3> split_place(std::span<const double> place, std::size_t corner, std::size_t coarse)
 {
     const double quarter = 0.25 / side_of_torus(coarse, static_cast<int>(place.size()));

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace poissonlab {
 
@@ -78,6 +79,9 @@ private:
 /// Coarse to fine: a set of `points` is made of one of as many as this, each of which becomes 2^dimension.
 std::size_t coarser_points(std::size_t points, int dimension);
 
+/// The numbers of points of all levels, the coarsest first and `points` last, where so many coarser ones come before.
+std::vector<std::size_t> level_points(std::size_t points, int dimension, std::int64_t coarser);
+
 /// Each point of a set becomes 2^dimension, a quarter of the set's mean distance away from it along each axis, so that
 /// what the set has at low frequencies stays. The first `points` of the corners come first: what is too many is left
 /// out of the last corner alone.
@@ -86,6 +90,9 @@ PointSet split_points(const PointSet& coarse, std::size_t points);
 /// The place of a point's part at a corner, from 0 to 2^dimension - 1, in a set of `coarse` points. Parts of a corner
 /// are numbered as the points are, after those of the corners before.
 std::array<double, 3> split_place(std::span<const double> place, std::size_t corner, std::size_t coarse);
+
+/// What the parameters of the sampler ask for on each level, but for the density.
+GaussianRequest gaussian_request(const Parameters& parameters, int dimension);
 
 /// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, density, start.
 SamplerSpec gaussian_blue_noise_sampler();

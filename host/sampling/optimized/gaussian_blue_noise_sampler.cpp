@@ -46,8 +46,7 @@ PointSet warped_start(const PointSet& points, const WarpTable& table)
 /// The number that the start is asked for: the points of the coarsest level.
 SampleRequest start_request(const Parameters& parameters, SampleRequest request)
 {
-    for (std::int64_t level = 0; level < parameters.integer("levels"); ++level)
-        request.points = coarser_points(request.points, request.dimension);
+    request.points = level_points(request.points, request.dimension, parameters.integer("levels")).front();
     return request;
 }
 
@@ -62,12 +61,7 @@ public:
                   return memory_with(density.get(), given.number("sigma"), points, dimension);
               },
               parameters, start_request(parameters, request), engine, device),
-          density_(density),
-          asked_(request), request_{.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
-                                    .sigma = parameters.number("sigma"),
-                                    .step = parameters.is_given("step")
-                                                ? parameters.number("step")
-                                                : usual_gaussian_step(parameters.number("sigma"), request.dimension)}
+          density_(density), asked_(request), request_(gaussian_request(parameters, request.dimension))
     {}
 
     PointSet sample(std::uint32_t realization) override
@@ -78,7 +72,9 @@ public:
         iterations_.clear();
         if (density_) points = follow_density(points);
         points = descended(points);
-        for (const std::size_t count : finer_levels()) points = descended(split_points(points, count));
+        const auto levels = level_points(asked_.points, asked_.dimension, parameters_.integer("levels"));
+        for (std::size_t level = 1; level < levels.size(); ++level)
+            points = descended(split_points(points, levels[level]));
         return points;
     }
 
@@ -111,18 +107,6 @@ private:
             device_ ? GaussianBlueNoise(*device_).descend(points, request_) : reference::descend(points, request_);
         iterations_.insert(iterations_.end(), result.iterations.begin(), result.iterations.end());
         return std::move(result.points);
-    }
-
-    /// The numbers of points of the levels after the coarsest one.
-    std::vector<std::size_t> finer_levels() const
-    {
-        std::vector<std::size_t> counts;
-        std::size_t count = asked_.points;
-        for (std::int64_t level = 0; level < parameters_.integer("levels"); ++level) {
-            counts.insert(counts.begin(), count);
-            count = coarser_points(count, asked_.dimension);
-        }
-        return counts;
     }
 
     std::shared_ptr<const Density> density_;
@@ -207,6 +191,14 @@ DeviceMemory memory_of_levels(const Parameters& parameters, const SampleRequest&
     return memory + start.spec->device_memory(start.parameters, coarsest, device);
 }
 
+}
+
+GaussianRequest gaussian_request(const Parameters& parameters, int dimension)
+{
+    const double sigma = parameters.number("sigma");
+    return {.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
+            .sigma = sigma,
+            .step = parameters.is_given("step") ? parameters.number("step") : usual_gaussian_step(sigma, dimension)};
 }
 
 SamplerSpec gaussian_blue_noise_sampler()

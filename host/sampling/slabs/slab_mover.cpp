@@ -32,8 +32,7 @@ void SlabMover::make_room(const GridPart& part, std::size_t points)
     grid_.emplace(device_, dimension_, room_, largest_, default_work_group_size);
 }
 
-std::optional<SlabMover::Moved> SlabMover::move(const GridPart& part, const NumberedPoints& own,
-                                                const NumberedPoints& around)
+const SlabMover::Moved* SlabMover::move(const GridPart& part, const NumberedPoints& own, const NumberedPoints& around)
 {
     make_room(part, own.size() + around.size());
     grid_->clear(part);
@@ -41,16 +40,21 @@ std::optional<SlabMover::Moved> SlabMover::move(const GridPart& part, const Numb
     grid_->add(around.coordinates, around.ids);
     grid_->sort();
     method_->find(*grid_);
-    if (!method_->is_known()) return {};
+    if (!method_->is_known()) return nullptr;
 
     const auto axes = static_cast<std::size_t>(dimension_);
     const std::size_t first = grid_->own_points().first;
-    Moved moved;
-    moved.points.coordinates = grid_->positions().read(first * axes, own.size() * axes);
-    moved.points.ids = grid_->ids().read(first, own.size());
-    moved.squared_near = std::ranges::min(method_->squared_near().read(first, own.size()));
-    move_all(moved.points.coordinates, method_->displacements().read(first * axes, own.size() * axes));
-    return moved;
+    moved_.points.ids.resize(own.size());
+    grid_->ids().read(std::span(moved_.points.ids), first);
+    read_.resize(own.size());
+    method_->squared_near().read(std::span(read_), first);
+    moved_.squared_near = std::ranges::min(read_);
+    moved_.points.coordinates.resize(own.size() * axes);
+    grid_->positions().read(std::span(moved_.points.coordinates), first * axes);
+    read_.resize(own.size() * axes);
+    method_->displacements().read(std::span(read_), first * axes);
+    move_all(moved_.points.coordinates, read_);
+    return &moved_;
 }
 
 }

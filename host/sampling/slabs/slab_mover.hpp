@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace poissonlab {
 
@@ -31,9 +32,10 @@ public:
         double squared_near = 0; ///< of the nearest two before it, of which one is in the slab
     };
 
-    /// `own` are the points in cells that are asked about, `around` those of the other cells that are held. Nothing
-    /// where points of more layers matter. Throws InputError where the device has no room for so many points.
-    std::optional<Moved> move(const GridPart& part, const NumberedPoints& own, const NumberedPoints& around);
+    /// `own` are the points in cells that are asked about, at least one, `around` those of the other cells that are
+    /// held. Null where points of more layers matter; else it stays until the next call. Throws InputError where the
+    /// device has no room for so many points.
+    const Moved* move(const GridPart& part, const NumberedPoints& own, const NumberedPoints& around);
 
 private:
     /// Points come and go, and room is made anew seldom.
@@ -47,6 +49,8 @@ private:
     std::optional<PointGrid> grid_;
     std::size_t room_ = 0; ///< points
     GridPart largest_{};
+    Moved moved_;
+    std::vector<double> read_; ///< displacements, and squared distances
 };
 
 }

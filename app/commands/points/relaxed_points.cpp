@@ -1,0 +1,218 @@
+#include "app/commands/points/relaxed_points.hpp"
+
+#include "app/commands/point_target.hpp"
+#include "app/commands/points/scattered_points.hpp"
+#include "app/commands/points/slab_plan.hpp"
+#include "app/commands/points/slab_relaxation.hpp"
+#include "app/commands/points/slab_start.hpp"
+#include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
+#include "experiment/crew/thread_limit.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// Points have numbers of 32 bits, and cells of grids, of which there may be as many, those of 31.
+constexpr std::int64_t most_relaxed_points = std::int64_t{1} << 31;
+
+/// What is known of the set that was made.
+struct MadeSet
+{
+    std::uint64_t points = 0;
+    std::size_t iteration = 0; ///< that is kept
+    double relative_radius = 0;
+};
+
+/// The work of a command in one process of the crew.
+class RelaxationWork
+{
+public:
+    RelaxationWork(const KindOptions& options, const RelaxedMethod& method, Crew& crew)
+        : options_(options), method_(method), crew_(crew)
+    {}
+
+    /// Reads and checks what is asked for. False where a process failed.
+    bool prepare()
+    {
+        return crew_.together([&] {
+            asked_ = options_.read<AskedRelaxation>();
+            check_point_target(options_.command(), options_.out);
+            place_.emplace(options_.place(!crew_.leads()));
+            request_ = {static_cast<std::size_t>(asked_.points.value_or(0)), asked_.dimension, options_.seed()};
+            if (asked_.parameters.sampler("start").spec->has_own_points)
+                request_.points = method_.spec.most_points(asked_.parameters, request_);
+            check_methods();
+            head_ = {.dimension = asked_.dimension, .points = request_.points};
+            check_head(options_.out, head_);
+            check_room(options_.out, head_);
+            if (place_->engine == Engine::opencl) plan();
+        });
+    }
+
+    /// Makes the set and writes it.
+    void work()
+    {
+        if (place_->engine == Engine::reference ? !make_plainly() : !make_in_slabs()) return;
+        if (options_.prints_json() && crew_.leads())
+            fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(options_.out.string())},
+                                                      {"points", made_.points},
+                                                      {"dimension", asked_.dimension},
+                                                      {"iteration", made_.iteration},
+                                                      {"relative_radius", made_.relative_radius}}
+                                   .dump(2));
+    }
+
+private:
+    const SamplerChoice& start_choice() const { return asked_.parameters.sampler("start"); }
+
+    std::vector<std::size_t> levels() const
+    {
+        return level_points(request_.points, asked_.dimension, method_.coarser_levels(asked_.parameters));
+    }
+
+    SampleRequest start_request() const
+    {
+        return {levels().front(), asked_.dimension, options_.seed(), place_->on_step};
+    }
+
+    void check_methods() const
+    {
+        const SamplerSpec& start = *start_choice().spec;
+        if (std::ranges::find(start.dimensions, asked_.dimension) == start.dimensions.end())
+            throw asked_.parameters.error("start", fmt::format("has no {}D sets", asked_.dimension));
+        if (start.check) start.check(start_choice().parameters, start_request(), {});
+        method_.spec.check(asked_.parameters, request_, {});
+    }
+
+    /// The plan of the finest level, which takes the most.
+    void plan()
+    {
+        const SlabTask task{.dimension = asked_.dimension,
+                            .points = request_.points,
+                            .processes = static_cast<std::uint32_t>(crew_.size()),
+                            .processes_here = static_cast<std::uint32_t>(crew_processes_here()),
+                            .most_slab_bytes = static_cast<std::uint64_t>(asked_.memory * 1e9),
+                            .keeps_best = method_.request(asked_.parameters).keep_best,
+                            .shares_start = SlabStart::is_shared(start_choice())};
+        const auto in_slabs = method_.in_slabs(asked_.parameters, asked_.dimension, request_.points);
+        plan_ = plan_slabs(*in_slabs, task, place_->device().info());
+        if (place_->on_step)
+            place_->on_step(fmt::format("{}: {} slab{}, at most {} in each of {} process{}", method_.spec.name,
+                                        plan_.slabs * task.processes, plan_.slabs * task.processes == 1 ? "" : "s",
+                                        bytes_text(plan_.process_bytes), task.processes,
+                                        task.processes == 1 ? "" : "es"));
+    }
+
+    std::string comment() const
+    {
+        return fmt::format("{} --seed {}: iterate {}, relative radius {:.6g}, coordinates in [0, 1)",
+                           "poissonlab " + options_.command(), options_.seed(), made_.iteration, made_.relative_radius);
+    }
+
+    /// The plain program makes the set as a whole, in the process that leads.
+    bool make_plainly()
+    {
+        return crew_.together([&] {
+            if (!crew_.leads()) return;
+            const auto sampler = method_.spec.create(asked_.parameters, request_, place_->engine, place_->device);
+            const PointSet set = sampler->sample(0);
+            const auto iterations = sampler->traits().iterations;
+            const auto best = std::ranges::max_element(iterations, {}, &IterationRecord::relative_radius);
+            const auto kept = method_.request(asked_.parameters).keep_best ? best : iterations.end() - 1;
+            made_ = {set.size(), static_cast<std::size_t>(kept - iterations.begin()), kept->relative_radius};
+            write_points(options_.out, set, comment());
+        });
+    }
+
+    /// Null where a process failed.
+    std::unique_ptr<SlabRelaxation> level(std::uint64_t points)
+    {
+        std::unique_ptr<SlabRelaxation> relaxation;
+        const bool is_made = crew_.together([&] {
+            relaxation = std::make_unique<SlabRelaxation>(place_->device(), asked_.dimension, points,
+                                                          method_.in_slabs(asked_.parameters, asked_.dimension, points),
+                                                          plan_.slabs, crew_);
+        });
+        return is_made ? std::move(relaxation) : nullptr;
+    }
+
+    bool iterate(SlabRelaxation& relaxation, std::uint64_t points)
+    {
+        const LloydRequest request = method_.request(asked_.parameters);
+        return relaxation.run(request, [&](std::size_t iteration, double radius) {
+            if (place_->on_step)
+                place_->on_step(fmt::format("{} of {} points: iteration {} of {}, relative radius {:.4f}",
+                                            method_.spec.name, points, iteration, request.iterations, radius));
+        });
+    }
+
+    bool make_in_slabs()
+    {
+        SlabStart start(start_choice(), start_request(), *place_, crew_);
+        if (!start.make()) return false;
+        std::uint64_t points = start.points();
+        auto relaxation = level(points);
+        if (!relaxation || !start.put_into(relaxation->points()) || !iterate(*relaxation, points)) return false;
+        const auto counts = levels();
+        for (std::size_t number = 1; number < counts.size(); ++number) {
+            const std::uint64_t coarse_points = points;
+            points = std::min<std::uint64_t>(counts[number], coarse_points << asked_.dimension);
+            auto finer = level(points);
+            if (!finer ||
+                !put_parts(relaxation->points(), coarse_points, finer->points(), points, asked_.dimension, crew_))
+                return false;
+            relaxation = std::move(finer);
+            if (!iterate(*relaxation, points)) return false;
+        }
+        made_ = {points, relaxation->kept(), relaxation->relative_radius()};
+        head_.points = points;
+        head_.comment = comment();
+        return write_scattered_points(options_.out, head_, relaxation->points(), crew_);
+    }
+
+    const KindOptions& options_;
+    const RelaxedMethod& method_;
+    Crew& crew_;
+    AskedRelaxation asked_;
+    SampleRequest request_;
+    std::optional<DistributionPlace> place_;
+    PointFileHead head_;
+    SlabPlan plan_;
+    MadeSet made_;
+};
+
+}
+
+void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& method)
+{
+    keys.integer("points", asked.points, 1, most_relaxed_points, "how many points").otherwise("those of the start");
+    keys.integer("dimension", asked.dimension, 2, 3, "of the torus");
+    asked.parameters = Parameters(method.spec.parameters);
+    for (const ParameterSpec& spec : method.spec.parameters)
+        if (std::ranges::find(method.left_out, spec.key) == method.left_out.end())
+            keys.parameter(spec, asked.parameters);
+    keys.number("memory", asked.memory, {0.001, 1e6}, "what a slab may take at most on the device").unit("GB");
+    if (!keys.is_read()) return;
+    const bool has_own_points = asked.parameters.sampler("start").spec->has_own_points;
+    if (has_own_points && asked.points)
+        throw keys.invalid("points", "does not go with a start whose sets are as large as they are; leave it out");
+    if (!has_own_points && !asked.points) throw keys.problem("needs " + keys.name_of("points"));
+}
+
+void write_relaxed_points(const KindOptions& options, const RelaxedMethod& method)
+{
+    const auto crew = make_crew();
+    const ThreadLimit limit(threads_of_process(0, *crew));
+    if (!crew->leads()) say_nothing_when_interrupted();
+    RelaxationWork work(options, method, *crew);
+    if (work.prepare()) work.work();
+}
+
+}
