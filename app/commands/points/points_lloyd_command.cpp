@@ -28,11 +28,7 @@ const RelaxedMethod& lloyd_method()
     return method;
 }
 
-void points_lloyd_keys(Keys& keys, AskedRelaxation& asked)
-{
-    relaxation_keys(keys, asked, lloyd_method());
-    if (keys.is_read() && !keys.is_given("iterations")) throw keys.problem("needs " + keys.name_of("iterations"));
-}
+void points_lloyd_keys(Keys& keys, AskedRelaxation& asked) { relaxation_keys(keys, asked, lloyd_method()); }
 
 }
 

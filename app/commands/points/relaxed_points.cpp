@@ -30,6 +30,32 @@ struct MadeSet
     double relative_radius = 0;
 };
 
+SampleRequest request_of(const AskedRelaxation& asked, const RelaxedMethod& method, std::uint64_t seed)
+{
+    SampleRequest request{static_cast<std::size_t>(asked.points.value_or(0)), asked.dimension, seed};
+    if (!asked.points) request.points = method.spec.most_points(asked.parameters, request); // of a start from files
+    return request;
+}
+
+/// The numbers of points of the method's levels; the start is asked for the first.
+std::vector<std::size_t> levels_of(const SampleRequest& request, const Parameters& parameters,
+                                   const RelaxedMethod& method)
+{
+    return level_points(request.points, request.dimension, method.coarser_levels(parameters));
+}
+
+/// What the start and the method say of the set. Throws InputError, which may name a key.
+void check_methods(const AskedRelaxation& asked, const RelaxedMethod& method)
+{
+    const SamplerChoice& start = asked.parameters.sampler("start");
+    SampleRequest request = request_of(asked, method, 1);
+    method.spec.check(asked.parameters, request, {});
+    if (std::ranges::find(start.spec->dimensions, asked.dimension) == start.spec->dimensions.end())
+        throw asked.parameters.error("start", fmt::format("has no {}D sets", asked.dimension));
+    request.points = levels_of(request, asked.parameters, method).front();
+    if (start.spec->check) start.spec->check(start.parameters, request, {});
+}
+
 /// The work of a command in one process of the crew.
 class RelaxationWork
 {
@@ -45,10 +71,7 @@ public:
             asked_ = options_.read<AskedRelaxation>();
             check_point_target(options_.command(), options_.out);
             place_.emplace(options_.place(!crew_.leads()));
-            request_ = {static_cast<std::size_t>(asked_.points.value_or(0)), asked_.dimension, options_.seed()};
-            if (asked_.parameters.sampler("start").spec->has_own_points)
-                request_.points = method_.spec.most_points(asked_.parameters, request_);
-            check_methods();
+            request_ = request_of(asked_, method_, options_.seed());
             head_ = {.dimension = asked_.dimension, .points = request_.points};
             check_head(options_.out, head_);
             check_room(options_.out, head_);
@@ -64,6 +87,8 @@ public:
             fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(options_.out.string())},
                                                       {"points", made_.points},
                                                       {"dimension", asked_.dimension},
+                                                      {"slabs", plan_.slabs * static_cast<std::uint32_t>(crew_.size())},
+                                                      {"planned_bytes", plan_.process_bytes},
                                                       {"iteration", made_.iteration},
                                                       {"relative_radius", made_.relative_radius}}
                                    .dump(2));
@@ -72,23 +97,11 @@ public:
 private:
     const SamplerChoice& start_choice() const { return asked_.parameters.sampler("start"); }
 
-    std::vector<std::size_t> levels() const
-    {
-        return level_points(request_.points, asked_.dimension, method_.coarser_levels(asked_.parameters));
-    }
+    std::vector<std::size_t> levels() const { return levels_of(request_, asked_.parameters, method_); }
 
     SampleRequest start_request() const
     {
         return {levels().front(), asked_.dimension, options_.seed(), place_->on_step};
-    }
-
-    void check_methods() const
-    {
-        const SamplerSpec& start = *start_choice().spec;
-        if (std::ranges::find(start.dimensions, asked_.dimension) == start.dimensions.end())
-            throw asked_.parameters.error("start", fmt::format("has no {}D sets", asked_.dimension));
-        if (start.check) start.check(start_choice().parameters, start_request(), {});
-        method_.spec.check(asked_.parameters, request_, {});
     }
 
     /// The plan of the finest level, which takes the most.
@@ -195,15 +208,18 @@ void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& me
     keys.integer("points", asked.points, 1, most_relaxed_points, "how many points").otherwise("those of the start");
     keys.integer("dimension", asked.dimension, 2, 3, "of the torus");
     asked.parameters = Parameters(method.spec.parameters);
-    for (const ParameterSpec& spec : method.spec.parameters)
-        if (std::ranges::find(method.left_out, spec.key) == method.left_out.end())
-            keys.parameter(spec, asked.parameters);
+    for (const ParameterSpec& spec : method.spec.parameters) {
+        if (std::ranges::find(method.left_out, spec.key) != method.left_out.end()) continue;
+        Keys::Said said = keys.parameter(spec, asked.parameters);
+        if (!spec.otherwise && spec.unless_given.empty()) said.required();
+    }
     keys.number("memory", asked.memory, {0.001, 1e6}, "what a slab may take at most on the device").unit("GB");
     if (!keys.is_read()) return;
     const bool has_own_points = asked.parameters.sampler("start").spec->has_own_points;
     if (has_own_points && asked.points)
         throw keys.invalid("points", "does not go with a start whose sets are as large as they are; leave it out");
     if (!has_own_points && !asked.points) throw keys.problem("needs " + keys.name_of("points"));
+    keys.check([&] { check_methods(asked, method); });
 }
 
 void write_relaxed_points(const KindOptions& options, const RelaxedMethod& method)

@@ -110,11 +110,29 @@ bool fill_placed(const std::filesystem::path& temporary, const std::filesystem::
            crew.together([&] { file->close(); });
 }
 
+/// What the process that leads does: write(is_begun) sets `is_begun` before it does anything together with the others,
+/// which wait for that. What it throws before is thrown there.
+template <class Write>
+void lead_writing(Crew& crew, const Write& write)
+{
+    bool is_begun = false;
+    try {
+        write(is_begun);
+    } catch (...) {
+        if (!is_begun) crew.together([] { throw; });
+        throw;
+    }
+}
+
 bool write_placed(const std::filesystem::path& path, const PointFileHead& head, const SlabPoints& points, Crew& crew)
 {
     if (!crew.leads()) return fill_placed({}, path, head, points, crew);
-    write_whole_file(path,
-                     [&](const std::filesystem::path& temporary) { fill_placed(temporary, path, head, points, crew); });
+    lead_writing(crew, [&](bool& is_begun) {
+        write_whole_file(path, [&](const std::filesystem::path& temporary) {
+            is_begun = true;
+            fill_placed(temporary, path, head, points, crew);
+        });
+    });
     return true;
 }
 
@@ -122,18 +140,13 @@ bool write_placed(const std::filesystem::path& path, const PointFileHead& head, 
 bool write_in_order(const std::filesystem::path& path, const PointFileHead& head, const SlabPoints& points, Crew& crew)
 {
     PieceCollector collector(points, head, 1, crew);
-    if (!crew.leads()) return crew.together([] {}) && collector.collect([](std::uint64_t, const auto&) {});
-    bool is_open = false;
-    try {
+    if (!crew.leads()) return collector.collect([](std::uint64_t, const auto&) {});
+    lead_writing(crew, [&](bool& is_begun) {
         write_points_in_pieces(path, head.dimension, head.points, head.comment, [&](const PointSink& sink) {
-            is_open = true;
-            crew.together([] {});
+            is_begun = true;
             collector.collect([&](std::uint64_t, const std::vector<double>& piece) { sink(piece); });
         });
-    } catch (...) {
-        if (!is_open) crew.together([] { throw; }); // the others wait for it
-        throw;
-    }
+    });
     return true;
 }
 

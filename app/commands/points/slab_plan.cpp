@@ -14,7 +14,12 @@ namespace poissonlab {
 namespace {
 
 /// What the program takes itself, with an OpenCL device and its compiler, and what it sends and writes at a time.
-constexpr std::uint64_t program_bytes = 300'000'000;
+constexpr std::uint64_t program_bytes = 250'000'000;
+
+/// Bytes of a slab on a processor that are fast, as more of them stay in its caches, and how much thicker than what is
+/// around it a slab is, for that to be a small part of the work.
+constexpr std::uint64_t fast_slab_bytes = 64'000'000;
+constexpr std::uint32_t least_thickness = 8;
 
 /// Points of the set that are in so many of the grid's layers, if they are spread evenly.
 std::uint64_t points_in(std::uint64_t layers, const SlabMethod& method, const SlabTask& task)
@@ -55,11 +60,10 @@ void check_process_memory(const SlabTask& task, std::uint64_t needed)
     if (needed <= limit) return;
     const double part =
         static_cast<double>(limit - std::min(limit, program_bytes)) / static_cast<double>(needed - program_bytes);
-    throw InputError(
-        fmt::format("--points {}: takes {} in each of {} process{}, which may have {}: {:.3g} fit here, or "
-                    "more processes on other machines",
-                    task.points, bytes_text(needed), task.processes, task.processes == 1 ? "" : "es", bytes_text(limit),
-                    std::floor(part * static_cast<double>(task.points))));
+    throw InputError(fmt::format(
+        "--points {}: takes {} in each process, which may have {}: {:.3g} fit, and more in more "
+        "processes, on other machines",
+        task.points, bytes_text(needed), bytes_text(limit), std::floor(part * static_cast<double>(task.points))));
 }
 
 }
@@ -68,7 +72,10 @@ SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const Device
 {
     for (std::uint32_t slabs = 1;; slabs += (slabs + 7) / 8) {
         const DeviceMemory memory = slab_memory(method, task, slabs * task.processes);
-        if (memory.total <= task.most_slab_bytes && fits(memory, device)) {
+        const bool is_thick =
+            method.cells_per_axis() / (slabs * task.processes) > least_thickness * method.layers_around();
+        const bool is_slow = device.type == "CPU" && memory.total > fast_slab_bytes && is_thick;
+        if (!is_slow && memory.total <= task.most_slab_bytes && fits(memory, device)) {
             const std::uint64_t on_device = device.type == "CPU" ? memory.total : 0; // which is the host's
             const SlabPlan plan{slabs, memory.total,
                                 program_bytes + on_device + host_bytes(method, task, slabs * task.processes)};

@@ -67,10 +67,11 @@ bool SlabRelaxation::run(const LloydRequest& request, const OnIteration& on_iter
     for (;;) {
         if (!make_step()) return false;
         const auto now = course.add({0, squared_near_});
-        on_iteration(course.iterations().size() - 1, course.iterations().back().relative_radius);
-        if (now.is_kept && request.keep_best) {
-            if (!crew_.together([&] { best.emplace(*points_); })) return false;
-        }
+        const bool is_noted = crew_.together([&] {
+            on_iteration(course.iterations().size() - 1, course.iterations().back().relative_radius);
+            if (now.is_kept && request.keep_best) best.emplace(*points_);
+        });
+        if (!is_noted) return false;
         if (now.is_last) break;
         std::swap(points_, moved_);
     }
