@@ -1,10 +1,12 @@
 // `poissonlab points lloyd` and `points gaussian-blue-noise`: the methods' points in the methods' order, from any
 // slabs, in memory that does not grow with what the device would take for the whole set.
 #include "base/points/point_file.hpp"
+#include "host/sampling/baselines.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "tests/support/command_test.hpp"
+#include "tests/support/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -121,7 +123,7 @@ TEST_F(PointsLloydCommand, TakesTheMemoryThatItPlans)
         folder_.write("run.py",
                       "import json, resource, subprocess\n"
                       "said = subprocess.run(['" +
-                          program_file().string() + "', 'points', 'lloyd', '--points', '" + points +
+                          program_file() + "', 'points', 'lloyd', '--points', '" + points +
                           "', '--iterations', '1', '--quiet', '--json', '--memory', '0.02', '--out', 'a.npy'], "
                           "stdout=subprocess.PIPE, check=True).stdout\n"
                           "print(json.loads(said)['planned_bytes'] / 1e6, "

@@ -44,16 +44,26 @@ std::vector<std::size_t> levels_of(const SampleRequest& request, const Parameter
     return level_points(request.points, request.dimension, method.coarser_levels(parameters));
 }
 
+/// Throws InputError where a start has no such sets, as the value of --start.
+void check_start(const SamplerChoice& start, const SampleRequest& request)
+{
+    const SourceLocation place{"--start", 0, true};
+    try {
+        if (std::ranges::find(start.spec->dimensions, request.dimension) == start.spec->dimensions.end())
+            throw InputError::at(place, fmt::format("{}: has no {}D sets", start.spec->name, request.dimension));
+        if (start.spec->check) start.spec->check(start.parameters, request, place);
+    } catch (const InputError& error) { // its keys are not those of the command
+        throw InputError(error.moved_to(place).what());
+    }
+}
+
 /// What the start and the method say of the set. Throws InputError, which may name a key.
 void check_methods(const AskedRelaxation& asked, const RelaxedMethod& method)
 {
-    const SamplerChoice& start = asked.parameters.sampler("start");
-    SampleRequest request = request_of(asked, method, 1);
-    method.spec.check(asked.parameters, request, {});
-    if (std::ranges::find(start.spec->dimensions, asked.dimension) == start.spec->dimensions.end())
-        throw asked.parameters.error("start", fmt::format("has no {}D sets", asked.dimension));
+    SampleRequest request{static_cast<std::size_t>(asked.points.value_or(0)), asked.dimension, 1};
     request.points = levels_of(request, asked.parameters, method).front();
-    if (start.spec->check) start.spec->check(start.parameters, request, {});
+    check_start(asked.parameters.sampler("start"), request);
+    method.spec.check(asked.parameters, request_of(asked, method, 1), {});
 }
 
 /// The work of a command in one process of the crew.
@@ -114,8 +124,12 @@ private:
                             .most_slab_bytes = static_cast<std::uint64_t>(asked_.memory * 1e9),
                             .keeps_best = method_.request(asked_.parameters).keep_best,
                             .shares_start = SlabStart::is_shared(start_choice())};
-        const auto in_slabs = method_.in_slabs(asked_.parameters, asked_.dimension, request_.points);
-        plan_ = plan_slabs(*in_slabs, task, place_->device().info());
+        const DeviceInfo& device = place_->device().info();
+        const SamplerSpec& start = *start_choice().spec;
+        if (start.device_memory)
+            check_fits("--start: \"" + start.name + "\"",
+                       start.device_memory(start_choice().parameters, start_request(), device), device);
+        plan_ = plan_slabs(*method_.in_slabs(asked_.parameters, asked_.dimension, request_.points), task, device);
         if (place_->on_step)
             place_->on_step(fmt::format("{}: {} slab{}, at most {} in each of {} process{}", method_.spec.name,
                                         plan_.slabs * task.processes, plan_.slabs * task.processes == 1 ? "" : "s",

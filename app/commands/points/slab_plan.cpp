@@ -53,6 +53,15 @@ std::uint64_t host_bytes(const SlabMethod& method, const SlabTask& task, std::ui
     return kept + std::max({steps, writing, own * of_point + start});
 }
 
+/// Kernels number grid cells by 31 bits. Throws InputError where there are more, with the largest set that has fewer.
+void check_cells(const SlabMethod& method, const SlabTask& task)
+{
+    const double cells = std::pow(method.cells_per_axis(), task.dimension);
+    if (cells < 0x1p31) return;
+    throw InputError(fmt::format("--points {}: at most {:.3g}, whose grid has 2^31 cells", task.points,
+                                 std::floor(static_cast<double>(task.points) * 0x1p31 / cells)));
+}
+
 /// Throws InputError where the machine has less, with the largest set that it has room for.
 void check_process_memory(const SlabTask& task, std::uint64_t needed)
 {
@@ -70,6 +79,7 @@ void check_process_memory(const SlabTask& task, std::uint64_t needed)
 
 SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const DeviceInfo& device)
 {
+    check_cells(method, task);
     for (std::uint32_t slabs = 1;; slabs += (slabs + 7) / 8) {
         const DeviceMemory memory = slab_memory(method, task, slabs * task.processes);
         const bool is_thick =
