@@ -29,6 +29,7 @@ struct TextureSources
     std::size_t patches = 0;             ///< how many of them are patches or samples
     std::vector<FittedPiece> middles{};  ///< the pieces in the middles of tiles with corners
     BowTies bow_ties{};                  ///< of Wang tiles
+    std::vector<std::string> notes{};    ///< lines that a person should read
 };
 
 /// `request` is checked, and the exemplar has room for a window. `tiles` are requested_tiles(). Throws InputError where

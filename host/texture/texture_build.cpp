@@ -63,6 +63,7 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     built.cost = made.cost;
     built.windows = std::move(made.windows);
     built.patches = made.patches;
+    built.notes = std::move(made.notes);
     set.sources = std::move(made.sources);
     std::vector<PngPixels> tiles = tiles_of_sources(exemplar, set);
     if (request.smooth) smooth(exemplar, made, solve, tiles);

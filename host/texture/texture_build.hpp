@@ -14,6 +14,7 @@ struct BuiltTexture
     std::int64_t cost = 0;               ///< of all cuts, by their own weight
     std::vector<ExemplarWindow> windows; ///< all patches or samples, then pieces that are shown
     std::size_t patches = 0;             ///< how many of them are patches or samples
+    std::vector<std::string> notes;      ///< lines that a person should read
 };
 
 /// Makes the functions of a domain harmonic, on a device or not: the same bits.

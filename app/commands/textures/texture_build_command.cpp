@@ -141,6 +141,7 @@ BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSett
     };
     try {
         BuiltTexture built = build_texture(request, pictures.exemplar, tell, harmonic_solver(place));
+        for (const std::string& note : built.notes) options.say_note(note);
         built.set.companions = std::move(pictures.companions);
         if (asked.is_straightened) built.set.parameters["straighten"] = "true";
         return built;

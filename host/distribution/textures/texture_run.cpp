@@ -228,6 +228,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
         if (settings.is_straightened) built.set.parameters["straighten"] = "true";
         add_set(settings, built, place, files, result);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());
+        result.facts.insert(result.facts.end(), built.notes.begin(), built.notes.end());
         if (settings.has_timing && place.engine == Engine::opencl) {
             times = time_numbers(place.device(), endless_tiles(built.set, request.seed));
             times.push_back(

@@ -1,6 +1,7 @@
 #include "host/texture/joint/joint_patches.hpp"
 
 #include "base/random/random.hpp"
+#include "host/texture/joint/phase_note.hpp"
 #include "host/texture/joint/window_search.hpp"
 #include "host/texture/salience.hpp"
 
@@ -46,8 +47,10 @@ std::vector<ExemplarWindow> patch_pool(const PngPixels& exemplar, const PngPixel
     std::vector<ExemplarWindow> pool;
     for (int i = 0; i < drawn_patches; ++i) {
         const ExemplarWindow drawn = plain_window(none, exemplar, {0, exemplar.width}, salience, request.size, words);
-        pool.push_back(rule.nearest(drawn, exemplar, 0, 0));
+        const ExemplarWindow near = rule.nearest(drawn, exemplar, 0, 0);
+        if (rule.holds(near, 0, 0)) pool.push_back(near);
     }
+    if (pool.empty()) return pool;
     const WindowSearch search(features, request.size);
     std::vector<std::vector<ExemplarWindow>> alike(pool.size());
     tbb::parallel_for(std::size_t{0}, pool.size(), [&](std::size_t i) {
@@ -159,8 +162,8 @@ PairTable common_power(const PngPixels& exemplar, const PhaseMeans& means, const
 class PatchSet
 {
 public:
-    PatchSet(const std::vector<ExemplarWindow>& pool, PairTable costs, std::size_t count, int distance)
-        : pool_(pool), costs_(std::move(costs)), count_(count), distance_(distance)
+    PatchSet(const std::vector<ExemplarWindow>& pool, const PairTable& costs, std::size_t count, int distance)
+        : pool_(pool), costs_(costs), count_(count), distance_(distance)
     {}
 
     /// Sets that begin with each patch, grow by the best one each and are improved one by one: the best of them.
@@ -230,29 +233,43 @@ private:
     }
 
     const std::vector<ExemplarWindow>& pool_;
-    PairTable costs_;
+    const PairTable& costs_;
     std::size_t count_;
     int distance_;
 };
+
+/// What all ordered pairs of patches cost: the pieces around both kinds of edges, and their common power.
+PairTable pair_costs(const PngPixels& exemplar, const PngPixels& features, const std::vector<ExemplarWindow>& pool,
+                     int reach, const std::vector<RegularWave>& waves)
+{
+    const EdgeFit fit(features, pool);
+    PairTable costs = fit.costs(true);
+    const PairTable vertical = fit.costs(false),
+                    power = common_power(exemplar, PhaseMeans(exemplar, waves), pool, reach);
+    for (std::size_t i = 0; i < pool.size(); ++i)
+        for (std::size_t j = 0; j < pool.size(); ++j) costs.at(i, j) += vertical.at(i, j) + power.at(i, j);
+    return costs;
+}
 
 }
 
 JointPatches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
                            const SetParts& parts, int distance, const std::vector<RegularWave>& waves)
 {
-    JointPatches joint{{}, PhaseRule(exemplar, waves, request.size)};
+    JointPatches joint{{}, PhaseRule(exemplar, waves, request.size), ""};
     const std::vector<ExemplarWindow> pool = patch_pool(exemplar, features, request, distance, joint.rule);
-    const EdgeFit fit(features, pool);
-    PairTable costs = fit.costs(true);
-    const PairTable vertical = fit.costs(false),
-                    power = common_power(exemplar, PhaseMeans(exemplar, waves), pool, shown_reach(request));
-    for (std::size_t i = 0; i < pool.size(); ++i)
-        for (std::size_t j = 0; j < pool.size(); ++j) costs.at(i, j) += vertical.at(i, j) + power.at(i, j);
-    const std::vector<std::size_t> best = PatchSet(pool, std::move(costs), parts.corners, distance).best();
-    // Where the pool has no set that is far enough apart, patches are those that are chosen for themselves.
-    if (best.empty()) return {chosen_patches(exemplar, request, distance), {}};
+    std::vector<std::size_t> best;
+    if (!pool.empty()) {
+        const PairTable costs = pair_costs(exemplar, features, pool, shown_reach(request), waves);
+        best = PatchSet(pool, costs, parts.corners, distance).best();
+        if (best.empty() && !waves.empty()) best = PatchSet(pool, costs, parts.corners, 1).best();
+    }
     for (const std::size_t i : best) joint.patches.push_back(pool[i]);
-    return joint;
+    if (!best.empty()) return joint;
+    // Where the pool has no set that is far enough apart, patches are those that are chosen for themselves.
+    return {chosen_patches(exemplar, request, distance),
+            {},
+            waves.empty() ? "" : phase_note(exemplar, waves, request.size, parts.corners)};
 }
 
 }

@@ -11,6 +11,9 @@
 #include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/joint/set_cover.hpp"
 
+#include <string>
+#include <vector>
+
 namespace poissonlab {
 
 /// The patches of a set, and where other windows may lie beside them.
@@ -18,10 +21,12 @@ struct JointPatches
 {
     Patches patches;
     PhaseRule rule;
+    std::string
+        note; ///< a line that says that the exemplar has too few windows of one phase; empty where it has enough
 };
 
 /// A patch for each corner of the parts, T x T, their middles `distance` pixels apart along an axis; with waves all of
-/// one phase.
+/// one phase, and where there are too few windows of one phase for that, nearer to each other.
 JointPatches joint_patches(const PngPixels& exemplar, const PngPixels& features, const TextureRequest& request,
                            const SetParts& parts, int distance, const std::vector<RegularWave>& waves);
 

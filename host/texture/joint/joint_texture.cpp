@@ -191,6 +191,7 @@ private:
         JointPatches chosen = joint_patches(exemplar_, features_, request_, parts, used_.distance(), waves_);
         patches_ = std::move(chosen.patches);
         rule_ = std::move(chosen.rule);
+        if (!chosen.note.empty()) notes_.push_back(std::move(chosen.note));
         for (const ExemplarWindow& patch : patches_) used_.add(patch);
         const int size = request_.size, half = size / 2;
         for (std::size_t tile = 0; tile < parts.tiles.size(); ++tile)
@@ -338,6 +339,7 @@ private:
     TextureSources finished() const
     {
         TextureSources result{{}, assembly_.seams(), patches_, patches_.size()};
+        result.notes = notes_;
         // By tile and by what lies over its corner.
         std::vector<std::map<std::pair<int, int>, std::vector<SourcePixel>>> shown(cover_.parts().tiles.size());
         for (std::size_t tile = 0; tile < shown.size(); ++tile)
@@ -369,6 +371,7 @@ private:
     UsedWindows used_;
     Patches patches_;
     PhaseRule rule_;
+    std::vector<std::string> notes_;
     std::vector<LaidWindow> laid_; ///< pieces, of which some are laid over others
 };
 

@@ -269,5 +269,36 @@ TEST(JointTexture, JointsOfBricksRunThrough)
     EXPECT_GT(phases[static_cast<std::size_t>(most)], 16 * 32 * 32 * 3 / 5);
 }
 
+/// Rows of planks, eight each, on which colours differ.
+PngPixels rows_of_planks(int side)
+{
+    PngPixels picture{side, side, 1, {}};
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            picture.values.push_back(y % 8 < 2 ? 200 : static_cast<std::uint8_t>(90 + y / 8 * 37 % 29 + x * x % 7));
+    return picture;
+}
+
+/// What is said to be of help is: the note goes away, and stays for a pixel less of tiles' room.
+TEST(JointTexture, SaysWhereAPictureHasTooFewWindowsOfOnePhase)
+{
+    const auto notes_of = [](int side, int size) {
+        TextureRequest request;
+        request.colors = {2, 2};
+        request.size = size;
+        request.joint = true;
+        request.rounds = 1;
+        return build_texture(request, rows_of_planks(side), [](const std::string&, std::size_t, std::size_t) {}).notes;
+    };
+    const std::vector<std::string> notes = notes_of(64, 64);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0],
+              "the picture repeats every 8.0 pixels, but too little of its 64 x 64 is beside a tile of 64 for "
+              "2 windows that lie alike in that: joints do not run through; they do with a picture of 80 x "
+              "80, or with --size 48");
+    EXPECT_THAT(notes_of(80, 64), testing::IsEmpty());
+    EXPECT_THAT(notes_of(64, 48), testing::IsEmpty());
+}
+
 }
 }
