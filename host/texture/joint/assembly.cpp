@@ -1,5 +1,7 @@
 #include "host/texture/joint/assembly.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -22,11 +24,12 @@ PngPixels with_rim(const PngPixels& picture)
 std::vector<std::uint8_t> rounded_means(const PngPixels& exemplar, const std::vector<RegularWave>& waves)
 {
     const PhaseMeans means(exemplar, waves);
-    std::vector<std::uint8_t> rounded;
-    for (int y = 0; y < exemplar.height; ++y)
+    std::vector<std::uint8_t> rounded(exemplar.values.size());
+    tbb::parallel_for(0, exemplar.height, [&](int y) {
         for (int x = 0; x < exemplar.width; ++x)
             for (int c = 0; c < exemplar.channels; ++c)
-                rounded.push_back(static_cast<std::uint8_t>(std::lround(means.at(x, y, c))));
+                rounded[exemplar.at(x, y, c)] = static_cast<std::uint8_t>(std::lround(means.at(x, y, c)));
+    });
     return rounded;
 }
 

@@ -1,5 +1,8 @@
 #include "host/texture/joint/phase_rule.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -32,28 +35,59 @@ std::vector<std::uint8_t> lightness_bytes(const LightMap& map)
     return bytes;
 }
 
-/// The place in a period around which values at the same distance on both sides, up to half of a period, have the
-/// smallest mean product. Bricks differ from the next course's, and are one brick on both sides of their middle.
-double phase_between_courses(const LightMap& differences, const RegularWave& wave)
+/// Sums by parts of a period.
+struct BinSums
+{
+    std::vector<double> products, counts;
+};
+
+/// Adds products of values of a row and of others at the same distance on both sides of each of its places.
+void add_products(const LightMap& differences, const RegularWave& wave, int y, BinSums& sums)
 {
     const double period = wave.period(), east = wave.x * period, south = wave.y * period;
+    const auto width = static_cast<std::size_t>(differences.width);
+    std::vector<double> products(width), counts(width);
+    for (int away = 2; 2 * away <= period; ++away) {
+        const int dx = static_cast<int>(std::lround(away * east)), dy = static_cast<int>(std::lround(away * south));
+        if (y < std::abs(dy) || y + std::abs(dy) >= differences.height) continue;
+        const double* const before = &differences.values[differences.index(0, y - dy)];
+        const double* const after = &differences.values[differences.index(0, y + dy)];
+        for (int x = std::abs(dx); x + std::abs(dx) < differences.width; ++x) {
+            products[static_cast<std::size_t>(x)] += before[x - dx] * after[x + dx];
+            ++counts[static_cast<std::size_t>(x)];
+        }
+    }
+    for (int x = 0; x < differences.width; ++x) {
+        const std::size_t bin = phase_bin(wave, x, y);
+        sums.products[bin] += products[static_cast<std::size_t>(x)];
+        sums.counts[bin] += counts[static_cast<std::size_t>(x)];
+    }
+}
+
+/// The place in a period around which values at the same distance on both sides, up to half of a period, have the
+/// smallest mean product. Bricks differ from the next course's, and are one brick on both sides of their middle. The
+/// same on any number of threads: strips of rows are added up in their order.
+double phase_between_courses(const LightMap& differences, const RegularWave& wave)
+{
+    constexpr int rows_a_strip = 64;
     const std::size_t bins = phase_bins(wave);
-    std::vector<double> products(bins), counts(bins);
-    for (int y = 0; y < differences.height; ++y)
-        for (int x = 0; x < differences.width; ++x)
-            for (int away = 2; 2 * away <= period; ++away) {
-                const int dx = static_cast<int>(std::lround(away * east)),
-                          dy = static_cast<int>(std::lround(away * south));
-                if (x < std::abs(dx) || y < std::abs(dy) || x + std::abs(dx) >= differences.width ||
-                    y + std::abs(dy) >= differences.height)
-                    continue;
-                const std::size_t bin = phase_bin(wave, x, y);
-                products[bin] += differences.at(x - dx, y - dy) * differences.at(x + dx, y + dy);
-                ++counts[bin];
-            }
-    for (std::size_t i = 0; i < bins; ++i)
-        products[i] = counts[i] > 0 ? products[i] / counts[i] : std::numeric_limits<double>::infinity();
-    const auto least = std::ranges::min_element(products) - products.begin();
+    std::vector<BinSums> strips(static_cast<std::size_t>((differences.height + rows_a_strip - 1) / rows_a_strip));
+    tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t i) {
+        strips[i] = {std::vector<double>(bins), std::vector<double>(bins)};
+        const int first = static_cast<int>(i) * rows_a_strip;
+        for (int y = first; y < std::min(first + rows_a_strip, differences.height); ++y)
+            add_products(differences, wave, y, strips[i]);
+    });
+    std::vector<double> means;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        double product = 0, count = 0;
+        for (const BinSums& strip : strips) {
+            product += strip.products[bin];
+            count += strip.counts[bin];
+        }
+        means.push_back(count > 0 ? product / count : std::numeric_limits<double>::infinity());
+    }
+    const auto least = std::ranges::min_element(means) - means.begin();
     // Bins count from the middle of the first pixel, places from its corner.
     return (static_cast<double>(least) + 0.5) / static_cast<double>(bins) + (wave.x + wave.y) / 2;
 }
@@ -67,15 +101,27 @@ PhaseMeans::PhaseMeans(const PngPixels& exemplar, std::vector<RegularWave> waves
 {
     std::size_t bins = channels_;
     for (const RegularWave& wave : waves_) bins *= phase_bins(wave);
-    std::vector<double> counts(bins);
-    means_.resize(bins);
-    for (int y = 0; y < exemplar.height; ++y)
-        for (int x = 0; x < exemplar.width; ++x)
-            for (int c = 0; c < exemplar.channels; ++c) {
-                means_[bin(x, y, c)] += exemplar.values[exemplar.at(x, y, c)];
-                ++counts[bin(x, y, c)];
+    // Whole numbers have the same sums in any order.
+    using Sums = std::vector<std::uint64_t>;
+    tbb::enumerable_thread_specific<std::pair<Sums, Sums>> of_threads{std::pair{Sums(bins), Sums(bins)}};
+    tbb::parallel_for(0, exemplar.height, [&](int y) {
+        auto& [sums, counts] = of_threads.local();
+        for (int x = 0; x < exemplar.width; ++x) {
+            const std::size_t first = bin(x, y, 0);
+            for (std::size_t c = 0; c < channels_; ++c) {
+                sums[first + c] += exemplar.values[exemplar.at(x, y, static_cast<int>(c))];
+                ++counts[first + c];
             }
-    for (std::size_t i = 0; i < bins; ++i) means_[i] /= std::max(1.0, counts[i]);
+        }
+    });
+    Sums sums(bins), counts(bins);
+    for (const auto& [its, number] : of_threads)
+        for (std::size_t i = 0; i < bins; ++i) {
+            sums[i] += its[i];
+            counts[i] += number[i];
+        }
+    for (std::size_t i = 0; i < bins; ++i)
+        means_.push_back(static_cast<double>(sums[i]) / static_cast<double>(std::max<std::uint64_t>(1, counts[i])));
 }
 
 std::size_t PhaseMeans::bin(int x, int y, int channel) const
@@ -93,8 +139,9 @@ LightMap differences_from_means(const PngPixels& exemplar, const std::vector<Reg
     LightMap map = lightness_map(exemplar);
     const PngPixels light{map.width, map.height, 1, lightness_bytes(map)};
     const PhaseMeans means(light, waves);
-    for (int y = 0; y < map.height; ++y)
+    tbb::parallel_for(0, map.height, [&](int y) {
         for (int x = 0; x < map.width; ++x) map.values[map.index(x, y)] -= means.at(x, y, 0);
+    });
     return map;
 }
 

@@ -1,227 +1,143 @@
 #include "host/texture/regular/regular_waves.hpp"
 
-#include "analysis/spectra/fftw_plan.hpp"
+#include "host/texture/regular/wave_spectrum.hpp"
 
-#include <algorithm>
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
-#include <numeric>
-#include <optional>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
-constexpr int harmonics = 4;
-constexpr int least_periods = 8; ///< over the picture
-
-/// Waves hold at least so much of the variance: without noise, the smallest would be many times what is around it.
-constexpr double least_share = 0.02;
-
-/// A wave is told from those of twice to four times its period, of which it is a harmonic: the longest of several
-/// whose shares are nearly as large is not taken.
-constexpr double nearly = 0.9;
-
-/// Waves are not parallel where the sine of their angle is larger.
-constexpr double least_sine = 0.4;
-
-/// The window of von Hann.
-std::vector<double> hann(int count)
-{
-    std::vector<double> weights;
-    for (int i = 0; i < count; ++i) weights.push_back(0.5 - 0.5 * std::cos(2 * std::numbers::pi * (i + 0.5) / count));
-    return weights;
-}
-
-/// Differences from the mean, smaller towards the rim, where a picture does not go on.
-LightMap windowed(const LightMap& light)
-{
-    LightMap map = light;
-    const std::vector<double> across = hann(map.width), down = hann(map.height);
-    const auto weight = [&](int x, int y) {
-        return across[static_cast<std::size_t>(x)] * down[static_cast<std::size_t>(y)];
-    };
-    double sum = 0, weights = 0;
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) {
-            sum += weight(x, y) * light.at(x, y);
-            weights += weight(x, y);
-        }
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-            map.values[map.index(x, y)] = weight(x, y) * (light.at(x, y) - sum / weights);
-    return map;
-}
-
-/// A power spectrum by whole numbers of periods over the width and the height.
-class WaveSpectrum
+/// Powers of waves between whole numbers of periods, and of their harmonics.
+class WavePower
 {
 public:
-    explicit WaveSpectrum(const LightMap& map) : width_(map.width), height_(map.height), columns_(map.width / 2 + 1)
-    {
-        std::vector<double> values = map.values;
-        std::vector<std::complex<double>> transform(static_cast<std::size_t>(columns_) *
-                                                    static_cast<std::size_t>(height_));
-        const FftwPlan plan = make_fftw_plan(fftw_plan_dft_r2c_2d, height_, width_, values.data(),
-                                             fftw(transform.data()), FFTW_ESTIMATE | FFTW_UNALIGNED);
-        fftw_execute(plan.get());
-        for (const std::complex<double>& value : transform) powers_.push_back(std::norm(value));
-        total_ = std::inner_product(map.values.begin(), map.values.end(), map.values.begin(), 0.0) * width_ * height_;
-    }
+    explicit WavePower(const LightMap& map) : map_(map) {}
 
-    /// The strongest wave, of those that are not parallel to another one if there is one.
-    RegularWave strongest(const std::optional<RegularWave>& other = {}) const
+    double of(double kx, double ky)
     {
-        if (!(total_ > 0)) return {}; // one colour has no waves
-        const Periods best = largest(other);
-        for (int k = harmonics; k > 1; --k)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const Periods multiple{k * best.x + dx, k * best.y + dy};
-                    if (is_looked_at(multiple) && share_of(multiple) >= nearly * share_of(best)) return wave(multiple);
-                }
-        return wave(best);
+        const std::vector<Harmonics>& rows = rows_of(kx);
+        double power = 0;
+        for (std::size_t k = 1; k <= wave_harmonics; ++k) {
+            std::complex<double> sum = 0;
+            for (std::size_t y = 0; y < rows.size(); ++y)
+                sum += std::complex(rows[y][2 * k - 2], rows[y][2 * k - 1]) *
+                       std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(k) * ky * static_cast<double>(y));
+            power += std::norm(sum);
+        }
+        return power;
     }
 
 private:
-    /// Whole numbers of them over the width and the height.
-    struct Periods
-    {
-        int x = 0;
-        int y = 0;
-    };
+    /// Cosines and sines of all harmonics.
+    using Harmonics = std::array<double, 2 * wave_harmonics>;
 
-    bool is_looked_at(const Periods& p) const
+    /// The sums over each row, which all waves with the same number of periods a column share.
+    const std::vector<Harmonics>& rows_of(double kx)
     {
-        return p.x * p.x + p.y * p.y >= least_periods * least_periods && p.x >= 0 &&
-               p.x <= width_ / least_wave_period && std::abs(p.y) <= height_ / least_wave_period &&
-               (p.x > 0 || p.y > 0);
-    }
-
-    Periods largest(const std::optional<RegularWave>& other) const
-    {
-        Periods best;
-        double largest = 0;
-        const int most_y = height_ / least_wave_period;
-        for (int y = -most_y; y <= most_y; ++y)
-            for (int x = 0; x <= width_ / least_wave_period; ++x) {
-                const Periods periods{x, y};
-                if (!is_looked_at(periods) || (other && is_parallel(place(periods), *other))) continue;
-                const double share = share_of(periods);
-                if (share <= largest) continue;
-                largest = share;
-                best = periods;
+        const auto [found, is_new] = rows_.try_emplace(kx);
+        if (!is_new) return found->second;
+        std::vector<Harmonics> turns(static_cast<std::size_t>(map_.width));
+        for (std::size_t x = 0; x < turns.size(); ++x)
+            for (std::size_t k = 1; k <= wave_harmonics; ++k) {
+                const double angle = 2 * std::numbers::pi * static_cast<double>(k) * kx * static_cast<double>(x);
+                turns[x][2 * k - 2] = std::cos(angle);
+                turns[x][2 * k - 1] = -std::sin(angle);
             }
-        return best;
+        std::vector<Harmonics>& rows = found->second;
+        rows.resize(static_cast<std::size_t>(map_.height));
+        tbb::parallel_for(0, map_.height, [&](int y) {
+            Harmonics sums{};
+            const double* const values = &map_.values[map_.index(0, y)];
+            for (std::size_t x = 0; x < turns.size(); ++x)
+                for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[x] * turns[x][i];
+            rows[static_cast<std::size_t>(y)] = sums;
+        });
+        return rows;
     }
 
-    RegularWave place(const Periods& p) const
-    {
-        return {static_cast<double>(p.x) / width_, static_cast<double>(p.y) / height_, 0, 0};
-    }
-
-    /// With its share and how many times that is what is around it; nothing where there is none.
-    RegularWave wave(const Periods& p) const
-    {
-        RegularWave wave = place(p);
-        if (p.x == 0 && p.y == 0) return wave;
-        wave.share = share_of(p);
-        wave.times = wave.share / harmonic_sum(p, [&](int x, int y) { return 9 * surrounding_share(x, y); });
-        return wave;
-    }
-
-    double share_of(const Periods& p) const
-    {
-        return harmonic_sum(p, [&](int x, int y) { return near_share(x, y); });
-    }
-
-    static bool is_parallel(const RegularWave& a, const RegularWave& b)
-    {
-        return std::abs(a.x * b.y - a.y * b.x) < least_sine / (a.period() * b.period());
-    }
-
-    double share(int x, int y) const
-    {
-        x = (x % width_ + width_) % width_;
-        if (x >= columns_) {
-            x = width_ - x;
-            y = -y;
-        }
-        y = (y % height_ + height_) % height_;
-        return powers_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] /
-               total_;
-    }
-
-    /// Adds up the places that the window spreads a wave between them over.
-    double near_share(int x, int y) const { return square_share(x, y, 1); }
-
-    /// The mean of a ring around those.
-    double surrounding_share(int x, int y) const
-    {
-        constexpr int inner = 2, outer = 6;
-        constexpr double count = (2 * outer + 1) * (2 * outer + 1) - (2 * inner + 1) * (2 * inner + 1);
-        return (square_share(x, y, outer) - square_share(x, y, inner)) / count;
-    }
-
-    double square_share(int x, int y, int reach) const
-    {
-        double sum = 0;
-        for (int dy = -reach; dy <= reach; ++dy)
-            for (int dx = -reach; dx <= reach; ++dx) sum += share(x + dx, y + dy);
-        return sum;
-    }
-
-    /// Over a wave and its harmonics below the highest frequency, of both signs.
-    template <class Share>
-    double harmonic_sum(const Periods& p, const Share& its) const
-    {
-        double sum = 0;
-        for (int k = 1; k <= harmonics && 2 * k * p.x < width_ && 2 * k * std::abs(p.y) < height_; ++k)
-            sum += 2 * its(k * p.x, k * p.y);
-        return sum;
-    }
-
-    int width_, height_, columns_;
-    std::vector<double> powers_;
-    double total_ = 0;
+    const LightMap& map_;
+    std::map<double, std::vector<Harmonics>> rows_;
 };
-
-/// The power of a wave between whole numbers of periods, and of its harmonics.
-double power_of(const LightMap& map, double kx, double ky)
-{
-    double power = 0;
-    for (int k = 1; k <= harmonics; ++k) {
-        std::vector<std::complex<double>> row(static_cast<std::size_t>(map.width));
-        for (int x = 0; x < map.width; ++x)
-            row[static_cast<std::size_t>(x)] = std::polar(1.0, -2 * std::numbers::pi * k * kx * x);
-        std::complex<double> sum = 0;
-        for (int y = 0; y < map.height; ++y) {
-            std::complex<double> its = 0;
-            for (int x = 0; x < map.width; ++x) its += map.at(x, y) * row[static_cast<std::size_t>(x)];
-            sum += its * std::polar(1.0, -2 * std::numbers::pi * k * ky * y);
-        }
-        power += std::norm(sum);
-    }
-    return power;
-}
 
 /// Moves a wave to where it has most power, in steps down to a hundredth of a period over the picture.
 void refine(RegularWave& wave, const LightMap& map)
 {
-    double best = power_of(map, wave.x, wave.y);
-    for (double step = 0.32; step > 0.005;) {
-        RegularWave next = wave;
-        for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-            const double x = wave.x + dx * step / map.width, y = wave.y + dy * step / map.height;
-            if (const double power = power_of(map, x, y); power > best) {
-                best = power;
-                next.x = x;
-                next.y = y;
+    WavePower power(map);
+    const RegularWave start = wave;
+    std::pair<int, int> at{0, 0}; // in hundredths
+    const auto moved = [&](const std::pair<int, int>& to) {
+        RegularWave other = wave;
+        other.x = start.x + to.first * 0.01 / map.width;
+        other.y = start.y + to.second * 0.01 / map.height;
+        return other;
+    };
+    double best = power.of(wave.x, wave.y);
+    for (int step = 32; step > 0;) {
+        std::pair<int, int> next = at;
+        for (const auto& [dx, dy] :
+             {std::pair(step, 0), std::pair(-step, 0), std::pair(0, step), std::pair(0, -step)}) {
+            const RegularWave other = moved({at.first + dx, at.second + dy});
+            if (const double its = power.of(other.x, other.y); its > best) {
+                best = its;
+                next = {at.first + dx, at.second + dy};
             }
         }
-        if (next.x == wave.x && next.y == wave.y) step /= 2;
-        wave = next;
+        if (next == at) step /= 2;
+        at = next;
     }
+    wave = moved(at);
+}
+
+RegularWave sum_of(const RegularWave& a, const RegularWave& b, const WaveSum& sum)
+{
+    return {sum.first * a.x + sum.second * b.x, sum.first * a.y + sum.second * b.y, 0, 0};
+}
+
+double product(const RegularWave& a, const RegularWave& b) { return a.x * b.x + a.y * b.y; }
+
+/// The basis with a part of it as well, for n prime and j = 1, or j = 0 and i = 1. The first one stays if
+/// it can, and the second one is as short as it can be beside it.
+std::array<WaveSum, 2> with_part(const RegularWaves& found, const PartOfWaves& part)
+{
+    const RegularWave &a = found.strongest[0], &b = found.strongest[1];
+    std::array<WaveSum, 2> basis = found.basis;
+    basis[static_cast<std::size_t>(part.j)] = {(part.i * basis[0].first + part.j * basis[1].first) / part.n,
+                                               (part.i * basis[0].second + part.j * basis[1].second) / part.n};
+    const RegularWave first = sum_of(a, b, basis[0]), second = sum_of(a, b, basis[1]);
+    // Of two that are as short, the same one whatever the last digits are.
+    const double times = std::round(product(first, second) / product(first, first) - 1e-6);
+    basis[1].first -= times * basis[0].first;
+    basis[1].second -= times * basis[0].second;
+    return basis;
+}
+
+/// True if a basis with more between its waves was found.
+bool refine_basis(RegularWaves& found, const WaveSpectrum& spectrum)
+{
+    const RegularWave &a = found.strongest[0], &b = found.strongest[1];
+    const RegularWave first = sum_of(a, b, found.basis[0]), second = sum_of(a, b, found.basis[1]);
+    std::array<WaveSum, 2> best{};
+    double most = 0;
+    for (const PartOfWaves& part :
+         {PartOfWaves{2, 1, 0}, {2, 0, 1}, {2, 1, 1}, {3, 1, 0}, {3, 0, 1}, {3, 1, 1}, {3, 2, 1}}) {
+        const PartsBetween power = spectrum.between(first, second, part, found.strongest);
+        if (!stands_out_between(power)) continue;
+        const double times = power.others.times + power.on_lines.times;
+        if (times <= most) continue;
+        const std::array<WaveSum, 2> basis = with_part(found, part);
+        if (!spectrum.is_looked_at(sum_of(a, b, basis[0])) || !spectrum.is_looked_at(sum_of(a, b, basis[1]))) continue;
+        most = times;
+        best = basis;
+    }
+    if (most == 0) return false;
+    found.basis = best;
+    return true;
 }
 
 }
@@ -236,20 +152,33 @@ bool fits_tiles(const RegularWave& wave, int size)
 
 RegularWave strongest_wave(const LightMap& light) { return WaveSpectrum(windowed(light)).strongest(); }
 
-std::vector<RegularWave> regular_waves(const LightMap& light)
+std::vector<RegularWave> RegularWaves::waves() const
+{
+    const auto is_strongest = [](const WaveSum& sum, double first, double second) {
+        return sum.first == first && sum.second == second;
+    };
+    if (strongest.size() < 2 || (is_strongest(basis[0], 1, 0) && is_strongest(basis[1], 0, 1))) return strongest;
+    return {sum_of(strongest[0], strongest[1], basis[0]), sum_of(strongest[0], strongest[1], basis[1])};
+}
+
+RegularWaves find_regular_waves(const LightMap& light)
 {
     const LightMap map = windowed(light);
     const WaveSpectrum spectrum(map);
-    std::vector<RegularWave> waves;
-    const auto is_regular = [](const RegularWave& wave) {
-        return wave.times >= least_regular_times && wave.share >= least_share;
-    };
-    for (RegularWave wave = spectrum.strongest(); is_regular(wave); wave = spectrum.strongest(waves.front())) {
+    RegularWaves found;
+    const auto is_regular = [](const RegularWave& wave) { return stands_out({wave.share, wave.times}); };
+    for (RegularWave wave = spectrum.strongest(); is_regular(wave);
+         wave = spectrum.strongest(&found.strongest.front())) {
         refine(wave, map);
-        waves.push_back(wave);
-        if (waves.size() == 2) break;
+        found.strongest.push_back(wave);
+        if (found.strongest.size() == 2) break;
     }
-    return waves;
+    if (found.strongest.size() == 2)
+        while (refine_basis(found, spectrum)) {
+        }
+    return found;
 }
+
+std::vector<RegularWave> regular_waves(const LightMap& light) { return find_regular_waves(light).waves(); }
 
 }

@@ -1,10 +1,9 @@
 // A picture of something regular that was seen at an angle, or whose courses do not fit tiles, becomes one whose
 // courses are straight, alike everywhere, and a whole number for each tile.
 //
-// A plane that is seen at an angle is straight again after a projective map. Two of its numbers, the line at which
-// parallels meet, decide whether courses are alike everywhere: those are taken with which a wave and its harmonics hold
-// the largest share of the picture's variance. The others are chosen so that the regular waves have whole numbers of
-// periods over a tile: with one wave by turning and scaling, with two by the linear map that moves both.
+// The slope of the plane is undone; the other numbers of the projective map are chosen so that the regular waves have
+// whole numbers of periods over a tile: with one wave by turning and scaling, with two by the linear map that moves
+// both.
 #pragma once
 
 #include "base/images/raw_picture.hpp"
@@ -27,9 +26,9 @@ struct Straightening
     double scale = 1;            ///< of lengths in the middle of the picture
 };
 
-/// For tiles of T x T pixels. Waves are looked for whose period is 6/256 of the larger side or more. Throws InputError
-/// where nothing is regular, where a period is larger than a tile by half, and where the picture, or what is left of
-/// it, is smaller than a tile.
+/// For tiles of T x T pixels. Waves are looked for whose period is six pixels or more. Throws InputError where nothing
+/// is regular, or in the picture's middle only, where a period is larger than a tile by half, and where the picture, or
+/// what is left of it, is smaller than a tile.
 Straightening straightening_for(const PngPixels& exemplar, int size);
 
 /// The pictures, by cubic interpolation (Catmull and Rom) within the range of the sixteen pixels around.

@@ -1,6 +1,7 @@
 // What is regular in an exemplar: waves of known place and share are found, and none in noise; a plane seen at a known
 // angle becomes straight; windows may lie exactly where a count of pixels says; joints of a wall run through.
 #include "host/texture/joint/phase_rule.hpp"
+#include "host/texture/regular/seen_waves.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 #include "host/texture/texture_build.hpp"
@@ -8,12 +9,14 @@
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
@@ -56,6 +59,19 @@ TEST(RegularWaves, FindsKnownWaves)
     for (const RegularWave& wave : found) EXPECT_NEAR(wave.share, share, 0.1 * share + 0.02);
 }
 
+/// Steps after which waves that span all of a picture repeat: those are all steps with whole numbers of periods, whose
+/// area is one over the waves' determinant. `tolerance`: in pixels.
+void expect_lattice(const std::vector<RegularWave>& waves, Place first, Place second, double tolerance)
+{
+    ASSERT_EQ(waves.size(), 2u);
+    for (const RegularWave& wave : waves)
+        for (const Place& step : {first, second})
+            EXPECT_LE(std::abs(std::remainder(wave.x * step.x + wave.y * step.y, 1.0)) * wave.period(), tolerance)
+                << "a wave of " << wave.x << ", " << wave.y << " and a step of " << step.x << ", " << step.y;
+    const double area = 1 / std::abs(waves[0].x * waves[1].y - waves[0].y * waves[1].x);
+    EXPECT_NEAR(area, std::abs(first.x * second.y - first.y * second.x), area * 0.02);
+}
+
 TEST(RegularWaves, FindsNoneInNoise)
 {
     for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -66,14 +82,53 @@ TEST(RegularWaves, FindsNoneInNoise)
     EXPECT_TRUE(regular_waves(LightMap{64, 64, std::vector<double>(64 * 64, 7.0)}).empty());
 }
 
+/// Bricks of 32 x 16 pixels, every other course half a brick further: the lattice of (32, 0) and (16, 16).
 TEST(RegularWaves, FindsTheCoursesOfBricks)
 {
     const std::vector<RegularWave> waves = regular_waves(lightness_map(synthetic_exemplar("bricks", 256, 1, {})));
-    ASSERT_FALSE(waves.empty());
+    ASSERT_EQ(waves.size(), 2u);
     EXPECT_NEAR(waves[0].x, 0, 1e-3);
     EXPECT_NEAR(waves[0].y, 1.0 / 16, 1e-3);
+    expect_lattice(waves, {32, 0}, {16, 16}, 0.05);
     for (const RegularWave& wave : waves) EXPECT_TRUE(fits_tiles(wave, 64)) << wave.x << " " << wave.y;
     EXPECT_FALSE(fits_tiles(waves[0], 56));
+}
+
+/// Threads of 8 pixels lie over each other by turns, so that the weave repeats after two of them, and after one along
+/// both axes; waves along an axis alone would say after one.
+TEST(RegularWaves, FindsTheTurnsOfAWeave)
+{
+    for (const std::uint64_t seed : {1, 2, 3})
+        expect_lattice(regular_waves(lightness_map(synthetic_exemplar("fabric", 256, seed, {}))), {16, 0}, {8, 8}, 0.1);
+}
+
+/// Dots of a lattice, of which some are darker, so that it repeats after several of them only; over noise.
+LightMap dotted_map(int side, double pitch, int columns, int rows, int shift, double noise)
+{
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal(0, noise);
+    LightMap map{side, side, {}};
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const int i = static_cast<int>(x / pitch), j = static_cast<int>(y / pitch);
+            const double u = x / pitch - i - 0.5, v = y / pitch - j - 0.5;
+            const bool is_dark = j % rows == 0 && (i + j / rows * shift) % columns == 0;
+            map.values.push_back(100 + normal(random) + (is_dark ? 45 : 80) * std::exp(-12 * (u * u + v * v)));
+        }
+    return map;
+}
+
+TEST(RegularWaves, FindsTheWholePeriodOfDots)
+{
+    // All alike; every other one, in columns, along both axes and by turns; every third, also a step further a row.
+    for (const auto& [columns, rows, shift] :
+         {std::array{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {2, 1, 1}, {3, 1, 0}, {3, 1, 1}, {3, 1, 2}, {1, 3, 0}}) {
+        SCOPED_TRACE(testing::Message() << columns << " " << rows << " " << shift);
+        constexpr double pitch = 9.3;
+        for (const double noise : {0.5, 12.0})
+            expect_lattice(regular_waves(dotted_map(300, pitch, columns, rows, shift, noise)), {columns * pitch, 0},
+                           {-shift * pitch, rows * pitch}, 0.06);
+    }
 }
 
 /// Light and dark planks of a plane that is seen at a slope: see Straightening for the map.
@@ -116,6 +171,88 @@ TEST(Straightening, UndoesAKnownSlope)
     EXPECT_LT(shifted, made.height * (made.width - 64) * 6 / 64);
 }
 
+/// What a plane shows that is seen at a slope, around its middle, with noise.
+PngPixels seen_at_slope(const PngPixels& plane, int side, const Slope& slope)
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal(0, 6);
+    PngPixels picture{side, side, 1, {}};
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const Place place = slope.above({(column + 0.5) * 2 / side - 1, (row + 0.5) * 2 / side - 1});
+            const auto at = [side](double part, int pixels) {
+                return std::clamp(static_cast<int>(pixels / 2.0 + part * side / 2), 0, pixels - 1);
+            };
+            const double value = plane.values[plane.at(at(place.x, plane.width), at(place.y, plane.height), 0)];
+            picture.values.push_back(static_cast<std::uint8_t>(std::clamp(value + normal(random), 0.0, 255.0)));
+        }
+    return picture;
+}
+
+/// 128 threads along a side are too fine for the first look, and in the whole picture their number changes from side to
+/// side: they are found in its middle and followed to its rim, to a tenth of a period. Turns need all of this.
+TEST(SeenWaves, FollowsFineThreadsToTheRim)
+{
+    const PngPixels weave = synthetic_exemplar("fabric", 1600, 4, {});
+    for (const Slope& slope : {Slope{0, 0}, Slope{0.06, -0.1}}) {
+        SCOPED_TRACE(slope.east);
+        const SeenWaves seen = seen_waves(seen_at_slope(weave, 1024, slope));
+        ASSERT_FALSE(seen.is_lost);
+        EXPECT_NEAR(seen.slope.east, slope.east, 0.1 / 64);
+        EXPECT_NEAR(seen.slope.south, slope.south, 0.1 / 64);
+        expect_lattice(seen.waves, {16, 0}, {8, 8}, 0.03);
+    }
+}
+
+/// A hundred periods over the side; light goes up and down in each, so that no pixels make waves of their own.
+TEST(SeenWaves, FindsAHundredWaves)
+{
+    constexpr int side = 768;
+    constexpr double period = 7.7, turn = 0.03;
+    const Slope slope{-0.05, 0.11};
+    PngPixels picture = test::random_picture(side, side, 1, 4);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const Place place = slope.above({(x + 0.5) * 2 / side - 1, (y + 0.5) * 2 / side - 1});
+            const double periods = (place.x * std::cos(turn) + place.y * std::sin(turn)) * side / 2 / period;
+            std::uint8_t& value = picture.values[picture.at(x, y, 0)];
+            value = static_cast<std::uint8_t>(value / 4 + 95 + 60 * std::cos(2 * std::numbers::pi * periods));
+        }
+    const SeenWaves seen = seen_waves(picture);
+    ASSERT_EQ(seen.waves.size(), 1u);
+    const double sign = seen.waves[0].x > 0 ? 1 : -1;
+    EXPECT_NEAR(sign * seen.waves[0].x * 384, std::cos(turn) / period * 384, 0.1);
+    EXPECT_NEAR(sign * seen.waves[0].y * 384, std::sin(turn) / period * 384, 0.1);
+    EXPECT_NEAR(seen.slope.east, slope.east, 0.1 / 50);
+    EXPECT_NEAR(seen.slope.south, slope.south, 0.1 / 50);
+}
+
+/// Planks in the middle of noise are no planks to the rim.
+TEST(SeenWaves, SaysWhereWavesDoNotGoOn)
+{
+    PngPixels picture = test::random_picture(1024, 1024, 1, 9);
+    const PngPixels middle = planks(300, 0, 0, 9, 0);
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 300; ++x)
+            picture.values[picture.at(362 + x, 362 + y, 0)] = middle.values[middle.at(x, y, 0)];
+    EXPECT_TRUE(seen_waves(picture).is_lost);
+    EXPECT_THAT(message_of<InputError>([&] { straightening_for(picture, 64); }),
+                HasSubstr("what is regular in the picture's middle does not go on to its rim"));
+}
+
+TEST(SeenWaves, AreTheSameOnAnyNumberOfThreads)
+{
+    const PngPixels picture = seen_at_slope(synthetic_exemplar("fabric", 900, 2, {}), 600, {0.05, 0});
+    const auto found = [&] {
+        const SeenWaves seen = seen_waves(picture);
+        const PngPixels made = straightened(picture, straightening_for(picture, 64));
+        return std::tuple(seen.slope.east, seen.slope.south, seen.waves.at(0).x, seen.waves.at(0).y, made.values);
+    };
+    const auto of_all = found();
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(found(), of_all);
+}
+
 TEST(Straightening, LeavesAStraightPictureItsPixels)
 {
     const PngPixels bricks = synthetic_exemplar("bricks", 256, 1, {});
@@ -138,8 +275,8 @@ TEST(Straightening, MovesNoPixelsOfWhatFits)
             ASSERT_EQ(made.values[made.at(x, y, 0)], picture.values[picture.at(x + left, y + top, 0)]);
 }
 
-/// A picture of 1,024 pixels is looked at with 256: threads of less than six of these are not found, nor waves that
-/// single pixels of them would show.
+/// Threads of less than six pixels are not found, nor waves of which they are harmonics, or that single pixels of
+/// smaller copies would show.
 TEST(Straightening, SeesNoWavesThatAreNotThere)
 {
     PngPixels threads = test::random_picture(1024, 1024, 1, 7);
@@ -148,7 +285,7 @@ TEST(Straightening, SeesNoWavesThatAreNotThere)
         threads.values[i] = static_cast<std::uint8_t>(128 + 90 * thread + (threads.values[i] - 128) / 8);
     }
     EXPECT_THAT(message_of<InputError>([&] { straightening_for(threads, 64); }),
-                HasSubstr("its strongest wave of 24 pixels and more has"));
+                HasSubstr("its strongest wave of 6 pixels and more has"));
     EXPECT_THAT(regularity_note(threads, 64), testing::Not(HasSubstr("--straighten")));
 }
 

@@ -1,0 +1,224 @@
+#include "host/texture/regular/seen_waves.hpp"
+
+#include "host/texture/regular/wave_tracking.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// Pictures are compared at this size while their angle is looked for.
+constexpr int searched_side = 256;
+
+/// Larger ones are halved first: places between pixels would show waves that are not there.
+constexpr int most_searched_side = searched_side * 3 / 2;
+
+/// Parts of the middle that are looked at have more pixels, those of the smaller side.
+constexpr int least_part_side = 64;
+
+/// The view is looked for up to where one side of the picture is this much nearer than its middle.
+constexpr double most_slope = 0.45;
+
+/// A picture that is as straight as this part of the share says keeps its pixels.
+constexpr double straight_times = 1.05;
+
+/// Waves of a part are taken instead of those of a larger one that stand out by less than one over so much of theirs:
+/// threads are not even in their light, and what is left of them in a coarse copy may be regular by chance.
+constexpr double clearer_times = 4;
+
+/// Waves go on to the rim where their share in the whole picture is at least this part of the one in the middle.
+constexpr double least_kept = 0.5;
+
+double linear_at(const LightMap& light, double x, double y)
+{
+    x = std::clamp(x, 0.0, light.width - 1.001);
+    y = std::clamp(y, 0.0, light.height - 1.001);
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const double u = x - column, v = y - row;
+    return (1 - v) * ((1 - u) * light.at(column, row) + u * light.at(column + 1, row)) +
+           v * ((1 - u) * light.at(column, row + 1) + u * light.at(column + 1, row + 1));
+}
+
+/// Returns half the width and height, without what is too fine for that: by weights of 1, 3, 3 and 1 along each axis.
+LightMap halved_light(const LightMap& light)
+{
+    const auto mean = [](double before, double first, double second, double after) {
+        return (before + 3 * first + 3 * second + after) / 8;
+    };
+    LightMap map{light.width / 2, light.height / 2, {}};
+    map.values.resize(map.index(0, map.height));
+    tbb::parallel_for(0, map.height, [&](int y) {
+        std::vector<double> column;
+        for (int x = 0; x < light.width; ++x)
+            column.push_back(mean(light.at(x, std::max(0, 2 * y - 1)), light.at(x, 2 * y), light.at(x, 2 * y + 1),
+                                  light.at(x, std::min(light.height - 1, 2 * y + 2))));
+        for (int x = 0; x < map.width; ++x) {
+            const auto at = [&](int i) { return column[static_cast<std::size_t>(std::clamp(i, 0, light.width - 1))]; };
+            map.values[map.index(x, y)] = mean(at(2 * x - 1), at(2 * x), at(2 * x + 1), at(2 * x + 2));
+        }
+    });
+    return map;
+}
+
+/// Without what is too fine for a copy of two thirds of its size: by weights of 1, 2 and 1 along each axis.
+LightMap smoothed(const LightMap& light)
+{
+    LightMap map = light;
+    const auto mean = [](double before, double at, double after) { return (before + 2 * at + after) / 4; };
+    tbb::parallel_for(0, map.height, [&](int y) {
+        std::vector<double> column;
+        const int above = std::max(0, y - 1), below = std::min(map.height - 1, y + 1);
+        for (int x = 0; x < map.width; ++x)
+            column.push_back(mean(light.at(x, above), light.at(x, y), light.at(x, below)));
+        for (int x = 0; x < map.width; ++x)
+            map.values[map.index(x, y)] =
+                mean(column[static_cast<std::size_t>(std::max(0, x - 1))], column[static_cast<std::size_t>(x)],
+                     column[static_cast<std::size_t>(std::min(map.width - 1, x + 1))]);
+    });
+    return map;
+}
+
+/// The part of the middle of a plane as it is from straight above; slopes are those over this part.
+LightMap from_above(const LightMap& light, const Slope& slope, double part)
+{
+    LightMap map{searched_side, searched_side, {}};
+    const auto place = [&](int i) { return ((i + 0.5) * 2 / searched_side - 1) * slope.reach(); };
+    for (int y = 0; y < searched_side; ++y)
+        for (int x = 0; x < searched_side; ++x) {
+            const Place seen = slope.seen({place(x), place(y)});
+            map.values.push_back(linear_at(light, (part * seen.x + 1) / 2 * light.width - 0.5,
+                                           (part * seen.y + 1) / 2 * light.height - 0.5));
+        }
+    return map;
+}
+
+/// The slope with which a wave has the largest share: on a grid, then around the best one in steps that halve.
+Slope found_slope(const LightMap& light, double part)
+{
+    Slope best;
+    double share = straight_times * strongest_wave(from_above(light, best, part)).share;
+    int reach = 4;
+    for (double step = 0.1; step > 0.002; step /= 2, reach = 2) {
+        std::vector<Slope> slopes;
+        for (int i = -reach; i <= reach; ++i)
+            for (int j = -reach; j <= reach; ++j) {
+                const Slope slope{best.east + i * step, best.south + j * step};
+                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * part) slopes.push_back(slope);
+            }
+        std::vector<double> shares(slopes.size());
+        tbb::parallel_for(std::size_t{0}, slopes.size(),
+                          [&](std::size_t i) { shares[i] = strongest_wave(from_above(light, slopes[i], part)).share; });
+        const auto largest = std::ranges::max_element(shares);
+        if (!(*largest > share)) continue;
+        share = *largest;
+        best = slopes[static_cast<std::size_t>(largest - shares.begin())];
+    }
+    return best;
+}
+
+/// What is regular in a part of the middle, in halves of the whole picture's sides.
+struct PartWaves
+{
+    Slope slope;
+    RegularWaves regular; ///< their places are periods over such a half
+    double times = 0;     ///< of the strongest wave, if it is regular or not
+};
+
+PartWaves waves_of_part(const LightMap& level, double part)
+{
+    const bool is_fine = std::max(level.width, level.height) * part > searched_side;
+    const LightMap light = is_fine ? smoothed(level) : level;
+    PartWaves found;
+    const Slope slope = found_slope(light, part);
+    const LightMap map = from_above(light, slope, part);
+    found.regular = find_regular_waves(map);
+    found.times = found.regular.strongest.empty() ? strongest_wave(map).times : found.regular.strongest[0].times;
+    const double pixels = searched_side / (2 * slope.reach() * part);
+    for (RegularWave& wave : found.regular.strongest) {
+        wave.x *= pixels;
+        wave.y *= pixels;
+    }
+    found.slope = {slope.east / part, slope.south / part};
+    return found;
+}
+
+/// Follows the strongest wave, and with its slope the other one, to the rim; the other one is left out where it does
+/// not go on so far. False if the strongest does not.
+bool track(PartWaves& found, const LightMap& light, double part)
+{
+    std::vector<RegularWave>& waves = found.regular.strongest;
+    const SeenWave first{waves[0].x, waves[0].y, found.slope};
+    TrackedWave best = tracked(light, part, first, true);
+    if (found.slope.east == 0 && found.slope.south == 0)
+        if (const TrackedWave straight = tracked(light, part, first, false);
+            straight.share * straight_times >= best.share)
+            best = straight;
+    found.slope = best.wave.slope;
+    if (best.kept < least_kept || std::abs(found.slope.east) + std::abs(found.slope.south) > most_slope) return false;
+    waves[0].x = best.wave.x;
+    waves[0].y = best.wave.y;
+    if (waves.size() == 1) return true;
+    const TrackedWave other = tracked(light, part, {waves[1].x, waves[1].y, found.slope}, false);
+    waves[1].x = other.wave.x;
+    waves[1].y = other.wave.y;
+    if (other.kept < least_kept) waves.pop_back();
+    return true;
+}
+
+/// The smallest part of the middle that is looked at.
+double least_part(int width, int height)
+{
+    return std::min(1.0, std::max(static_cast<double>(searched_side) / std::max(width, height),
+                                  static_cast<double>(least_part_side) / std::min(width, height)));
+}
+
+}
+
+double least_seen_period(const PngPixels& exemplar)
+{
+    const double part = least_part(exemplar.width, exemplar.height);
+    return std::max(2.0, least_wave_period * part * std::max(exemplar.width, exemplar.height) / searched_side);
+}
+
+SeenWaves seen_waves(const PngPixels& exemplar)
+{
+    std::vector<LightMap> levels{lightness_map(exemplar)}; // each has half of the pixels a side of the one before
+    const auto is_small = [](const LightMap& light, double part) {
+        return std::max(light.width, light.height) * part <= most_searched_side ||
+               std::min(light.width, light.height) <= 3;
+    };
+    while (!is_small(levels.back(), 1)) levels.push_back(halved_light(levels.back()));
+    SeenWaves seen;
+    const double least = least_part(exemplar.width, exemplar.height);
+    PartWaves best;
+    double best_part = 0;
+    const auto level_of = [&](double part) -> const LightMap& {
+        return *std::ranges::find_if(levels, [&](const LightMap& its) { return is_small(its, part); });
+    };
+    for (double part = 1;; part = std::max(least, part / 2)) {
+        PartWaves found = waves_of_part(level_of(part), part);
+        seen.most_times = std::max(seen.most_times, found.times);
+        const bool is_first = best.regular.strongest.empty();
+        if (!found.regular.strongest.empty() && (is_first || found.times > clearer_times * best.times)) {
+            best = std::move(found);
+            best_part = part;
+        }
+        if (part == least) break;
+    }
+    if (!best.regular.strongest.empty()) {
+        seen.is_lost = best_part < 1 && !track(best, level_of(best_part), best_part);
+        seen.slope = best.slope;
+        if (!seen.is_lost) seen.waves = best.regular.waves();
+    }
+    for (RegularWave& wave : seen.waves) {
+        wave.x *= 2.0 / exemplar.width;
+        wave.y *= 2.0 / exemplar.height;
+    }
+    return seen;
+}
+
+}
