@@ -26,8 +26,8 @@ constexpr double most_slope = 0.45;
 /// A picture that is as straight as this part of the share says keeps its pixels.
 constexpr double straight_times = 1.05;
 
-/// Waves of a part are taken instead of those of a larger one that stand out by less than one over so much of theirs:
-/// threads are not even in their light, and what is left of them in a coarse copy may be regular by chance.
+/// Waves of a smaller part are taken instead of those of a larger one where they stand out more than this many times as
+/// much: threads differ in their light, and what a coarse copy has left of them may be regular by chance.
 constexpr double clearer_times = 4;
 
 /// Waves go on to the rim where their share in the whole picture is at least this part of the one in the middle.
