@@ -69,7 +69,7 @@ std::vector<ParameterSpec> parameters()
          .maximum = 1,
          .exclusive_minimum = true,
          .symbol = "until",
-         .unless_given = "by default all iterations are made"},
+         .unless_given = "all iterations are made"},
         {.key = "keep",
          .kind = Kind::choice,
          .help = "the iterate to give: the last, or the best, of the largest relative radius",
