@@ -238,7 +238,7 @@ private:
     int distance_;
 };
 
-/// What all ordered pairs of patches cost: the pieces around both kinds of edges, and their common power.
+/// Returns the costs of all ordered pairs of patches: the pieces around both kinds of edges, and their common power.
 PairTable pair_costs(const PngPixels& exemplar, const PngPixels& features, const std::vector<ExemplarWindow>& pool,
                      int reach, const std::vector<RegularWave>& waves)
 {

@@ -1,4 +1,4 @@
-// What is said where a picture is too small for tiles whose windows all lie alike in its courses.
+// This says where a picture is too small for tiles whose windows all lie alike in its courses.
 #pragma once
 
 #include "host/texture/regular/regular_waves.hpp"

@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// In pixels, or in halves of a picture's sides from its middle.
+/// A place is in pixels, or in halves of a picture's sides from its middle.
 struct Place
 {
     double x = 0;

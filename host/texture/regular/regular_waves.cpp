@@ -110,7 +110,7 @@ std::array<WaveSum, 2> with_part(const RegularWaves& found, const PartOfWaves& p
     basis[static_cast<std::size_t>(part.j)] = {(part.i * basis[0].first + part.j * basis[1].first) / part.n,
                                                (part.i * basis[0].second + part.j * basis[1].second) / part.n};
     const RegularWave first = sum_of(a, b, basis[0]), second = sum_of(a, b, basis[1]);
-    // Of two that are as short, the same one whatever the last digits are.
+    // The last digits do not decide between two that are as short.
     const double times = std::round(product(first, second) / product(first, first) - 1e-6);
     basis[1].first -= times * basis[0].first;
     basis[1].second -= times * basis[0].second;

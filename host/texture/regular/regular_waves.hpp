@@ -55,8 +55,8 @@ struct WaveSum
 struct RegularWaves
 {
     std::vector<RegularWave> strongest; ///< the one with the larger share first
-    /// What two of them repeat may take more than a period of both, as threads do that lie over each other by turns:
-    /// all regular waves are whole numbers of these two.
+    /// All regular waves are sums of whole numbers of these two: the strongest, unless what they belong to repeats
+    /// after more than a period of both only, as threads do that lie over each other by turns.
     std::array<WaveSum, 2> basis{{{1, 0}, {0, 1}}};
 
     /// One or both of the basis, that of the strongest first, unless what repeats takes more than one of its periods.

@@ -64,7 +64,8 @@ LightMap halved_light(const LightMap& light)
     return map;
 }
 
-/// Without what is too fine for a copy of two thirds of its size: by weights of 1, 2 and 1 along each axis.
+/// Returns the picture without what is too fine for a copy of two thirds of its size: by weights of 1, 2 and 1 along
+/// each axis.
 LightMap smoothed(const LightMap& light)
 {
     LightMap map = light;
@@ -120,7 +121,7 @@ Slope found_slope(const LightMap& light, double part)
     return best;
 }
 
-/// What is regular in a part of the middle, in halves of the whole picture's sides.
+/// The waves that are regular in a part of the middle, in halves of the whole picture's sides.
 struct PartWaves
 {
     Slope slope;

@@ -1,4 +1,4 @@
-// What is regular in a picture of a plane that was seen at an angle, and how the plane was seen.
+// This finds what is regular in a picture of a plane that was seen at an angle, and how the plane was seen.
 //
 // Two numbers of a projective map, the line at which parallels meet, decide whether courses are alike everywhere: those
 // are taken with which a wave and its harmonics hold the largest share of the picture's variance. They are looked for

@@ -48,7 +48,7 @@ struct Samples
         return static_cast<double>(sample);
     }
 
-    /// At a place between pixels, in the range of those around.
+    /// The number at a place between pixels, in the range of those around.
     Sample between(const Taps& columns, const Taps& rows, std::size_t channel) const
     {
         double sum = 0, lowest = at(columns.at[0], rows.at[0], channel), highest = lowest;

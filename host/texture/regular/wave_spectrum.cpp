@@ -182,7 +182,8 @@ WaveSpectrum::Periods WaveSpectrum::largest(const RegularWave* other) const
     return std::ranges::max_element(of_rows, {}, [](const auto& row) { return row.first; })->second;
 }
 
-/// Of a place and those beside it: a multiple of a rounded place is up to half of that away for each.
+/// Returns the best one of a place and those beside it: a multiple of a rounded place is up to half of that away for
+/// each.
 WaveSpectrum::Periods WaveSpectrum::largest_near(const Periods& p) const
 {
     Periods best = p;
@@ -192,7 +193,7 @@ WaveSpectrum::Periods WaveSpectrum::largest_near(const Periods& p) const
     return best;
 }
 
-/// Of the harmonics of a wave that are none of its multiple's.
+/// Adds up the harmonics of a wave that are none of its multiple's.
 PlacePower WaveSpectrum::own_harmonics(const Periods& p, int multiple) const
 {
     std::vector<Periods> places;
@@ -201,7 +202,7 @@ PlacePower WaveSpectrum::own_harmonics(const Periods& p, int multiple) const
     return power_at(places);
 }
 
-/// With the places beside them that the window spreads a wave between them over.
+/// Adds up places with those beside them that the window spreads a wave between them over.
 PlacePower WaveSpectrum::power_at(const std::vector<Periods>& places) const
 {
     double share = 0, around = 0;
@@ -212,7 +213,7 @@ PlacePower WaveSpectrum::power_at(const std::vector<Periods>& places) const
     return {share, share > 0 ? share / around : 0};
 }
 
-/// Of the same number of places, the mean of some that are moved from these in a wave's direction.
+/// The mean of as many places that are moved from these in a wave's direction.
 double WaveSpectrum::share_along(const std::vector<Periods>& places, const RegularWave& wave) const
 {
     constexpr int nearest = 3, farthest = 6;
@@ -226,7 +227,7 @@ double WaveSpectrum::share_along(const std::vector<Periods>& places, const Regul
     return sum / (2 * (farthest - nearest + 1));
 }
 
-/// Of a wave and its harmonics below the highest frequency.
+/// Adds up a wave and its harmonics below the highest frequency.
 double WaveSpectrum::share_of(const Periods& p) const
 {
     double sum = 0;
@@ -235,7 +236,8 @@ double WaveSpectrum::share_of(const Periods& p) const
     return sum;
 }
 
-/// Those that are not finer than what is looked at: a fine wave has longer ones of which it is a harmonic as well.
+/// Returns the harmonics that are not finer than what is looked at: a fine wave has longer ones of which it is a
+/// harmonic as well.
 std::vector<WaveSpectrum::Periods> WaveSpectrum::looked_at_harmonics(const Periods& p) const
 {
     std::vector<Periods> places;
@@ -244,7 +246,8 @@ std::vector<WaveSpectrum::Periods> WaveSpectrum::looked_at_harmonics(const Perio
     return places;
 }
 
-/// With its share, and how many times what of it is looked at is what is around that; nothing where there is none.
+/// Returns the wave with its share, and how many times what of it is looked at is what is around that; there may be
+/// none.
 RegularWave WaveSpectrum::wave(const Periods& p) const
 {
     RegularWave wave = place(p);

@@ -14,7 +14,7 @@ inline constexpr int wave_harmonics = 4;
 /// Differences from the mean, smaller towards the rim, where a picture does not go on: by the window of von Hann.
 LightMap windowed(const LightMap& light);
 
-/// What places of a spectrum hold.
+/// The power that places of a spectrum hold.
 struct PlacePower
 {
     double share = 0; ///< of the picture's variance, of places and their mirror images
@@ -34,7 +34,7 @@ struct PartOfWaves
     }
 };
 
-/// Those on lines of the spectrum, and the others.
+/// The power of places on lines of the spectrum, and of the others.
 struct PartsBetween
 {
     PlacePower on_lines, others;
@@ -50,8 +50,8 @@ public:
     /// one is taken only where it has a harmonic of its own that stands out.
     RegularWave strongest(const RegularWave* other = nullptr) const;
 
-    /// Of the waves of a part of two others, up to twice each, but for those below eight periods. Lines go through no
-    /// wave and each of `lines`.
+    /// The power of the waves of a part of two others, up to twice each, but for those below eight periods. Lines go
+    /// through no wave and each of `lines`.
     PartsBetween between(const RegularWave& a, const RegularWave& b, const PartOfWaves& part,
                          const std::vector<RegularWave>& lines) const;
 

@@ -64,8 +64,7 @@ public:
         }
     }
 
-    /// Of the variance, by a wave that is nearly the one that the picture was turned by. A wave that is between its
-    /// crests as a cosine is has half of the square of its amplitude.
+    /// The share of the variance of a wave that is nearly the one that the picture was turned by, with its harmonics.
     double share(const SeenWave& wave) const
     {
         const double mean = sum_ / weight_, variance = squares_ / weight_ - mean * mean;

@@ -171,7 +171,7 @@ TEST(Straightening, UndoesAKnownSlope)
     EXPECT_LT(shifted, made.height * (made.width - 64) * 6 / 64);
 }
 
-/// What a plane shows that is seen at a slope, around its middle, with noise.
+/// Draws what a plane shows that is seen at a slope, around its middle, with noise.
 PngPixels seen_at_slope(const PngPixels& plane, int side, const Slope& slope)
 {
     std::mt19937 random(3);
@@ -415,7 +415,7 @@ PngPixels rows_of_planks(int side)
     return picture;
 }
 
-/// What is said to be of help is: the note goes away, and stays for a pixel less of tiles' room.
+/// The note says what helps, and goes away with it.
 TEST(JointTexture, SaysWhereAPictureHasTooFewWindowsOfOnePhase)
 {
     const auto notes_of = [](int side, int size) {
