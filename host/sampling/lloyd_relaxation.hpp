@@ -51,7 +51,7 @@ private:
     std::size_t work_group_size_;
 };
 
-/// What the parameters of the sampler ask for, but for repulsion.
+/// The request that the sampler's parameters make, without repulsion.
 LloydRequest lloyd_request(const Parameters& parameters);
 
 /// The sampler "lloyd": iterations, until_relative_radius, start, keep, repulsion.

@@ -37,10 +37,8 @@ Command points_gaussian_blue_noise_command()
 {
     static const Kind gaussian =
         described_command("points gaussian-blue-noise", "Make Gaussian blue noise of any size", points_gaussian_keys);
-    const auto o = std::make_shared<KindOptions>(gaussian);
-    return kind_command(
-        o, {{"--out", &o->out, "The point file", "FILE", required}}, points_gaussian_notes,
-        +[](const KindOptions& options) { write_relaxed_points(options, gaussian_method()); });
+    return relaxation_command(gaussian, points_gaussian_notes,
+                              [](const KindOptions& options) { write_relaxed_points(options, gaussian_method()); });
 }
 
 }

@@ -36,10 +36,8 @@ Command points_lloyd_command()
 {
     static const Kind lloyd =
         described_command("points lloyd", "Relax one set of any size by Lloyd's method", points_lloyd_keys);
-    const auto o = std::make_shared<KindOptions>(lloyd);
-    return kind_command(
-        o, {{"--out", &o->out, "The point file", "FILE", required}}, points_lloyd_notes,
-        +[](const KindOptions& options) { write_relaxed_points(options, lloyd_method()); });
+    return relaxation_command(lloyd, points_lloyd_notes,
+                              [](const KindOptions& options) { write_relaxed_points(options, lloyd_method()); });
 }
 
 }

@@ -22,7 +22,7 @@ namespace {
 /// Points have numbers of 32 bits, and cells of grids, of which there may be as many, those of 31.
 constexpr std::int64_t most_relaxed_points = std::int64_t{1} << 31;
 
-/// What is known of the set that was made.
+/// The facts that are printed of the set.
 struct MadeSet
 {
     std::uint64_t points = 0;
@@ -57,7 +57,7 @@ void check_start(const SamplerChoice& start, const SampleRequest& request)
     }
 }
 
-/// What the start and the method say of the set. Throws InputError, which may name a key.
+/// Asks the start and the method whether they can make the set. Throws InputError, which may name a key.
 void check_methods(const AskedRelaxation& asked, const RelaxedMethod& method)
 {
     SampleRequest request{static_cast<std::size_t>(asked.points.value_or(0)), asked.dimension, 1};
@@ -234,6 +234,12 @@ void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& me
         throw keys.invalid("points", "does not go with a start whose sets are as large as they are; leave it out");
     if (!has_own_points && !asked.points) throw keys.problem("needs " + keys.name_of("points"));
     keys.check([&] { check_methods(asked, method); });
+}
+
+Command relaxation_command(const Kind& kind, std::string notes, void (*work)(const KindOptions&))
+{
+    const auto o = std::make_shared<KindOptions>(kind);
+    return kind_command(o, {{"--out", &o->out, "The point file", "FILE", required}}, std::move(notes), work);
 }
 
 void write_relaxed_points(const KindOptions& options, const RelaxedMethod& method)

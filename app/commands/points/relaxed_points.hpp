@@ -46,4 +46,7 @@ void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& me
 /// Makes the set and writes it to --out, by all processes of the crew.
 void write_relaxed_points(const KindOptions& options, const RelaxedMethod& method);
 
+/// The command of a kind that described_command() has made.
+Command relaxation_command(const Kind& kind, std::string notes, void (*work)(const KindOptions&));
+
 }

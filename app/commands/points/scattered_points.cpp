@@ -110,8 +110,8 @@ bool fill_placed(const std::filesystem::path& temporary, const std::filesystem::
            crew.together([&] { file->close(); });
 }
 
-/// What the process that leads does: write(is_begun) sets `is_begun` before it does anything together with the others,
-/// which wait for that. What it throws before is thrown there.
+/// Calls write(is_begun) in the process that leads, which sets `is_begun` before it does anything together with the
+/// others: these wait for that, and are told of an exception that comes before.
 template <class Write>
 void lead_writing(Crew& crew, const Write& write)
 {

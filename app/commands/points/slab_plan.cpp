@@ -13,7 +13,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the program takes itself, with an OpenCL device and its compiler, and what it sends and writes at a time.
+/// The program itself takes so much, with an OpenCL device and its compiler, messages and pieces of the file.
 constexpr std::uint64_t program_bytes = 250'000'000;
 
 /// Bytes of a slab on a processor that are fast, as more of them stay in its caches, and how much thicker than what is

@@ -91,7 +91,7 @@ PointSet split_points(const PointSet& coarse, std::size_t points);
 /// are numbered as the points are, after those of the corners before.
 std::array<double, 3> split_place(std::span<const double> place, std::size_t corner, std::size_t coarse);
 
-/// What the parameters of the sampler ask for on each level, but for the density.
+/// The request that the sampler's parameters make for each level, without the density.
 GaussianRequest gaussian_request(const Parameters& parameters, int dimension);
 
 /// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, density, start.

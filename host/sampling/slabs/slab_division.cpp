@@ -11,7 +11,7 @@ std::vector<std::vector<std::uint32_t>> SlabDivision::slabs_around_layers(std::u
         if (first == end) continue;
         const std::uint64_t others =
             std::min<std::uint64_t>(cells_per_axis_ - (end - first), std::uint64_t{2} * around);
-        // Those behind the slab come first, then, around the torus, those before it.
+        // Layers behind the slab come first, then, around the torus, layers before it.
         const std::uint64_t behind = std::min<std::uint64_t>(others, around);
         for (std::uint64_t i = 0; i < others; ++i) {
             const std::uint64_t layer = i < behind ? end + i : first + cells_per_axis_ - 1 - (i - behind);

@@ -1,4 +1,4 @@
-// What a method that moves points needs to do so slab by slab.
+// Methods that move points, as steps that can be made slab by slab.
 #pragma once
 
 #include "host/sampling/cells/point_grid.hpp"
