@@ -1,6 +1,6 @@
 #include "analysis/measures/number_variance.hpp"
 
-#include "analysis/measures/cell_grid.hpp"
+#include "analysis/measures/ball_counter.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
@@ -20,132 +20,44 @@ constexpr int number_of_radii = 24;
 constexpr double least_spacings = 0.5, largest_radius = 0.25;
 constexpr std::size_t most_centres = 10'000, centres_per_point = 4;
 
-/// Counts the points in balls on the torus.
-template <int D>
-class BallCounter
-{
-public:
-    explicit BallCounter(const PointSet& points) : grid_(points, CellGrid<D>::cells_of(points.size())) {}
+using BallCounts = std::vector<std::vector<std::int64_t>>; ///< of each radius, in the balls
 
-    /// Radii of at most a quarter meet no cell twice.
-    std::int64_t count(const std::array<double, D>& centre, double radius) const
-    {
-        std::int64_t points = 0;
-        Ball ball{centre, radius * radius, {}};
-        const int m = grid_.cells;
-        const auto low = [&](int k) { return static_cast<int>(std::floor((centre[k] - radius) * m)); };
-        const auto high = [&](int k) { return static_cast<int>(std::floor((centre[k] + radius) * m)); };
-        if constexpr (D == 2) {
-            for (int y = low(1); y <= high(1); ++y) points += count_row(ball, {0, y});
-        } else {
-            for (int z = low(2); z <= high(2); ++z)
-                for (int y = low(1); y <= high(1); ++y) points += count_row(ball, {0, y, z});
-        }
-        return points;
-    }
-
-private:
-    struct Ball
-    {
-        std::array<double, D> centre;
-        double squared_radius;
-        std::array<int, D> turns; ///< of the torus that lie between a row of cells and its image near the ball
-    };
-
-    /// The points of a row of cells along x, which may lie outside of the unit square (cube).
-    std::int64_t count_row(Ball& ball, const std::array<int, D>& row) const
-    {
-        const int m = grid_.cells;
-        double nearest = 0, farthest = 0; // squared distances of the row's points across it
-        std::size_t line = 0;
-        for (int k = D - 1; k > 0; --k) {
-            const double below = static_cast<double>(row[k]) / m - ball.centre[k];
-            const double above = static_cast<double>(row[k] + 1) / m - ball.centre[k];
-            const double near = std::max({0.0, below, -above}), far = std::max(-below, above);
-            nearest += near * near, farthest += far * far;
-            ball.turns[k] = turns_of(row[k]);
-            line = line * static_cast<std::size_t>(m) + static_cast<std::size_t>(row[k] - ball.turns[k] * m);
-        }
-        if (nearest >= ball.squared_radius || is_empty(line)) return 0;
-        const double outer = std::sqrt(ball.squared_radius - nearest);
-        const int begin = static_cast<int>(std::floor((ball.centre[0] - outer) * m));
-        const int end = static_cast<int>(std::floor((ball.centre[0] + outer) * m)) + 1;
-        int inner_begin = end, inner_end = end;
-        if (farthest < ball.squared_radius) {
-            const double inner = std::sqrt(ball.squared_radius - farthest);
-            inner_begin = std::min(end, static_cast<int>(std::ceil((ball.centre[0] - inner) * m)));
-            inner_end = std::max(inner_begin, static_cast<int>(std::floor((ball.centre[0] + inner) * m)));
-        }
-        std::int64_t points = all_of(line, inner_begin, inner_end);
-        for (int x = begin; x < inner_begin; ++x) points += inside(ball, line, x);
-        for (int x = inner_end; x < end; ++x) points += inside(ball, line, x);
-        return points;
-    }
-
-    /// True for a row of cells without points, as most are where they lie in a strip.
-    bool is_empty(std::size_t line) const
-    {
-        const std::size_t first = line * static_cast<std::size_t>(grid_.cells);
-        return grid_.starts[first] == grid_.starts[first + static_cast<std::size_t>(grid_.cells)];
-    }
-
-    int turns_of(int cell) const { return cell < 0 ? -1 : cell / grid_.cells; }
-
-    /// The points of cells begin .. end - 1 of a row.
-    std::int64_t all_of(std::size_t line, int begin, int end) const
-    {
-        std::int64_t points = 0;
-        for (int from = begin; from < end;) {
-            const int turn = turns_of(from) * grid_.cells;
-            const int to = std::min(end, turn + grid_.cells);
-            const std::size_t first = line * static_cast<std::size_t>(grid_.cells);
-            points += static_cast<std::int64_t>(grid_.starts[first + static_cast<std::size_t>(to - turn)] -
-                                                grid_.starts[first + static_cast<std::size_t>(from - turn)]);
-            from = to;
-        }
-        return points;
-    }
-
-    /// The points of a cell that are inside of the ball.
-    std::int64_t inside(Ball& ball, std::size_t line, int x) const
-    {
-        ball.turns[0] = turns_of(x);
-        const std::size_t cell =
-            line * static_cast<std::size_t>(grid_.cells) + static_cast<std::size_t>(x - ball.turns[0] * grid_.cells);
-        std::int64_t points = 0;
-        for (std::size_t i = grid_.starts[cell]; i < grid_.starts[cell + 1]; ++i) {
-            double squared = 0;
-            for (int k = 0; k < D; ++k) {
-                const double along = grid_.position[k][i] + ball.turns[k] - ball.centre[k];
-                squared += along * along;
-            }
-            if (squared < ball.squared_radius) ++points;
-        }
-        return points;
-    }
-
-    CellGrid<D> grid_;
-};
-
-/// Centre number i; in windows, at least a radius from the border.
-template <int D>
-std::array<double, D> centre_of(std::uint32_t i, double margin)
+/// Where the centre of a ball lies, as shares of what the margins leave: two words of 32 bits, three in space.
+std::array<std::uint32_t, 4> words_of(std::size_t i)
 {
     static const StreamKey key = stream_key(0, Purpose::variance_windows, 0);
-    const auto words = philox({i, 0, 0, 0}, key);
+    return philox({static_cast<std::uint32_t>(i), 0, 0, 0}, key);
+}
+
+template <int D>
+std::array<double, D> centre_of(const std::array<std::uint32_t, 4>& words, double margin)
+{
     std::array<double, D> centre;
     for (int k = 0; k < D; ++k)
         centre[k] = margin + (1 - 2 * margin) * static_cast<double>(words[static_cast<std::size_t>(k)]) * 0x1p-32;
     return centre;
 }
 
-/// Adds the numbers of points in balls of one radius.
+/// Adds the numbers of points in balls, which in windows keep a radius from the border.
 template <int D>
-void add_points_in_balls(const BallCounter<D>& counter, double radius, double margin, std::vector<std::int64_t>& counts)
+void add_in_window(const BallCounter<D>& counter, const std::vector<double>& radii, std::size_t i, BallCounts& counts)
 {
-    tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
-        counts[i] += counter.count(centre_of<D>(static_cast<std::uint32_t>(i), margin), radius);
-    });
+    const auto words = words_of(i);
+    for (std::size_t r = 0; r < radii.size(); ++r)
+        counts[r][i] += counter.count(centre_of<D>(words, radii[r]), radii[r]);
+}
+
+/// Balls on the torus have one centre, whatever their radius: each point near it is looked at once for all small ones.
+template <int D>
+void add_on_torus(const BallCounter<D>& counter, const BallShells& shells, const std::vector<double>& radii,
+                  std::size_t i, BallCounts& counts)
+{
+    const auto centre = centre_of<D>(words_of(i), 0);
+    std::array<std::int64_t, number_of_radii> numbers{};
+    counter.add_to_shells(centre, shells, numbers);
+    std::int64_t points = 0;
+    for (std::size_t r = 0; r < shells.count(); ++r) counts[r][i] += points += numbers[r];
+    for (std::size_t r = shells.count(); r < radii.size(); ++r) counts[r][i] += counter.count(centre, radii[r]);
 }
 
 struct Moments
@@ -181,9 +93,11 @@ NumberVarianceEstimate::NumberVarianceEstimate(int dimension, std::size_t points
 /// Adds the points of a set, or of a part of it, to those in the balls.
 void NumberVarianceEstimate::count(const PointSet& points, Counts& counts) const
 {
+    const BallShells shells(radii_, points.size(), dimension_);
     const auto add = [&](const auto& counter) {
-        for (std::size_t r = 0; r < radii_.size(); ++r)
-            add_points_in_balls(counter, radii_[r], is_window_ ? radii_[r] : 0, counts[r]);
+        tbb::parallel_for(std::size_t{0}, centres_, [&](std::size_t i) {
+            is_window_ ? add_in_window(counter, radii_, i, counts) : add_on_torus(counter, shells, radii_, i, counts);
+        });
     };
     counts.resize(radii_.size(), std::vector<std::int64_t>(centres_));
     if (dimension_ == 2) add(BallCounter<2>(points));

@@ -29,8 +29,8 @@ struct NumberVarianceBin
 /// Averages the number variance over sets, in the order given. Radii go from half a mean spacing N^(-1/d) to a quarter,
 /// 24 of them in equal ratios.
 ///
-/// A ball takes the time of its surface: rows of cells inside of it are counted at once. Any number of threads gives
-/// the same bytes.
+/// A ball takes the time of its surface, and small ones on the torus together that of their points: see BallCounter.
+/// Any number of threads gives the same bytes.
 class NumberVarianceEstimate
 {
 public:

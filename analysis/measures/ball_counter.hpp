@@ -1,0 +1,151 @@
+// Counts the points in balls on the unit torus.
+#pragma once
+
+#include "analysis/measures/ball_shells.hpp"
+#include "analysis/measures/cell_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace poissonlab {
+
+/// Points in the cells of a grid. Radii are at most a quarter: balls meet no cell twice.
+template <int D>
+class BallCounter
+{
+public:
+    explicit BallCounter(const PointSet& points) : grid_(points, CellGrid<D>::cells_of(points.size())) {}
+
+    /// The points of a ball. It takes the time of its surface: cells inside of it are counted at once.
+    std::int64_t count(const std::array<double, D>& centre, double radius) const
+    {
+        std::int64_t points = 0;
+        for_each_row(centre, radius, [&](Ball& ball, const Row& row) { points += count_row(ball, row); });
+        return points;
+    }
+
+    /// Adds the numbers of points that lie in each of several balls and in no smaller one.
+    void add_to_shells(const std::array<double, D>& centre, const BallShells& shells,
+                       std::span<std::int64_t> numbers) const
+    {
+        for_each_row(centre, shells.outer_radius(), [&](Ball& ball, const Row& row) {
+            for_each_stretch(ball, row.line, row.begin, row.end, [&](std::size_t from, std::size_t to) {
+                for (std::size_t i = from; i < to; ++i)
+                    if (const double squared = squared_distance(ball, i); squared < ball.squared_radius)
+                        ++numbers[shells.shell_of(squared)];
+            });
+        });
+    }
+
+private:
+    struct Ball
+    {
+        std::array<double, D> centre;
+        double squared_radius;
+        std::array<int, D> turns; ///< of the torus that lie between cells and their images near the ball
+    };
+
+    /// A row of cells along x, on the torus, and which of them, maybe beyond the unit square (cube), meet a ball.
+    struct Row
+    {
+        std::size_t line;
+        int begin, end;
+        double farthest; ///< squared distance of the row's points from the ball's centre across the row
+    };
+
+    /// Hands on each row that has points and meets the ball.
+    template <class Visit>
+    void for_each_row(const std::array<double, D>& centre, double radius, const Visit& visit) const
+    {
+        Ball ball{centre, radius * radius, {}};
+        const int m = grid_.cells;
+        const auto low = [&](int k) { return static_cast<int>(std::floor((centre[k] - radius) * m)); };
+        const auto high = [&](int k) { return static_cast<int>(std::floor((centre[k] + radius) * m)); };
+        if constexpr (D == 2) {
+            for (int y = low(1); y <= high(1); ++y) visit_row(ball, {0, y}, visit);
+        } else {
+            for (int z = low(2); z <= high(2); ++z)
+                for (int y = low(1); y <= high(1); ++y) visit_row(ball, {0, y, z}, visit);
+        }
+    }
+
+    template <class Visit>
+    void visit_row(Ball& ball, const std::array<int, D>& place, const Visit& visit) const
+    {
+        const int m = grid_.cells;
+        double nearest = 0, farthest = 0; // squared distances of the row's points across it
+        std::size_t line = 0;
+        for (int k = D - 1; k > 0; --k) {
+            const double below = static_cast<double>(place[k]) / m - ball.centre[k];
+            const double above = static_cast<double>(place[k] + 1) / m - ball.centre[k];
+            const double near = std::max({0.0, below, -above}), far = std::max(-below, above);
+            nearest += near * near, farthest += far * far;
+            ball.turns[k] = turns_of(place[k]);
+            line = line * static_cast<std::size_t>(m) + static_cast<std::size_t>(place[k] - ball.turns[k] * m);
+        }
+        if (nearest >= ball.squared_radius || is_empty(line)) return;
+        const double outer = std::sqrt(ball.squared_radius - nearest);
+        const int begin = static_cast<int>(std::floor((ball.centre[0] - outer) * m));
+        const int end = static_cast<int>(std::floor((ball.centre[0] + outer) * m)) + 1;
+        visit(ball, Row{line, begin, end, farthest});
+    }
+
+    std::int64_t count_row(Ball& ball, const Row& row) const
+    {
+        int inner_begin = row.end, inner_end = row.end; // cells inside of the ball
+        if (row.farthest < ball.squared_radius) {
+            const double inner = std::sqrt(ball.squared_radius - row.farthest);
+            inner_begin = std::min(row.end, static_cast<int>(std::ceil((ball.centre[0] - inner) * grid_.cells)));
+            inner_end = std::max(inner_begin, static_cast<int>(std::floor((ball.centre[0] + inner) * grid_.cells)));
+        }
+        std::int64_t points = 0;
+        const auto add_all = [&](std::size_t from, std::size_t to) { points += static_cast<std::int64_t>(to - from); };
+        const auto add_inside = [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) points += squared_distance(ball, i) < ball.squared_radius;
+        };
+        for_each_stretch(ball, row.line, row.begin, inner_begin, add_inside);
+        for_each_stretch(ball, row.line, inner_begin, inner_end, add_all);
+        for_each_stretch(ball, row.line, inner_end, row.end, add_inside);
+        return points;
+    }
+
+    /// Hands on where the points of the cells begin .. end - 1 of a row lie, in up to two parts: the row is a ring.
+    template <class Visit>
+    void for_each_stretch(Ball& ball, std::size_t line, int begin, int end, const Visit& visit) const
+    {
+        const std::size_t* const starts = &grid_.starts[line * static_cast<std::size_t>(grid_.cells)];
+        for (int from = begin; from < end;) {
+            ball.turns[0] = turns_of(from);
+            const int turn = ball.turns[0] * grid_.cells, to = std::min(end, turn + grid_.cells);
+            visit(starts[from - turn], starts[to - turn]);
+            from = to;
+        }
+    }
+
+    /// True for a row of cells without points, as most are where they lie in a strip.
+    bool is_empty(std::size_t line) const
+    {
+        const std::size_t first = line * static_cast<std::size_t>(grid_.cells);
+        return grid_.starts[first] == grid_.starts[first + static_cast<std::size_t>(grid_.cells)];
+    }
+
+    int turns_of(int cell) const { return cell < 0 ? -1 : cell / grid_.cells; }
+
+    double squared_distance(const Ball& ball, std::size_t point) const
+    {
+        double squared = 0;
+        for (int k = 0; k < D; ++k) {
+            const double along = grid_.position[k][point] + ball.turns[k] - ball.centre[k];
+            squared += along * along;
+        }
+        return squared;
+    }
+
+    CellGrid<D> grid_;
+};
+
+}
