@@ -67,10 +67,11 @@ void look_at_pages(const std::filesystem::path& site, bool dark)
     browser.emulate("screen", dark);
     for (const char* page : {"index.html", "docs/start.html", "docs/methods/gaussian-blue-noise.html",
                              "docs/measures.html", "docs/results.html", "docs/commands.html", "runtime/index.html"}) {
+        browser.resize(1280, 900);
+        browser.open(site / page);
         for (const int width : {1280, 400}) {
             SCOPED_TRACE(fmt::format("{}, {} pixels, {}", page, width, dark ? "dark" : "light"));
             browser.resize(width, 900, width < 800);
-            browser.open(site / page);
             EXPECT_THAT(browser.messages(), IsEmpty());
             EXPECT_THAT(browser.requests(), IsEmpty());
             EXPECT_EQ(browser.evaluate("document.body.dataset.mdColorScheme"), dark ? "slate" : "default");
