@@ -57,7 +57,8 @@ public:
 
     HalfPlane forward(const PointSet& points, std::span<const double> weights);
 
-    /// The sum over the grid points under each point, with weights along x and y: what(j, sum of weights of both).
+    /// The sum over the grid points under each point, with weights along x and y: what(j, x, y, sum), where the
+    /// kernel begins before the first of them, and what makes the sum of weights.
     template <class What>
     void backward(const HalfPlane& coefficients, const PointSet& points, const What& what);
 

@@ -28,7 +28,7 @@ public:
     /// is 1.
     void values(double offset, double* result) const;
 
-    /// The derivatives of these by the offset; within 1e-8 of the kernel's.
+    /// The derivatives of these polynomials by the offset. At its ends the kernel itself is steeper than any.
     void slopes(double offset, double* result) const;
 
     /// Its Fourier transform at a frequency in cycles per grid spacing.

@@ -177,8 +177,9 @@ void check(const TextureRequest& r)
 
 bool is_joint_by_default(const TextureRequest& r)
 {
+    if (r.colors.horizontal != r.colors.vertical && !is_compact(r)) return false; // check() refuses these
     return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
-           !r.smooth && pixels_of(r) <= most_pixels_together;
+           !r.smooth && requested_tiles(r).size() <= most_tiles_together && pixels_of(r) <= most_pixels_together;
 }
 
 std::vector<TextureTile> requested_tiles(const TextureRequest& r)

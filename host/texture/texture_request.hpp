@@ -27,7 +27,9 @@ inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of ot
 inline constexpr int most_texture_candidates = 256;
 inline constexpr int most_texture_attempts = 100'000;
 inline constexpr int most_joint_rounds = 1000;
-/// Sets of more pixels are not chosen together unless it is asked for: these take half a minute.
+/// Larger sets are not chosen together unless it is asked for: these take half a minute, from a picture of 512 x 512
+/// pixels.
+inline constexpr std::size_t most_tiles_together = 256;
 inline constexpr std::size_t most_pixels_together = std::size_t{1} << 20;
 
 inline constexpr double default_core = 0.36;
@@ -79,8 +81,7 @@ const std::vector<std::string>& texture_tile_names(TextureKind kind);
 /// Checks everything that does not depend on the exemplar. Throws InputError that begins with the parameter's name.
 void check(const TextureRequest& request);
 
-/// Whether a set is chosen together where nobody says so: what is asked for goes with that, and it takes at most half a
-/// minute.
+/// Whether a set is chosen together where nobody says so: what is asked for goes with that, and is not large.
 bool is_joint_by_default(const TextureRequest& request);
 
 /// The tiles of the set that is asked for.

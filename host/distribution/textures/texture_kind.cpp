@@ -40,20 +40,20 @@ std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
 /// Sets are chosen together unless they are large, or something is asked for that does not go with it.
 void joint_keys(Keys& keys, TextureRequest& r)
 {
-    std::optional<bool> joint;
-    keys.flag("joint", joint,
+    r.joint =
+        keys.is_read() && is_joint_by_default(r) && !keys.is_given("overlap") && !keys.is_given("marked_exemplar");
+    keys.flag("joint", r.joint,
               "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
               "fit by it")
-        .otherwise(fmt::format("true for sets of at most {} pixels, but not with stages, weight, cut, overlap, smooth "
-                               "or marked_exemplar",
-                               most_pixels_together));
+        .otherwise(fmt::format("true for at most {} tiles and {} pixels, but not with other stages, weight or cut than "
+                               "the default, nor with overlap, smooth or marked_exemplar",
+                               most_tiles_together, most_pixels_together));
     keys.integer(
         "rounds", r.rounds, 1, most_joint_rounds,
         "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
         "better and take longer");
-    if (!keys.is_read()) return;
-    r.joint = joint.value_or(is_joint_by_default(r) && !keys.is_given("overlap") && !keys.is_given("marked_exemplar"));
-    if (!r.joint && keys.is_given("rounds")) throw keys.invalid("rounds", "needs " + keys.name_of("joint"));
+    if (!r.joint && keys.is_given("rounds"))
+        throw keys.invalid("rounds", "is for tiles that are chosen together, see " + keys.name_of("joint"));
     if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
 }
 

@@ -185,14 +185,6 @@ Keys::Said Keys::flag(const std::string& key, bool& value, std::string help)
     return describe(std::move(spec));
 }
 
-Keys::Said Keys::flag(const std::string& key, std::optional<bool>& value, std::string help)
-{
-    KeySpec spec{.value = {.key = key, .kind = ValueKind::boolean, .help = std::move(help)}};
-    if (const auto given = read(spec.value)) value = std::get<bool>(*given);
-    if (value) resolve(key, *value ? "true" : "false");
-    return describe(std::move(spec));
-}
-
 Keys::Said Keys::text(const std::string& key, std::string& value, std::string help)
 {
     KeySpec spec{.value = {.key = key, .kind = ValueKind::text, .help = std::move(help)}};

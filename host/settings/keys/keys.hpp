@@ -106,7 +106,6 @@ public:
     Said integer(const std::string& key, std::optional<Integer>& value, std::int64_t low, std::int64_t high,
                  std::string help);
     Said flag(const std::string& key, bool& value, std::string help);
-    Said flag(const std::string& key, std::optional<bool>& value, std::string help); ///< commands: on or off
     Said text(const std::string& key, std::string& value, std::string help);
 
     /// One of these words.

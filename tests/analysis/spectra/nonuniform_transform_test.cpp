@@ -17,7 +17,7 @@ namespace {
 TEST(NonuniformTransform, IsTheSumOfWaves)
 {
     std::mt19937_64 random(1);
-    for (const int reach : {1, 5, 24}) {
+    for (const int reach : {1, 5, 60}) {
         const PointSet points = test::random_points_with_borders(60, 2, random);
         const HalfPlane transform = NonuniformTransform(reach).forward(points);
         for (int v = -reach; v <= reach; ++v)
@@ -56,7 +56,7 @@ double sum_at(std::span<const double> point, const HalfPlane& coefficients, cons
 TEST(NonuniformTransform, HasAnAdjointThatIsTheSumOverFrequencies)
 {
     std::mt19937_64 random(2);
-    for (const int reach : {1, 9, 30}) {
+    for (const int reach : {1, 9, 60}) {
         const PointSet points = test::random_points_with_borders(40, 2, random);
         const HalfPlane coefficients = random_coefficients(reach, random);
         const auto values = NonuniformTransform(reach).adjoint(coefficients, points);
@@ -71,7 +71,7 @@ TEST(NonuniformTransform, HasTheDerivativesOfThatSum)
 {
     std::mt19937_64 random(3);
     const std::complex<double> turn(0, 2 * std::numbers::pi);
-    for (const int reach : {1, 9, 30}) {
+    for (const int reach : {1, 9, 60}) {
         const PointSet points = test::random_points_with_borders(40, 2, random);
         const HalfPlane coefficients = random_coefficients(reach, random);
         const auto slopes = NonuniformTransform(reach).adjoint_gradient(coefficients, points);
