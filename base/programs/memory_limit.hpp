@@ -5,7 +5,8 @@
 
 namespace poissonlab {
 
-/// Bytes: those of the machine, or of the control group or the limit on addresses (ulimit -v) where these are less.
-std::uint64_t memory_limit();
+/// Bytes: a share of the machine's or the control group's, which so many processes divide, or those of the limit on
+/// addresses (ulimit -v), which each of them has, where these are less.
+std::uint64_t memory_limit(std::uint64_t processes = 1);
 
 }

@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <map>
@@ -105,6 +106,22 @@ TEST_F(PointsLloydCommand, StartsFromFiles)
     EXPECT_TRUE(read_points(folder_.path() / "moved.npy").at(0) == expected.points);
 }
 
+/// A file is planned as random points are, by its number.
+TEST_F(PointsLloydCommand, PlansStartsFromFiles)
+{
+    write_points(folder_.path() / "start.npy", made_as_a_whole(random_sampler(), {}, 20'000, 2));
+    const auto slabs = [&](const std::string& start) {
+        folder_.write("run.sh", quoted(program_file()) + " points lloyd --seed 3 --quiet --json --iterations 1 " +
+                                    "--memory 0.001 " + start + " --out moved.npy");
+        const Outcome outcome = run_in_shell(folder_.path(), "sh run.sh");
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return nlohmann::json::parse(outcome.out).at("slabs").get<int>();
+    };
+    const int of_random_points = slabs("--points 20000");
+    EXPECT_GT(of_random_points, 1);
+    EXPECT_EQ(slabs("--start '{ sampler = \"file\", path = \"start.npy\" }'"), of_random_points);
+}
+
 TEST_F(PointsLloydCommand, HasAPlainTwin)
 {
     expect_points(
@@ -159,6 +176,20 @@ TEST_F(PointsGaussianCommand, WritesTheMethodsPoints)
                   made_as_a_whole(gaussian_, with_values(gaussian_, five), 20'000, 2));
     expect_points("--points 4000 --iterations 5 --sigma 0.8 --dimension 3", "space.h5",
                   made_as_a_whole(gaussian_, with_values(gaussian_, five), 4000, 3));
+}
+
+TEST_F(PointsGaussianCommand, StartsFromFiles)
+{
+    const PointSet start = made_as_a_whole(random_sampler(), {}, 2000, 2);
+    write_points(folder_.path() / "start.npy", start);
+    folder_.write("run.sh", quoted(program_file()) +
+                                " points gaussian-blue-noise --seed 3 --quiet --iterations 2 --sigma 0.8 --start "
+                                "'{ sampler = \"file\", path = \"start.npy\" }' --out moved.npy");
+    const Outcome outcome = run_in_shell(folder_.path(), "sh run.sh");
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const std::map<std::string, ParameterValue> two{{"iterations", std::int64_t{2}}, {"sigma", 0.8}};
+    EXPECT_TRUE(read_points(folder_.path() / "moved.npy").at(0) ==
+                made_as_a_whole(gaussian_, with_values(gaussian_, two), 2000, 2));
 }
 
 /// 4,001 is no multiple of four: the last corner of each level lacks some parts.

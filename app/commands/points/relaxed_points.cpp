@@ -30,10 +30,16 @@ struct MadeSet
     double relative_radius = 0;
 };
 
-SampleRequest request_of(const AskedRelaxation& asked, const RelaxedMethod& method, std::uint64_t seed)
+/// A start from files is read to know how many points it has.
+SampleRequest request_of(const AskedRelaxation& asked, std::uint64_t seed)
 {
     SampleRequest request{static_cast<std::size_t>(asked.points.value_or(0)), asked.dimension, seed};
-    if (!asked.points) request.points = method.spec.most_points(asked.parameters, request); // of a start from files
+    if (asked.points) return request;
+    const SamplerChoice& start = asked.parameters.sampler("start");
+    request.points = start.spec->create(start.parameters, request, Engine::reference, {})->sample(0).size();
+    if (request.points > static_cast<std::size_t>(most_relaxed_points))
+        throw InputError(
+            fmt::format("--start: has {} points: must have at most {}", request.points, most_relaxed_points));
     return request;
 }
 
@@ -63,7 +69,7 @@ void check_methods(const AskedRelaxation& asked, const RelaxedMethod& method)
     SampleRequest request{static_cast<std::size_t>(asked.points.value_or(0)), asked.dimension, 1};
     request.points = levels_of(request, asked.parameters, method).front();
     check_start(asked.parameters.sampler("start"), request);
-    method.spec.check(asked.parameters, request_of(asked, method, 1), {});
+    method.spec.check(asked.parameters, request_of(asked, 1), {});
 }
 
 /// The work of a command in one process of the crew.
@@ -81,7 +87,7 @@ public:
             asked_ = options_.read<AskedRelaxation>();
             check_point_target(options_.command(), options_.out);
             place_.emplace(options_.place(!crew_.leads()));
-            request_ = request_of(asked_, method_, options_.seed());
+            request_ = request_of(asked_, options_.seed());
             head_ = {.dimension = asked_.dimension, .points = request_.points};
             check_head(options_.out, head_);
             check_room(options_.out, head_);
@@ -97,7 +103,7 @@ public:
             fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(options_.out.string())},
                                                       {"points", made_.points},
                                                       {"dimension", asked_.dimension},
-                                                      {"slabs", plan_.slabs * static_cast<std::uint32_t>(crew_.size())},
+                                                      {"slabs", slabs()},
                                                       {"planned_bytes", plan_.process_bytes},
                                                       {"iteration", made_.iteration},
                                                       {"relative_radius", made_.relative_radius}}
@@ -105,6 +111,12 @@ public:
     }
 
 private:
+    /// The plain program makes the set as a whole.
+    std::uint32_t slabs() const
+    {
+        return place_->engine == Engine::reference ? 1 : plan_.slabs * static_cast<std::uint32_t>(crew_.size());
+    }
+
     const SamplerChoice& start_choice() const { return asked_.parameters.sampler("start"); }
 
     std::vector<std::size_t> levels() const { return levels_of(request_, asked_.parameters, method_); }
@@ -153,7 +165,10 @@ private:
             const auto iterations = sampler->traits().iterations;
             const auto best = std::ranges::max_element(iterations, {}, &IterationRecord::relative_radius);
             const auto kept = method_.request(asked_.parameters).keep_best ? best : iterations.end() - 1;
-            made_ = {set.size(), static_cast<std::size_t>(kept - iterations.begin()), kept->relative_radius};
+            const std::size_t of_coarser_levels =
+                (levels().size() - 1) * (method_.request(asked_.parameters).iterations + 1);
+            made_ = {set.size(), static_cast<std::size_t>(kept - iterations.begin()) - of_coarser_levels,
+                     kept->relative_radius};
             write_points(options_.out, set, comment());
         });
     }

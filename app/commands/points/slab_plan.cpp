@@ -21,6 +21,8 @@ constexpr std::uint64_t program_bytes = 250'000'000;
 constexpr std::uint64_t fast_slab_bytes = 64'000'000;
 constexpr std::uint32_t least_thickness = 8;
 
+constexpr std::uint64_t message_bytes_per_point = 32;
+
 /// Points of the set that are in so many of the grid's layers, if they are spread evenly.
 std::uint64_t points_in(std::uint64_t layers, const SlabMethod& method, const SlabTask& task)
 {
@@ -38,8 +40,11 @@ DeviceMemory slab_memory(const SlabMethod& method, const SlabTask& task, std::ui
     return SlabMover::memory(method, task.dimension, points_in(layers, method, task), part);
 }
 
-/// The host's memory of a process: the points before and after a step, those of a slab that come back from the device,
-/// and what writing the file takes.
+/// Layers around slabs are doubled where cells reach farther, which those of random points do nearly always.
+constexpr std::uint64_t layers_around_factor = 2;
+
+/// The host's memory of a process: the points before and after a step, those around its slabs, which come in messages
+/// as well, those of a slab that come back from the device, and what writing the file takes.
 std::uint64_t host_bytes(const SlabMethod& method, const SlabTask& task, std::uint32_t slabs)
 {
     const std::uint64_t of_point = SlabPoints::bytes_per_point(task.dimension);
@@ -48,7 +53,11 @@ std::uint64_t host_bytes(const SlabMethod& method, const SlabTask& task, std::ui
     const std::uint64_t read_back = 2 * of_point + sizeof(double); // displacements, distances and moved points
     const std::uint64_t kept = task.keeps_best ? own * of_point : 0;
     const std::uint64_t start = task.shares_start ? 0 : task.points * of_point;
-    const std::uint64_t steps = 2 * own * of_point + in_slab * read_back;
+    const std::uint64_t slabs_here = slabs / task.processes;
+    const std::uint64_t around =
+        slabs_here * points_in(2 * layers_around_factor * method.layers_around(), method, task);
+    const std::uint64_t steps =
+        2 * own * of_point + in_slab * read_back + around * (2 * of_point + message_bytes_per_point);
     const std::uint64_t writing = own * (of_point + scattered_bytes_per_point);
     return kept + std::max({steps, writing, own * of_point + start});
 }
@@ -65,7 +74,7 @@ void check_cells(const SlabMethod& method, const SlabTask& task)
 /// Throws InputError where the machine has less, with the largest set that it has room for.
 void check_process_memory(const SlabTask& task, std::uint64_t needed)
 {
-    const std::uint64_t limit = memory_limit() / task.processes_here;
+    const std::uint64_t limit = memory_limit(task.processes_here);
     if (needed <= limit) return;
     const double part =
         static_cast<double>(limit - std::min(limit, program_bytes)) / static_cast<double>(needed - program_bytes);

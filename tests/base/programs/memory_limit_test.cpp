@@ -30,6 +30,10 @@ TEST(MemoryLimit, IsThatOfAddressesWhereThisIsLess)
     const struct rlimit limit = {granted, old.rlim_max};
     ASSERT_EQ(::setrlimit(RLIMIT_AS, &limit), 0);
     EXPECT_EQ(memory_limit(), granted);
+    EXPECT_LE(memory_limit(2), granted / 2 + 4096) << "the machine's memory is divided";
+    const struct rlimit small = {granted / 4, old.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_AS, &small), 0);
+    EXPECT_EQ(memory_limit(2), granted / 4) << "each process has its own addresses";
     ::setrlimit(RLIMIT_AS, &old);
 }
 

@@ -50,6 +50,35 @@ TEST(TextureTable, ReadsATexture)
     EXPECT_THAT(settings.show, ElementsAre("tiling", "seams"));
 }
 
+/// Sets are chosen together where nothing speaks against it, and what was decided is part of what is resolved.
+TEST(TextureTable, ChoosesSmallSetsTogether)
+{
+    const std::map<std::string, bool> tables{
+        {"", true},
+        {"kind = \"wang\"", true},
+        {"kind = \"wang\"\ntiles = \"compact\"", true},
+        {"kind = \"omega\"", true},
+        {"stages = 3\nweight = \"plain\"", true},
+        {"colors = 4", true},             // 256 tiles, 2^20 pixels
+        {"colors = 4\nsize = 66", false}, // more pixels
+        {"colors = 5\nsize = 16", false}, // more tiles
+        {"stages = 1", false},
+        {"stages = 0", false},
+        {"weight = \"gradient\"", false},
+        {"kind = \"wang\"\ncut = \"path\"", false},
+        {"kind = \"wang\"\noverlap = 0.125", false},
+        {"smooth = true", false},
+        {"joint = false", false},
+        {"colors = 5\nsize = 16\njoint = true", true},
+    };
+    for (const auto& [lines, is_joint] : tables) {
+        const auto read = textures_of("pattern = \"noise\"\n" + lines);
+        const auto& settings = read[0].settings;
+        EXPECT_EQ(settings.as<TextureSettings>().request.joint, is_joint) << lines;
+        EXPECT_THAT(settings.resolved, HasSubstr(is_joint ? "joint = true" : "joint = false")) << lines;
+    }
+}
+
 TEST(TextureTable, ReadsEndlessTexturesWithoutTiles)
 {
     const auto read = textures_of("kind = \"hexagons\"\npattern = \"noise\"\ngain = 2\nrestored = true\ncell = 40");
