@@ -81,7 +81,7 @@ const std::vector<std::string>& texture_tile_names(TextureKind kind);
 /// Checks everything that does not depend on the exemplar. Throws InputError that begins with the parameter's name.
 void check(const TextureRequest& request);
 
-/// Whether a set is chosen together where nobody says so: what is asked for goes with that, and is not large.
+/// A set is chosen together where nobody says otherwise, what is asked for goes with that, and it is not large.
 bool is_joint_by_default(const TextureRequest& request);
 
 /// The tiles of the set that is asked for.

@@ -39,6 +39,9 @@ bool fits_tiles(const RegularWave& wave, int size);
 /// From so many times on a wave is regular.
 inline constexpr double least_regular_times = 20;
 
+/// Waves hold at least so much of the variance: without noise, the smallest would be many times what is around it.
+inline constexpr double least_regular_share = 0.02;
+
 /// The wave with the largest share that has at least eight periods over the picture; of several whose periods are
 /// multiples of one another the longest that has harmonics of its own.
 RegularWave strongest_wave(const LightMap& light);

@@ -195,7 +195,7 @@ SeenWaves seen_waves(const PngPixels& exemplar)
     while (!is_small(levels.back(), 1)) levels.push_back(halved_light(levels.back()));
     SeenWaves seen;
     const double least = least_part(exemplar.width, exemplar.height);
-    PartWaves best;
+    PartWaves best, of_whole;
     double best_part = 0;
     const auto level_of = [&](double part) -> const LightMap& {
         return *std::ranges::find_if(levels, [&](const LightMap& its) { return is_small(its, part); });
@@ -208,10 +208,15 @@ SeenWaves seen_waves(const PngPixels& exemplar)
             best = std::move(found);
             best_part = part;
         }
+        if (part == 1) of_whole = best;
         if (part == least) break;
     }
     if (!best.regular.strongest.empty()) {
         seen.is_lost = best_part < 1 && !track(best, level_of(best_part), best_part);
+        if (seen.is_lost && !of_whole.regular.strongest.empty()) { // which is coarser, but everywhere
+            best = std::move(of_whole);
+            seen.is_lost = false;
+        }
         seen.slope = best.slope;
         if (!seen.is_lost) seen.waves = best.regular.waves();
     }

@@ -2,8 +2,8 @@
 //
 // Two numbers of a projective map, the line at which parallels meet, decide whether courses are alike everywhere: those
 // are taken with which a wave and its harmonics hold the largest share of the picture's variance. They are looked for
-// in a small copy of the whole picture, and where nothing is regular in it in copies of smaller and smaller parts of
-// its middle, which show finer waves. What is found there is followed to the rim of the picture.
+// in a small copy of the whole picture, and in copies of smaller and smaller parts of its middle, which show finer
+// waves. What is found there, if it stands out more, is followed to the rim of the picture.
 #pragma once
 
 #include "host/texture/regular/plane_slope.hpp"

@@ -21,6 +21,8 @@ constexpr double least_movement = 0.25;
 /// The longest period that is fitted to a tile, in tiles.
 constexpr double most_period_in_tiles = 1.5;
 
+constexpr int most_times_as_long = 8;
+
 /// A linear map of the plane.
 struct Linear
 {
@@ -169,6 +171,38 @@ void keep_pixels_that_stay(Straightening& map)
     m = {1, 0, left, 0, 1, top, 0, 0, 1};
 }
 
+/// Says why nothing is regular: waves stand out too little, or hold too little.
+InputError nothing_regular(const PngPixels& exemplar, const SeenWaves& seen)
+{
+    const std::string begin = "straighten = true: nothing in the picture is regular: ";
+    if (seen.most_times >= least_regular_times)
+        return InputError(begin +
+                          fmt::format("its waves hold less than {:.0f} % of its variance", 100 * least_regular_share));
+    return InputError(begin + fmt::format("its strongest wave of {:.0f} pixels and more has {:.1f} times the power "
+                                          "around it, of the {} that it needs",
+                                          std::ceil(least_seen_period(exemplar)), seen.most_times,
+                                          least_regular_times));
+}
+
+/// Copies in which waves are looked for are as long as they are wide; of longer pictures they would show others.
+void check_sides(const PngPixels& exemplar)
+{
+    if (std::max(exemplar.width, exemplar.height) > most_times_as_long * std::min(exemplar.width, exemplar.height))
+        throw InputError(fmt::format("straighten = true: the picture has {} x {} pixels: must be at most {} times as "
+                                     "long as wide",
+                                     exemplar.width, exemplar.height, most_times_as_long));
+}
+
+bool can_be_straightened(const PngPixels& exemplar, int size)
+{
+    try {
+        straightening_for(exemplar, size);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }
 
 Straightening straightening_for(const PngPixels& exemplar, int size)
@@ -176,14 +210,11 @@ Straightening straightening_for(const PngPixels& exemplar, int size)
     if (std::min(exemplar.width, exemplar.height) < size)
         throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", size, exemplar.width,
                                      exemplar.height));
+    check_sides(exemplar);
     const SeenWaves seen = seen_waves(exemplar);
     if (seen.is_lost)
         throw InputError("straighten = true: what is regular in the picture's middle does not go on to its rim");
-    if (seen.waves.empty())
-        throw InputError(
-            fmt::format("straighten = true: nothing in the picture is regular: its strongest wave of {:.0f} pixels and "
-                        "more has {:.1f} times the power around it, of the {} that it needs",
-                        std::ceil(least_seen_period(exemplar)), seen.most_times, least_regular_times));
+    if (seen.waves.empty()) throw nothing_regular(exemplar, seen);
     for (const RegularWave& wave : seen.waves)
         if (wave.period() > most_period_in_tiles * size)
             throw InputError(fmt::format("size = {}: the picture repeats every {:.1f} pixels: must be at least {:.0f}",
@@ -226,8 +257,7 @@ std::string regularity_note(const PngPixels& exemplar, int size)
     const std::string begin =
         fmt::format("the picture repeats every {} pixels, which does not fit tiles of {}", periods, size);
     std::vector<std::string> ways;
-    if (waves.front().period() <= most_period_in_tiles * size && waves.front().period() >= least_seen_period(exemplar))
-        ways.emplace_back("--straighten");
+    if (can_be_straightened(exemplar, size)) ways.emplace_back("--straighten");
     const int largest = std::min({most_tile_pixels, exemplar.width, exemplar.height});
     for (int away = 2; away <= size / 2 && ways.size() < 2; away += 2)
         for (const int other : {size - away, size + away})

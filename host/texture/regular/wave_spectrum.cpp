@@ -15,9 +15,6 @@ namespace {
 
 constexpr int least_periods = 8; ///< over the picture
 
-/// Waves hold at least so much of the variance: without noise, the smallest would be many times what is around it.
-constexpr double least_share = 0.02;
-
 /// A wave is not given up for one of its harmonics that holds less than this part of its share, nor taken where less of
 /// it is in harmonics that are looked at.
 constexpr double least_harmonic = 0.5;
@@ -71,14 +68,17 @@ LightMap windowed(const LightMap& light)
     return map;
 }
 
-bool stands_out(const PlacePower& power) { return power.times >= least_regular_times && power.share >= least_share; }
+bool stands_out(const PlacePower& power)
+{
+    return power.times >= least_regular_times && power.share >= least_regular_share;
+}
 
 bool stands_out_between(const PartsBetween& parts)
 {
     constexpr double least_product = 0.18;
     const PlacePower& others = parts.others;
     return stands_out(parts.on_lines) ||
-           (others.share >= least_share / 2 && others.share * others.times >= least_product);
+           (others.share >= least_regular_share / 2 && others.share * others.times >= least_product);
 }
 
 WaveSpectrum::WaveSpectrum(const LightMap& windowed)

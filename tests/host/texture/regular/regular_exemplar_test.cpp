@@ -240,6 +240,24 @@ TEST(SeenWaves, SaysWhereWavesDoNotGoOn)
                 HasSubstr("what is regular in the picture's middle does not go on to its rim"));
 }
 
+/// Courses of the whole picture are straightened although its middle has a finer pattern.
+TEST(SeenWaves, KeepsWhatIsEverywhere)
+{
+    constexpr int side = 1024, patch = 340;
+    PngPixels picture = test::random_picture(side, side, 1, 10);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            std::uint8_t& value = picture.values[picture.at(x, y, 0)];
+            value = static_cast<std::uint8_t>(value / 8 + 95 + 40 * std::cos(2 * std::numbers::pi * y / 40.0));
+            if (std::abs(x - side / 2) < patch / 2 && std::abs(y - side / 2) < patch / 2)
+                value = static_cast<std::uint8_t>(value / 4 + 90 + 60 * std::cos(2 * std::numbers::pi * x / 7.5));
+        }
+    const SeenWaves seen = seen_waves(picture);
+    EXPECT_FALSE(seen.is_lost);
+    ASSERT_GE(seen.waves.size(), 1u);
+    EXPECT_NEAR(seen.waves[0].period(), 40, 0.4);
+}
+
 TEST(SeenWaves, AreTheSameOnAnyNumberOfThreads)
 {
     const PngPixels picture = seen_at_slope(synthetic_exemplar("fabric", 900, 2, {}), 600, {0.05, 0});
@@ -325,6 +343,8 @@ TEST(Straightening, SaysWhatItCannotDo)
         line{64, 1, 1, std::vector<std::uint8_t>(64)};
     EXPECT_THAT(message(black, 32), HasSubstr("has 0.0 times the power around it"));
     EXPECT_EQ(message(line, 32), "size = 32: must be at most the exemplar's, 64 x 1 pixels");
+    EXPECT_EQ(message(PngPixels{600, 64, 1, std::vector<std::uint8_t>(600 * 64)}, 32),
+              "straighten = true: the picture has 600 x 64 pixels: must be at most 8 times as long as wide");
     EXPECT_EQ(regularity_note(black, 64), "");
     EXPECT_THAT(regularity_note(planks(256, 0, 0, 30, 0), 16), testing::Not(HasSubstr("--straighten")));
     EXPECT_EQ(regularity_note(test::random_picture(128, 128, 1, 3), 64), "");
