@@ -120,7 +120,8 @@ const std::vector<Measure>& texture_measures()
                     "Pictures of 1,920 x 1,080 pixels in that time."),
         texture_row("frames", "frames a second", "", higher, three,
                     "Pictures of 1,024 x 576 pixels of the endless plane, between two mipmap levels of the packed "
-                    "atlas, that the device draws and hands over; with `timing = true`, of the first set."),
+                    "atlas, or of the exemplar of a texture without tiles, that the device draws and hands over; with "
+                    "`timing = true`, of the first set."),
     };
     return all;
 }

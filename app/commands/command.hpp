@@ -39,6 +39,7 @@ struct Option
     std::uint64_t least = 0; ///< that `allowed` names, of a natural number
     std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     std::vector<std::string> words{}; ///< that shells complete; empty: names of files
+    std::string alone{};              ///< the word that the option means without one; empty: it needs one
 };
 
 /// The option with the words for what its command takes, which alone refuses other values of the type.

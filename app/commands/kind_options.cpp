@@ -22,7 +22,8 @@ bool is_plain_text(const KeySpec& spec)
     return spec.value.kind == ValueKind::text || spec.value.kind == ValueKind::choice;
 }
 
-/// Booleans that are false unless they are given; those that follow from other keys are typed as "on" or "off".
+/// Booleans that are false unless they are given; those that follow from other keys are typed as "on" or "off", or mean
+/// "on" by themselves.
 bool is_flag(const KeySpec& spec) { return spec.value.kind == ValueKind::boolean && spec.value.otherwise.has_value(); }
 
 /// ".svg, .png or .csv"
@@ -51,7 +52,7 @@ std::string value_name_of(const KeySpec& spec)
     case ValueKind::integer:
         return "N";
     case ValueKind::boolean:
-        return "on|off";
+        return "[on|off]";
     case ValueKind::sampler:
         return "NAME|TABLE";
     default:
@@ -86,7 +87,10 @@ Option KindOptions::option_of(Typed& typed) const
     Option option{typed.name, &typed.words, help, value_name_of(spec)}; // what is needed is said by whoever reads it
     option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.is_file ? 1 : spec.count); // files: once for each
     if (spec.value.kind == ValueKind::choice) option.words = spec.value.choices;
-    if (spec.value.kind == ValueKind::boolean) option.words = {"on", "off"};
+    if (spec.value.kind == ValueKind::boolean) {
+        option.words = {"on", "off"};
+        option.alone = "on";
+    }
     if (!spec.excludes.empty()) option.excludes = option_name(spec.excludes);
     return option;
 }

@@ -3,53 +3,18 @@
 // Quilez, Texture repetition, 2015; Mikkelsen, Practical Real-Time Hex-Tiling, 2022; Heitz and Neyret, High-Performance
 // By-Example Noise using a Histogram-Preserving Blending Operator, 2018; Burley, On Histogram-Preserving Blending for
 // Randomized Texture Tiling, 2019; Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. See
-// host/texture/endless; the plain twin is endless_reference.cpp there. Floating-point numbers are added and multiplied
-// only, in the same order, so that bytes are the same on all devices; quotients and roots are Newton's.
+// host/texture/endless; the plain twin is endless_reference.cpp there.
 //
 // Needs METHOD of the contract, CHANNELS (1 or 3), CELL and ROW, the plane's cell and row, by which so much is divided
 // that they are known when the kernel is built, EXPONENT, GAIN and RESTORED (0 or 1) of EndlessTexture, and COLORS of
 // tiles.
 
-#pragma OPENCL FP_CONTRACT OFF
-
 #include "runtime/texture_tiles.h"
 
 #include "kernels/common/fields/endless_texture.h"
 
-#ifdef __clang__ // without it PoCL calls functions, and runs one work-item at a time
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
-
 #define PIECES (METHOD == METHOD_OFFSETS ? 4 : 3)
-
-/// 1 / v.
-INLINE float reciprocal(float v)
-{
-    float r = as_float(0x7ef311c3u - as_uint(v));
-    r = r * (2.0f - v * r);
-    r = r * (2.0f - v * r);
-    r = r * (2.0f - v * r);
-    return r * (2.0f - v * r);
-}
-
-/// 1 / sqrt(v).
-INLINE float reciprocal_root(float v)
-{
-    float r = as_float(0x5f3759dfu - (as_uint(v) >> 1));
-    r = r * (1.5f - 0.5f * v * r * r);
-    r = r * (1.5f - 0.5f * v * r * r);
-    r = r * (1.5f - 0.5f * v * r * r);
-    return r * (1.5f - 0.5f * v * r * r);
-}
-
-INLINE float power(float v, int exponent)
-{
-    float product = v;
-    for (int i = 1; i < exponent; ++i) product = product * v;
-    return product;
-}
+#include "kernels/common/fields/blended_pieces.clh"
 
 /// The texel of the exemplar that a pixel so far from a lattice point sees through that point's piece.
 INLINE uint piece_texel(struct EndlessPlane plane, uint x, uint y, int dx, int dy)
@@ -93,20 +58,12 @@ INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window
     }
 }
 
-/// How far a square is blended into the next one: from a quarter to three quarters of the way, smoothly.
-INLINE float smooth_part(int pixels, float inverse_unit)
-{
-    float t = ((float)pixels * inverse_unit - 0.25f) * 2.0f;
-    t = t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-    return t * t * (3.0f - 2.0f * t);
-}
-
 /// The same of the corners of the square around it.
 INLINE void find_square(struct EndlessPlane plane, struct EndlessWindow window, int x, int y, uint* texels,
                         float* weights)
 {
     const int i = x / CELL, j = y / CELL, dx = x - i * CELL, dy = y - j * CELL;
-    const float east = smooth_part(dx, plane.inverse_unit), south = smooth_part(dy, plane.inverse_unit);
+    const float east = smooth_part((float)dx * plane.inverse_unit), south = smooth_part((float)dy * plane.inverse_unit);
     for (int k = 0; k < 4; ++k) {
         const int u = k % 2, v = k / 2;
         texels[k] = piece_texel(plane, window.cell_x + (uint)(i + u), window.cell_y + (uint)(j + v), dx - u * CELL,
@@ -125,30 +82,6 @@ INLINE float lightness(uint texel)
            (1.0f / 65280.0f);
 }
 
-/// More contrast between weights, whose sum is 1.
-INLINE float gained(float w)
-{
-    if (GAIN == 1) return w;
-    return w < 0.5f ? 0.5f * power(2.0f * w, GAIN) : 1.0f - 0.5f * power(2.0f - 2.0f * w, GAIN);
-}
-
-/// Makes the sum of weights 1.
-INLINE void divide_weights(float* weights)
-{
-    float sum = weights[0];
-    for (int k = 1; k < PIECES; ++k) sum += weights[k];
-    const float part = reciprocal(sum);
-    for (int k = 0; k < PIECES; ++k) weights[k] = weights[k] * part;
-}
-
-/// One over the deviation of a sum of independent values with these weights.
-INLINE float restoring_factor(const float* weights)
-{
-    float squares = weights[0] * weights[0];
-    for (int k = 1; k < PIECES; ++k) squares += weights[k] * weights[k];
-    return reciprocal_root(squares);
-}
-
 INLINE uint rounded_byte(float v)
 {
     v = v + 0.5f;
@@ -164,10 +97,7 @@ INLINE uint blended_bytes(struct EndlessPlane plane, global const uint* texels, 
         for (int k = 0; k < PIECES; ++k)
             weights[k] = weights[k] * (1.0f + plane.falloff * (lightness(found[k]) - 1.0f));
     divide_weights(weights);
-    if (GAIN > 1) {
-        for (int k = 0; k < PIECES; ++k) weights[k] = gained(weights[k]);
-        divide_weights(weights);
-    }
+    gain_weights(weights);
     const float factor = RESTORED ? restoring_factor(weights) : 1.0f;
     uint bytes = 0;
     for (int c = 0; c < CHANNELS; ++c) {

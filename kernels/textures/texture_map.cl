@@ -1,19 +1,15 @@
 // Views of endless textures of corner or Wang tiles, as light: a work-item a pixel.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. Hashes of lattice points or edges make tiles, and a
-// tile's place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. Hashes of lattice points or edges make tiles, and
+// a tile's place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is
 // host/texture/mapping/texture_map_reference.cpp: no library function but square root and floor, which are exact, and
 // the same order of sums, so the same bits.
 //
 // Needs LOOKUP (one of those of the contract), CHANNELS (1 or 3), WANG (0 or 1: tiles are Wang tiles) and COLORS, by
 // which so much is divided that it is known when the kernel is built.
 
-#pragma OPENCL EXTENSION cl_khr_fp64 : enable
-#pragma OPENCL FP_CONTRACT OFF
-
+#include "kernels/common/fields/plane_view.clh"
 #include "runtime/texture_tiles.h"
-
-#include "kernels/common/fields/texture_map.h"
 
 /// A tile's column and row in the atlas.
 typedef struct
@@ -143,9 +139,8 @@ void add_blocks(const struct TextureView* view, const struct TextureLevels* leve
     const float east = (float)(x - column), north = (float)(y - row);
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i)
-            add_block(view, levels, light, place->x - in_x + (column + i) * block,
-                      place->y - in_y + (row + j) * block, block,
-                      weight * ((i ? east : 1 - east) * (j ? north : 1 - north)), sum);
+            add_block(view, levels, light, place->x - in_x + (column + i) * block, place->y - in_y + (row + j) * block,
+                      block, weight * ((i ? east : 1 - east) * (j ? north : 1 - north)), sum);
 }
 
 /// Adds the texture at a place and a level: the four nearest texels, or the nearest one.
@@ -185,14 +180,8 @@ void add_level(const struct TextureView* view, const struct TextureLevels* level
 void add_mipmap(const struct TextureView* view, const struct TextureLevels* levels, global const float* light,
                 double footprint, const TexturePlace* place, float weight, float* sum)
 {
-    int level = 0;
-    double texels = 1;
-    while (footprint >= 2 * texels && level <= levels->top + WHOLE_LEVELS) {
-        texels *= 2;
-        ++level;
-    }
-    const double beyond = footprint / texels - 1;
-    const float upper = (float)(beyond < 0 ? 0 : beyond > 1 ? 1 : beyond);
+    float upper;
+    const int level = lower_level(footprint, levels->top + WHOLE_LEVELS + 1, &upper);
     add_level(view, levels, light, level, place, weight * (1 - upper), sum);
     add_level(view, levels, light, level + 1, place, weight * upper, sum);
 }
@@ -201,33 +190,21 @@ void add_mipmap(const struct TextureView* view, const struct TextureLevels* leve
 void add_sample(const struct TextureView* view, const struct TextureLevels* levels, global const float* light,
                 double column, double row, float* sum)
 {
-    const double w = view->w[0] + view->w[1] * column + view->w[2] * row;
-    if (!(w > HORIZON)) {
+    SeenPlace seen;
+    if (!see_plane(view, levels->size, column, row, &seen)) {
         for (int c = 0; c < CHANNELS; ++c) sum[c] += (float)SKY_LIGHT;
         return;
     }
-    const double u = (view->u[0] + view->u[1] * column + view->u[2] * row) / w;
-    const double v = (view->v[0] + view->v[1] * column + view->v[2] * row) / w;
+    TexturePlace place;
     if (view->filter < FILTER_MIPMAP) {
-        TexturePlace place;
-        move_place(view, levels, u, v, 1, &place);
+        move_place(view, levels, seen.u, seen.v, 1, &place);
         add_level(view, levels, light, 0, &place, 1, sum);
         return;
     }
-    // Steps to the next column and row, in tiles.
-    const double ui = (view->u[1] - u * view->w[1]) / w, vi = (view->v[1] - v * view->w[1]) / w;
-    const double uj = (view->u[2] - u * view->w[2]) / w, vj = (view->v[2] - v * view->w[2]) / w;
-    const double i = sqrt(ui * ui + vi * vi) * levels->size, j = sqrt(uj * uj + vj * vj) * levels->size;
-    const double longer = i > j ? i : j, shorter = i > j ? j : i;
-    int probes = 1;
-    if (view->filter == FILTER_ANISOTROPIC)
-        while (probes < MAX_PROBES && probes * shorter < longer && probes < longer) ++probes;
-    const double along_u = i > j ? ui : uj, along_v = i > j ? vi : vj;
-    TexturePlace place;
-    for (int probe = 0; probe < probes; ++probe) {
-        const double part = (probe + 0.5) / probes - 0.5;
-        move_place(view, levels, u + part * along_u, v + part * along_v, probe == 0, &place);
-        add_mipmap(view, levels, light, longer / probes, &place, (float)(1.0 / probes), sum);
+    for (int probe = 0; probe < seen.probes; ++probe) {
+        const double part = probe_part(probe, seen.probes);
+        move_place(view, levels, seen.u + part * seen.along_u, seen.v + part * seen.along_v, probe == 0, &place);
+        add_mipmap(view, levels, light, seen.texels, &place, (float)(1.0 / seen.probes), sum);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "kernels/common/darts/dart_throwing.h"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/voronoi_darts.h"
+#include "kernels/common/fields/endless_map.h"
 #include "kernels/common/fields/endless_texture.h"
 #include "kernels/common/fields/gradient_domain.h"
 #include "kernels/common/fields/instances.h"
@@ -134,6 +135,13 @@ TEST(Contract, OfEndlessTexture)
     const std::size_t window[] = {LAYOUT_OF(contract::endless_texture::EndlessWindow, height)};
     EXPECT_THAT(on_device("kernels/common/fields/endless_texture.h", layout_of("EndlessWindow", "height")),
                 ElementsAreArray(window));
+}
+
+TEST(Contract, OfEndlessMap)
+{
+    const std::size_t levels[] = {LAYOUT_OF(contract::endless_map::ExemplarLevels, offsets)};
+    EXPECT_THAT(on_device("kernels/common/fields/endless_map.h", layout_of("ExemplarLevels", "offsets")),
+                ElementsAreArray(levels));
 }
 
 TEST(Contract, OfRelaxationDartThrowing)

@@ -6,6 +6,7 @@
 #include "host/distribution/textures/endless_run.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/texture/exemplar.hpp"
+#include "host/texture/mapping/endless_map.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -22,10 +26,11 @@ namespace {
 constexpr auto texture_map_notes =
     R"(DIR has a texture set, or is a picture. Complete sets of corner or Wang tiles are laid by a hash, anywhere; of others,
 a window of --laid N x N tiles is laid in scanlines and repeated, with seams where windows meet. A picture is repeated,
-or is the exemplar of an endless texture by another --method, as `texture endless` has them, with the same options: a
-window of --laid N x N tiles of 64 x 64 pixels around the camera shows that, and is repeated beyond, with seams. With --laid
-plain repetition is such a method, too; without, its picture must be a square whose side is a power of two. The camera is
-above the middle of a tile and looks to the north; a --pitch of 90 looks straight down. Filters:
+or is the exemplar of an endless texture by another --method, as `texture endless` has them, with the same options, as
+far as one can see; 64 x 64 pixels count as a tile. As on graphics cards, pieces of the exemplar are looked up at levels,
+and what they show is blended. With --laid, a window of N x N tiles around the camera is blended first, has levels of its
+own, and is repeated beyond, with seams; quilted pictures always are. The camera is above the middle of a tile and looks
+to the north; a --pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
   mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance
@@ -40,7 +45,7 @@ Averages are of light. The same tiles lie where the program of runtime/texture_t
 --frames writes a fly-through: PICTURE gets a number before its suffix.
   poissonlab texture map gravel --size 1024 576 --pitch 12 --out plain.png
   poissonlab texture map gravel --frames 60 --advance 6 --out fly.png
-  poissonlab texture map gravel.png --method hexagons --laid 64 --size 1024 576 --pitch 12 --out hexagons.png)";
+  poissonlab texture map gravel.png --method hexagons --size 1024 576 --pitch 12 --out hexagons.png)";
 
 constexpr std::uint32_t not_laid = std::numeric_limits<std::uint32_t>::max(); // --laid is not given
 constexpr int usual_laid_root = 5;
@@ -72,7 +77,7 @@ struct TextureMapOptions : KindOptions
 };
 
 /// Pixels of a texture without tiles that count as a tile: of the camera's height, of --tile and of --laid.
-constexpr int tile_of_pixels = 64;
+constexpr int tile_of_pixels = contract::endless_map::TILE_TEXELS;
 
 /// Tiles from 0 whose pixels `texture endless` has as well.
 constexpr std::int64_t farthest_endless_tile = std::int64_t{1} << 45;
@@ -150,6 +155,13 @@ TextureLookup lookup_of(const TextureMapOptions& o, const TextureSet& set)
     return TextureLookup::repeated;
 }
 
+void check_endless_tile(const TextureCamera& camera)
+{
+    const auto [low, high] = std::minmax(camera.tile_x, camera.tile_y);
+    if (low < -farthest_endless_tile || high > farthest_endless_tile)
+        throw InputError(fmt::format("--tile {} {}: must be within 2^45 tiles", camera.tile_x, camera.tile_y));
+}
+
 /// The window of an endless texture around the camera's tile, which moves to where it lies in the window. Quilted
 /// pictures begin at 0.
 TexturePyramid endless_pyramid(const TextureMapOptions& o, const EndlessRequest& request,
@@ -158,9 +170,7 @@ TexturePyramid endless_pyramid(const TextureMapOptions& o, const EndlessRequest&
     const int root = checked_laid_root(o), tiles = root * root, side = tiles * tile_of_pixels;
     EndlessSettings settings{request, o.folder, {0, 0, side, side}};
     if (request.method != EndlessMethod::quilted) {
-        const auto [low, high] = std::minmax(camera.tile_x, camera.tile_y);
-        if (low < -farthest_endless_tile || high > farthest_endless_tile)
-            throw InputError(fmt::format("--tile {}: must be within 2^45 tiles", fmt::join(o.tile, " ")));
+        check_endless_tile(camera);
         const std::int64_t west = camera.tile_x - tiles / 2, south = camera.tile_y - tiles / 2;
         settings.window[0] = west * tile_of_pixels;
         settings.window[1] = -(south + tiles) * tile_of_pixels; // tiles count to the north, pixels to the south
@@ -169,15 +179,48 @@ TexturePyramid endless_pyramid(const TextureMapOptions& o, const EndlessRequest&
     return picture_pyramid(endless_picture(settings, o.seed(), place), root);
 }
 
+/// A plane that is mapped: what a view of it takes, and its light. It refers to the place where it is drawn.
+struct MappedPlane
+{
+    int channels = 1;
+    std::function<DeviceMemory(const TextureView&)> memory;
+    std::function<std::vector<float>(const TextureView&)> picture;
+};
+
+MappedPlane plane_of(TexturePyramid of, TextureLookup lookup, const DistributionPlace& place)
+{
+    const auto pyramid = std::make_shared<const TexturePyramid>(std::move(of));
+    return {pyramid->channels, [pyramid](const TextureView& view) { return texture_map_memory(*pyramid, view); },
+            [pyramid, lookup, &place](const TextureView& view) {
+                return place.engine == Engine::opencl
+                           ? map_texture(place.device(), *pyramid, lookup, view, default_work_group_size)
+                           : reference_map_texture(*pyramid, lookup, view);
+            }};
+}
+
+MappedPlane plane_of(MappedEndless of, const TextureCamera& camera, const DistributionPlace& place)
+{
+    const auto mapped = std::make_shared<const MappedEndless>(std::move(of));
+    const auto origin = mapped->origin(camera.tile_x, camera.tile_y);
+    return {mapped->texture.channels, [mapped](const TextureView& view) { return endless_map_memory(*mapped, view); },
+            [mapped, origin, &place](const TextureView& view) {
+                return place.engine == Engine::opencl
+                           ? map_endless(place.device(), *mapped, origin, view, default_work_group_size)
+                           : reference_map_endless(*mapped, origin, view);
+            }};
+}
+
 /// A picture has no other look-up than to be repeated.
-TexturePyramid mapped_picture(const TextureMapOptions& o, const EndlessRequest& request, const DistributionPlace& place,
-                              TextureCamera& camera)
+MappedPlane plane_of_picture(const TextureMapOptions& o, EndlessRequest request, const DistributionPlace& place,
+                             TextureCamera& camera)
 {
     if (!o.lookup.empty() && o.lookup != texture_lookups[TextureLookup::repeated])
         throw InputError(fmt::format("--lookup {}: is for texture sets; must be repeated", o.lookup));
-    if (request.method != EndlessMethod::repeated || o.laid != not_laid)
-        return endless_pyramid(o, request, place, camera);
-    return picture_pyramid(read_exemplar(o.folder));
+    if (request.method == EndlessMethod::quilted || o.laid != not_laid)
+        return plane_of(endless_pyramid(o, request, place, camera), TextureLookup::repeated, place);
+    check_endless_tile(camera);
+    request.seed = o.seed();
+    return plane_of(mapped_endless(request, read_exemplar(o.folder)), camera, place);
 }
 
 /// Throws InputError for --method beside a texture set.
@@ -186,6 +229,17 @@ void check_has_no_method(const EndlessRequest& request)
     if (request.method != EndlessMethod::repeated)
         throw InputError(
             fmt::format("--method {}: is for pictures; this is a texture set", endless_methods[request.method]));
+}
+
+MappedPlane plane_of_set(const TextureMapOptions& o, const EndlessRequest& request, const DistributionPlace& place,
+                         int laid_root)
+{
+    const TextureSet set = read_texture_set(o.folder);
+    check_has_no_method(request);
+    const TextureLookup lookup = lookup_of(o, set);
+    if (!has_places(set)) return plane_of(laid_pyramid(set, o.seed(), laid_root), lookup, place);
+    check_is_laid(o, "a complete set of corner or Wang tiles");
+    return plane_of(texture_pyramid(set, o.seed()), lookup, place);
 }
 
 std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame)
@@ -205,32 +259,23 @@ void map_texture_plane(const TextureMapOptions& o)
     const DistributionPlace place = o.place();
     if (o.out.extension() != ".png")
         throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
-    TextureLookup lookup = TextureLookup::repeated;
-    const TexturePyramid pyramid = [&] {
+    const MappedPlane plane = [&] {
         try {
             if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
-                return mapped_picture(o, request, place, camera);
-            const TextureSet set = read_texture_set(o.folder);
-            check_has_no_method(request);
-            lookup = lookup_of(o, set);
-            if (has_places(set)) check_is_laid(o, "a complete set of corner or Wang tiles");
-            return has_places(set) ? texture_pyramid(set, o.seed()) : laid_pyramid(set, o.seed(), laid_root);
+                return plane_of_picture(o, request, place, camera);
+            return plane_of_set(o, request, place, laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({o.folder.string()});
         }
     }();
-    const bool is_on_device = place.engine == Engine::opencl;
-    if (is_on_device)
-        check_fits(fmt::format("texture map: {}", o.folder.string()), texture_map_memory(pyramid, view_of(camera)),
+    if (place.engine == Engine::opencl)
+        check_fits(fmt::format("texture map: {}", o.folder.string()), plane.memory(view_of(camera)),
                    place.device().info());
     for (std::uint32_t frame = 0; frame < o.frames; ++frame) {
         camera.forward = o.advance * frame / o.frames;
-        const TextureView view = view_of(camera);
-        const std::vector<float> light =
-            is_on_device ? map_texture(place.device(), pyramid, lookup, view, default_work_group_size)
-                         : reference_map_texture(pyramid, lookup, view);
-        const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
+        const PngPixels pixels =
+            encoded_pixels(plane.picture(view_of(camera)), camera.width, camera.height, plane.channels);
         write_png(frame_file(o, frame), pixels);
         if (place.on_step) place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
     }
@@ -239,7 +284,7 @@ void map_texture_plane(const TextureMapOptions& o)
                                       {"frames", o.frames},
                                       {"width", camera.width},
                                       {"height", camera.height},
-                                      {"channels", pyramid.channels}};
+                                      {"channels", plane.channels}};
     fmt::print("{}\n", json.dump(2));
 }
 
@@ -264,8 +309,8 @@ Command texture_map_command()
               {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
               {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
               {"--laid", &o->laid,
-               "Of sets without a hash, and of a --method: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or "
-               "64; default: 25",
+               "Of sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. Of "
+               "pictures: such a window instead of the plane",
                "N"},
               allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
                        Integers{1, most_map_samples}),

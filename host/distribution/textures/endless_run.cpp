@@ -194,7 +194,11 @@ DistributionResult make_endless(const TextureSettings& settings, std::uint64_t s
         values.push_back(values_of(settings, made, exemplar, place));
         if (number > 0) continue;
         add_pictures(settings, made, exemplar, place, files, result);
-        if (settings.has_timing && place.engine == Engine::opencl) times = time_numbers(place.device(), *made.endless);
+        if (settings.has_timing && place.engine == Engine::opencl) {
+            times = time_numbers(place.device(), *made.endless);
+            times.push_back(
+                time_number("frames", frames_a_second(place.device(), mapped_endless(made.request, exemplar))));
+        }
     }
     result.numbers = texture_numbers(values);
     result.numbers.insert(result.numbers.end(), times.begin(), times.end());

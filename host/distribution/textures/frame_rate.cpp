@@ -9,23 +9,49 @@
 
 namespace poissonlab {
 
-double frames_a_second(Device& device, const TexturePyramid& pyramid)
+namespace {
+
+TextureView timed_view(int frame)
 {
-    constexpr int timed_frames = 9;
     TextureCamera camera;
     camera.width = frame_width;
     camera.height = frame_height;
     camera.filter = TextureFilter::mipmap;
-    check_fits("timing views of the plane", texture_map_memory(pyramid, view_of(camera)), device.info());
+    camera.forward = frame;
+    return view_of(camera);
+}
+
+/// Frames a second of views that are filtered between levels, each a tile ahead of the one before.
+template <typename Draw>
+double frames_a_second_of(Device& device, const DeviceMemory& memory, Draw draw)
+{
+    constexpr int timed_frames = 9;
+    check_fits("timing views of the plane", memory, device.info());
     std::vector<double> rates;
     for (int frame = -1; frame < timed_frames; ++frame) { // the first one builds the kernel
-        camera.forward = frame;
+        const TextureView view = timed_view(frame);
         const auto begin = std::chrono::steady_clock::now();
-        map_texture(device, pyramid, TextureLookup::packed, view_of(camera), default_work_group_size);
+        draw(view);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (frame >= 0) rates.push_back(1 / seconds);
     }
     return median(std::move(rates));
+}
+
+}
+
+double frames_a_second(Device& device, const TexturePyramid& pyramid)
+{
+    return frames_a_second_of(device, texture_map_memory(pyramid, timed_view(0)), [&](const TextureView& view) {
+        map_texture(device, pyramid, TextureLookup::packed, view, default_work_group_size);
+    });
+}
+
+double frames_a_second(Device& device, const MappedEndless& mapped)
+{
+    return frames_a_second_of(device, endless_map_memory(mapped, timed_view(0)), [&](const TextureView& view) {
+        map_endless(device, mapped, mapped.origin(0, 0), view, default_work_group_size);
+    });
 }
 
 DistributionNumber time_number(const std::string& key, double value)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/texture/endless/endless_texture.hpp"
+#include "host/texture/mapping/endless_map.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 #include "results/pictures/distribution_result.hpp"
 
@@ -10,9 +11,10 @@ namespace poissonlab {
 inline constexpr int frame_width = 1024, frame_height = 576; ///< pixels
 
 /// Frames of the endless plane that the device draws and hands over in a second, the median of several: between mipmap
-/// levels, from the packed atlas, as graphics cards do. It differs from run to run. Throws InputError
-/// where the device has too little memory, and Interrupted.
+/// levels, from the packed atlas or from the exemplar of a texture without tiles, as graphics cards do. It differs from
+/// run to run. Throws InputError where the device has too little memory, and Interrupted.
 double frames_a_second(Device& device, const TexturePyramid& pyramid);
+double frames_a_second(Device& device, const MappedEndless& mapped);
 
 /// The picture by which pixels are timed.
 inline constexpr int timed_width = 1920, timed_height = 1080;

@@ -2,38 +2,16 @@
 // each sees.
 #include "base/programs/interrupt.hpp"
 #include "host/texture/endless/endless_texture.hpp"
+#include "host/texture/endless/plain_blending.hpp"
 #include "tiles/texture/endless_texture.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace poissonlab {
 namespace {
 
 using namespace contract::endless_texture;
-
-/// Four steps of Newton's from a first guess by the bits of the number.
-float newton_reciprocal(float v)
-{
-    float r = std::bit_cast<float>(0x7ef311c3u - std::bit_cast<std::uint32_t>(v));
-    for (int i = 0; i < 4; ++i) r = r * (2.0f - v * r);
-    return r;
-}
-
-float newton_reciprocal_root(float v)
-{
-    float r = std::bit_cast<float>(0x5f3759dfu - (std::bit_cast<std::uint32_t>(v) >> 1));
-    for (int i = 0; i < 4; ++i) r = r * (1.5f - 0.5f * v * r * r);
-    return r;
-}
-
-float whole_power(float v, int exponent)
-{
-    float product = v;
-    for (int i = 1; i < exponent; ++i) product = product * v;
-    return product;
-}
 
 std::uint32_t byte_of_color(float v) { return static_cast<std::uint32_t>(std::clamp(v + 0.5f, 0.0f, 255.0f)); }
 
@@ -130,17 +108,11 @@ private:
         return pieces;
     }
 
-    /// From a quarter to three quarters of a square, smoothly.
-    float smooth(int pixels) const
-    {
-        const float t = std::clamp((static_cast<float>(pixels) * plane_.inverse_unit - 0.25f) * 2.0f, 0.0f, 1.0f);
-        return t * t * (3.0f - 2.0f * t);
-    }
-
     SeenPieces square(int x, int y) const
     {
         const int cell = plane_.cell, i = x / cell, j = y / cell, dx = x % cell, dy = y % cell;
-        const float east = smooth(dx), south = smooth(dy);
+        const float east = smooth_step(static_cast<float>(dx) * plane_.inverse_unit),
+                    south = smooth_step(static_cast<float>(dy) * plane_.inverse_unit);
         SeenPieces pieces{4, {}, {}};
         see(pieces, 0, i, j, dx, dy, (1.0f - east) * (1.0f - south));
         see(pieces, 1, i + 1, j, dx - cell, dy, east * (1.0f - south));
@@ -174,12 +146,6 @@ private:
         return static_cast<float>(sum) * (1.0f / 65280.0f);
     }
 
-    float gained(float w) const
-    {
-        return w < 0.5f ? 0.5f * whole_power(2.0f * w, texture_.gain)
-                        : 1.0f - 0.5f * whole_power(2.0f - 2.0f * w, texture_.gain);
-    }
-
     std::uint32_t blended(SeenPieces pieces) const
     {
         const auto count = static_cast<std::size_t>(pieces.count);
@@ -191,7 +157,7 @@ private:
         }
         normalize(pieces);
         if (texture_.gain > 1) {
-            for (std::size_t k = 0; k < count; ++k) pieces.weights[k] = gained(pieces.weights[k]);
+            for (std::size_t k = 0; k < count; ++k) pieces.weights[k] = gained_weight(pieces.weights[k], texture_.gain);
             normalize(pieces);
         }
         const float factor = texture_.is_restored ? restoring(pieces) : 1.0f;

@@ -2,8 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/srgb_light.hpp"
-#include "base/programs/interrupt.hpp"
-#include "host/device/device.hpp"
+#include "host/texture/mapping/view_parts.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>
@@ -85,17 +84,6 @@ double rounded(double value) { return std::round(value * 0x1p40) * 0x1p-40; }
 /// A direction in tiles: east, north, up.
 using Direction = std::array<double, 3>;
 
-/// Samples that are enqueued at a time: Ctrl-C waits for these.
-constexpr std::size_t samples_at_once = std::size_t{1} << 20;
-
-/// Pixels with so many samples.
-std::size_t pixels_at_once(const TextureView& view)
-{
-    const std::size_t count = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
-                      samples = static_cast<std::size_t>(view.samples) * static_cast<std::size_t>(view.samples);
-    return std::max<std::size_t>(1, std::min(count, samples_at_once / samples));
-}
-
 }
 
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed)
@@ -119,15 +107,6 @@ TexturePyramid laid_pyramid(const TextureSet& set, std::uint64_t seed, int n)
     const TextureWindow window = texture_window(set, {0, 0, side, side}, seed);
     const PngPixels laid = texture_window_pixels(set, window, set.values, set.exemplar.channels);
     return pyramid_of(laid, set.size, n, static_cast<std::uint32_t>(seed));
-}
-
-TexturePyramid picture_pyramid(const PngPixels& picture)
-{
-    const auto side = static_cast<unsigned>(picture.width);
-    if (picture.width != picture.height || !std::has_single_bit(side) || side < 64 || side > most_laid_pixels)
-        throw InputError(fmt::format("{} x {} pixels: must be a square whose side is a power of two from 64 to {}",
-                                     picture.width, picture.height, most_laid_pixels));
-    return picture_pyramid(picture, side <= 4 * most_tile_pixels ? 2 : 4);
 }
 
 TexturePyramid picture_pyramid(const PngPixels& picture, int n)
@@ -185,26 +164,18 @@ DeviceMemory texture_map_memory(const TexturePyramid& pyramid, const TextureView
 std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,
                                const TextureView& view, std::size_t work_group_size)
 {
-    const std::size_t count = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
-                      channels = static_cast<std::size_t>(pyramid.channels), at_once = pixels_at_once(view);
     Buffer<float> light = device.buffer<float>(pyramid.light.size());
-    const Buffer<float> shown = device.buffer<float>(at_once * channels);
     light.write(pyramid.light);
     Kernel kernel =
         device.kernel(kernel_program("textures/texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
-                                                                 {"CHANNELS", std::to_string(channels)},
+                                                                 {"CHANNELS", std::to_string(pyramid.channels)},
                                                                  {"WANG", pyramid.is_wang ? "1" : "0"},
                                                                  {"COLORS", std::to_string(pyramid.levels.colors)}}),
                       "map_texture");
-    std::vector<float> pixels(count * channels);
-    for (std::size_t first = 0; first < count; first += at_once) {
-        stop_if_interrupted();
-        const std::size_t part = std::min(at_once, count - first);
-        kernel.run(part, work_group_size, view, pyramid.levels, static_cast<std::uint32_t>(first),
-                   static_cast<std::uint32_t>(part), light, shown);
-        shown.read(std::span(pixels).subspan(first * channels, part * channels));
-    }
-    return pixels;
+    return picture_in_parts(device, view, pyramid.channels,
+                            [&](std::uint32_t first, std::uint32_t count, const Buffer<float>& shown) {
+                                kernel.run(count, work_group_size, view, pyramid.levels, first, count, light, shown);
+                            });
 }
 
 PngPixels encoded_pixels(const std::vector<float>& light, int width, int height, int channels)

@@ -72,11 +72,8 @@ TexturePyramid laid_pyramid(const TextureSet& set, std::uint64_t seed, int n);
 inline constexpr int most_laid_root = 8;
 inline constexpr std::uint64_t most_laid_pixels = 8192;
 
-/// The pyramid of a picture as TextureLookup::repeated shows it: it counts as 4 x 4 tiles, or 16 x 16 beyond 2048
-/// pixels. Throws InputError for one that is no square whose side is a power of two from 64 to most_laid_pixels.
-TexturePyramid picture_pyramid(const PngPixels& picture);
-
-/// The same of a square picture that counts as n^2 x n^2 tiles, whose side is a power of two.
+/// The pyramid of a square picture as TextureLookup::repeated shows it: it counts as n^2 x n^2 tiles. Throws InputError
+/// where their side is no power of two.
 TexturePyramid picture_pyramid(const PngPixels& picture, int n);
 
 /// The atlas at a level as it is stored: north first, encoded.

@@ -1,6 +1,6 @@
 // The plain C++ twin of kernels/textures/texture_map.cl: a loop over pixels, samples and texels, each of which finds
 // its own tile.
-#include "base/programs/interrupt.hpp"
+#include "host/texture/mapping/seen_place.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 #include "tiles/texture/endless_texture.hpp"
 
@@ -12,9 +12,6 @@ namespace poissonlab {
 namespace {
 
 using namespace contract::texture_map;
-
-/// Sums of up to three channels.
-using Light = std::array<float, 3>;
 
 /// Where a texel lies: its tile, relative to the view's, and its column and row there.
 struct Texel
@@ -33,36 +30,17 @@ public:
 
     void add_sample(double column, double row, Light& sum) const
     {
-        const auto at = [&](const double(&function)[3]) {
-            return function[0] + function[1] * column + function[2] * row;
-        };
-        const double w = at(view_.w);
-        if (!(w > HORIZON)) return add(static_cast<float>(SKY_LIGHT), sum);
-        const double u = at(view_.u) / w, v = at(view_.v) / w;
-        if (view_.filter < FILTER_MIPMAP) return add_level(0, u, v, 1, sum);
-        std::array<double, 2> along_u{}, along_v{}, texels{};
-        for (std::size_t k = 0; k < 2; ++k) {
-            along_u[k] = (view_.u[k + 1] - u * view_.w[k + 1]) / w;
-            along_v[k] = (view_.v[k + 1] - v * view_.w[k + 1]) / w;
-            texels[k] = std::sqrt(along_u[k] * along_u[k] + along_v[k] * along_v[k]) * levels_.size;
-        }
-        const std::size_t longer = texels[0] > texels[1] ? 0 : 1;
-        const int probes = view_.filter == FILTER_ANISOTROPIC ? probe_count(texels[1 - longer], texels[longer]) : 1;
-        for (int probe = 0; probe < probes; ++probe) {
-            const double part = (probe + 0.5) / probes - 0.5;
-            add_mipmap(texels[longer] / probes, u + part * along_u[longer], v + part * along_v[longer],
-                       static_cast<float>(1.0 / probes), sum);
+        const std::optional<SeenPlace> seen = seen_place(view_, levels_.size, column, row);
+        if (!seen) return add(static_cast<float>(SKY_LIGHT), sum);
+        if (view_.filter < FILTER_MIPMAP) return add_level(0, seen->u, seen->v, 1, sum);
+        for (int probe = 0; probe < seen->probes; ++probe) {
+            const double part = probe_part(probe, seen->probes);
+            add_mipmap(seen->texels, seen->u + part * seen->along_u, seen->v + part * seen->along_v,
+                       static_cast<float>(1.0 / seen->probes), sum);
         }
     }
 
 private:
-    static int probe_count(double shorter, double longer)
-    {
-        int probes = 1;
-        while (probes < MAX_PROBES && probes * shorter < longer && probes < longer) ++probes;
-        return probes;
-    }
-
     void add(float light, Light& sum) const
     {
         for (int c = 0; c < pyramid_.channels; ++c) sum[static_cast<std::size_t>(c)] += light;
@@ -76,10 +54,7 @@ private:
 
     void add_mipmap(double footprint, double u, double v, float weight, Light& sum) const
     {
-        int level = 0;
-        double texels = 1;
-        for (; footprint >= 2 * texels && level <= levels_.top + WHOLE_LEVELS; texels *= 2) ++level;
-        const auto upper = static_cast<float>(std::clamp(footprint / texels - 1, 0.0, 1.0));
+        const auto [level, upper] = levels_of_footprint(footprint, levels_.top + WHOLE_LEVELS + 1);
         add_level(level, u, v, weight * (1 - upper), sum);
         add_level(level + 1, u, v, weight * upper, sum);
     }
@@ -184,20 +159,8 @@ private:
 std::vector<float> reference_map_texture(const TexturePyramid& pyramid, TextureLookup lookup, const TextureView& view)
 {
     const PlainMap map(pyramid, lookup, view);
-    std::vector<float> pixels;
-    for (int row = 0; row < view.height; ++row) {
-        stop_if_interrupted();
-        for (int column = 0; column < view.width; ++column) {
-            Light sum{};
-            for (int j = 0; j < view.samples; ++j)
-                for (int i = 0; i < view.samples; ++i)
-                    map.add_sample(static_cast<double>(column) * view.samples + i + 0.5,
-                                   static_cast<double>(row) * view.samples + j + 0.5, sum);
-            for (std::size_t c = 0; c < static_cast<std::size_t>(pyramid.channels); ++c)
-                pixels.push_back(static_cast<float>(static_cast<double>(sum[c]) / (view.samples * view.samples)));
-        }
-    }
-    return pixels;
+    return plain_picture(view, pyramid.channels,
+                         [&](double column, double row, Light& sum) { map.add_sample(column, row, sum); });
 }
 
 }

@@ -1,0 +1,271 @@
+// The plain C++ twin of kernels/textures/endless_map.cl: a loop over pixels, samples, probes and the pieces of the
+// exemplar that each sees.
+#include "host/texture/endless/plain_blending.hpp"
+#include "host/texture/mapping/endless_map.hpp"
+#include "host/texture/mapping/seen_place.hpp"
+#include "tiles/texture/endless_texture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using namespace contract::endless_map;
+using namespace contract::endless_texture;
+using namespace contract::texture_map;
+
+/// What a piece shows, and its weight.
+struct ShownPiece
+{
+    Light values{};
+    float weight = 0;
+};
+using ShownPieces = std::vector<ShownPiece>;
+
+constexpr double tile_texels = TILE_TEXELS, encoded_steps = ENCODED_STEPS;
+
+float mixed(float a, float b, float part) { return a + (b - a) * part; }
+
+class PlainEndlessMap
+{
+public:
+    PlainEndlessMap(const MappedEndless& mapped, const EndlessWindow& origin, const TextureView& view)
+        : mapped_(mapped), texture_(mapped.texture), plane_(mapped.texture.plane), levels_(mapped.levels),
+          origin_(origin), view_(view), channels_(static_cast<std::size_t>(texture_.channels))
+    {}
+
+    void add_sample(double column, double row, Light& sum) const
+    {
+        const std::optional<SeenPlace> seen = seen_place(view_, TILE_TEXELS, column, row);
+        if (!seen) {
+            for (std::size_t c = 0; c < channels_; ++c) sum[c] += static_cast<float>(SKY_LIGHT);
+            return;
+        }
+        LevelPair level = levels_of_footprint(seen->texels, levels_.top);
+        if (level.lower == levels_.top) level.upper = 0;
+        const auto pixel = [&](double tiles) {
+            return view_.filter == FILTER_NEAREST ? std::floor(tiles * tile_texels) : tiles * tile_texels - 0.5;
+        };
+        const auto share = static_cast<float>(1.0 / seen->probes);
+        for (int probe = 0; probe < seen->probes; ++probe) {
+            const double part = probe_part(probe, seen->probes);
+            const Light shown = light_at(level, origin_.start_x + pixel(seen->u + part * seen->along_u),
+                                         origin_.start_y + pixel(-(seen->v + part * seen->along_v)));
+            for (std::size_t c = 0; c < channels_; ++c) sum[c] += share * shown[c];
+        }
+    }
+
+private:
+    Light light_at(LevelPair level, double x, double y) const
+    {
+        if (texture_.method == METHOD_REPEATED)
+            return looked_up(level, x - std::floor(x / plane_.width) * plane_.width,
+                             y - std::floor(y / plane_.height) * plane_.height);
+        const ShownPieces pieces = texture_.method == METHOD_OFFSETS ? square(level, x, y) : triangle(level, x, y);
+        return texture_.method == METHOD_BLENDED ? transformed_back(level, pieces) : blended(level, pieces);
+    }
+
+    bool is_wrapped() const { return texture_.method == METHOD_REPEATED || plane_.is_tileable != 0; }
+
+    Light looked_up(LevelPair level, double column, double row) const
+    {
+        Light sum{};
+        add_level(level.lower, column, row, 1 - level.upper, sum);
+        if (level.upper > 0) add_level(level.lower + 1, column, row, level.upper, sum);
+        return sum;
+    }
+
+    void add_level(int level, double column, double row, float weight, Light& sum) const
+    {
+        const int width = levels_.widths[level], height = levels_.heights[level], size = 1 << level;
+        const double x = (column + 0.5) / size - 0.5, y = (row + 0.5) / size - 0.5;
+        const auto west = static_cast<int>(std::floor(x)), north = static_cast<int>(std::floor(y));
+        const auto east = static_cast<float>(x - west), south = static_cast<float>(y - north);
+        const auto inside = [&](int at, int count) {
+            return is_wrapped() ? (at + count) % count : std::clamp(at, 0, count - 1);
+        };
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                const float share = weight * ((i == 1 ? east : 1 - east) * (j == 1 ? south : 1 - south));
+                const auto texel =
+                    static_cast<std::size_t>(inside(north + j, height)) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(inside(west + i, width));
+                for (std::size_t c = 0; c < channels_; ++c)
+                    sum[c] += share * mapped_.exemplar[levels_.offsets[level] + texel * channels_ + c];
+            }
+    }
+
+    /// What the piece of the lattice point (i, j) shows, from which the place is at (dx, dy).
+    Light piece(LevelPair level, int i, int j, double dx, double dy) const
+    {
+        const std::uint32_t hash = endless_word(plane_.seed, origin_.cell_x + static_cast<std::uint32_t>(i),
+                                                origin_.cell_y + static_cast<std::uint32_t>(j));
+        const auto along = [&](std::uint32_t word, int choices, int reach, int size, double d) {
+            const int middle = reach + static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
+            if (plane_.is_tileable == 0)
+                return middle + std::clamp(d, static_cast<double>(-reach), static_cast<double>(reach));
+            const double at = middle + d;
+            return at < 0 ? at + size : at >= size ? at - size : at;
+        };
+        return looked_up(level, along(hash & 0xffffu, plane_.choices_x, plane_.reach_x, plane_.width, dx),
+                         along(hash >> 16, plane_.choices_y, plane_.reach_y, plane_.height, dy));
+    }
+
+    /// The triangle of lattice points around a place; weights are barycentric coordinates raised to a power.
+    ShownPieces triangle(LevelPair level, double x, double y) const
+    {
+        const double cell = plane_.cell, height = plane_.row, whole = 2 * cell * height;
+        const double row = std::floor(y / height), dy = y - row * height;
+        const double from_row = x - row * (cell / 2); // from the row's own lattice point
+        const double a = 2 * height * from_row - cell * dy, column = std::floor(a / whole);
+        const double fa = a - column * whole, fb = 2 * cell * dy;
+        const auto corner = [&](int east, int south, double part) {
+            const Light values = piece(level, static_cast<int>(column) + east, static_cast<int>(row) + south,
+                                       from_row - (column + east) * cell - south * (cell / 2), dy - south * height);
+            const float unit = std::max(0.0f, static_cast<float>(part) * plane_.inverse_unit);
+            return ShownPiece{values, whole_power(unit, texture_.exponent)};
+        };
+        if (fa + fb >= whole)
+            return {corner(1, 1, fa + fb - whole), corner(1, 0, whole - fb), corner(0, 1, whole - fa)};
+        return {corner(0, 0, whole - fa - fb), corner(0, 1, fb), corner(1, 0, fa)};
+    }
+
+    ShownPieces square(LevelPair level, double x, double y) const
+    {
+        const double cell = plane_.cell, column = std::floor(x / cell), row = std::floor(y / cell),
+                     dx = x - column * cell, dy = y - row * cell;
+        const float east = smooth_step(static_cast<float>(dx) * plane_.inverse_unit),
+                    south = smooth_step(static_cast<float>(dy) * plane_.inverse_unit);
+        ShownPieces pieces;
+        for (int v = 0; v < 2; ++v)
+            for (int u = 0; u < 2; ++u)
+                pieces.push_back({piece(level, static_cast<int>(column) + u, static_cast<int>(row) + v, dx - u * cell,
+                                        dy - v * cell),
+                                  (u == 1 ? east : 1.0f - east) * (v == 1 ? south : 1.0f - south)});
+        return pieces;
+    }
+
+    static void normalize(ShownPieces& pieces)
+    {
+        float sum = 0;
+        for (const ShownPiece& piece : pieces) sum += piece.weight;
+        const float part = newton_reciprocal(sum);
+        for (ShownPiece& piece : pieces) piece.weight = piece.weight * part;
+    }
+
+    /// One over the deviation of a sum of independent values with these weights.
+    static float restoring(const ShownPieces& pieces)
+    {
+        float squares = 0;
+        for (const ShownPiece& piece : pieces) squares += piece.weight * piece.weight;
+        return newton_reciprocal_root(squares);
+    }
+
+    static float weighted(const ShownPieces& pieces, std::size_t channel)
+    {
+        float sum = 0;
+        for (const ShownPiece& piece : pieces) sum += piece.weight * piece.values[channel];
+        return sum;
+    }
+
+    float encoded(float light) const
+    {
+        const double root = std::sqrt(static_cast<double>(light)) * encoded_steps;
+        const auto entry = std::min(static_cast<std::size_t>(root), std::size_t{ENCODED_ENTRIES - 2});
+        return mixed(mapped_.encoded[entry], mapped_.encoded[entry + 1],
+                     static_cast<float>(root - static_cast<double>(entry)));
+    }
+
+    float mean_light(float number, float variance) const
+    {
+        number = std::clamp(number, 0.0f, 255.0f);
+        const auto entry = std::min(static_cast<std::size_t>(number), std::size_t{254});
+        const float part = number - static_cast<float>(entry);
+        return mixed(mapped_.light[entry], mapped_.light[entry + 1], part) +
+               mixed(mapped_.light[256 + entry], mapped_.light[257 + entry], part) * variance;
+    }
+
+    float lightness(const Light& values) const
+    {
+        const float sum = channels_ == 1 ? 256 * values[0] : 77 * values[0] + 150 * values[1] + 29 * values[2];
+        return sum * (1.0f / 65280.0f);
+    }
+
+    float mean(LevelPair level, std::size_t channel) const
+    {
+        const auto at = [&](int which) { return mapped_.means[3 * static_cast<std::size_t>(which) + channel]; };
+        return mixed(at(level.lower), at(std::min(level.lower + 1, levels_.top)), level.upper);
+    }
+
+    Light blended(LevelPair level, ShownPieces pieces) const
+    {
+        for (ShownPiece& piece : pieces) {
+            for (std::size_t c = 0; c < channels_; ++c) piece.values[c] = encoded(piece.values[c]);
+            if (texture_.method == METHOD_HEXAGONS)
+                piece.weight = piece.weight * (1.0f + plane_.falloff * (lightness(piece.values) - 1.0f));
+        }
+        normalize(pieces);
+        if (texture_.gain > 1) {
+            for (ShownPiece& piece : pieces) piece.weight = gained_weight(piece.weight, texture_.gain);
+            normalize(pieces);
+        }
+        Light shown{};
+        for (std::size_t c = 0; c < channels_; ++c) {
+            const float number = weighted(pieces, c), middle = mean(level, c);
+            shown[c] = mean_light(texture_.is_restored ? middle + (number - middle) * restoring(pieces) : number, 0);
+        }
+        return shown;
+    }
+
+    Light transformed_back(LevelPair level, ShownPieces pieces) const
+    {
+        normalize(pieces);
+        const float factor = restoring(pieces);
+        Light numbers{}, variances{};
+        for (std::size_t c = 0; c < channels_; ++c) numbers[c] = mean(level, c);
+        for (std::size_t k = 0; k < channels_; ++k) {
+            const int number =
+                static_cast<int>(weighted(pieces, k) * factor + (static_cast<float>(GAUSSIAN_ZERO) + 0.5f));
+            const auto entry = static_cast<std::size_t>(std::clamp(number, 0, 65'535) / (65'536 / INVERSE_ENTRIES));
+            const auto entry_of = [&](int which, std::size_t table) {
+                return mapped_
+                    .inverse[(2 * (static_cast<std::size_t>(which) * channels_ + k) + table) * INVERSE_ENTRIES + entry];
+            };
+            const auto between = [&](std::size_t table) {
+                return mixed(entry_of(level.lower, table), entry_of(std::min(level.lower + 1, levels_.top), table),
+                             level.upper);
+            };
+            const float coordinate = between(0), variance = between(1);
+            for (std::size_t c = 0; c < channels_; ++c) {
+                const float axis = plane_.axes[3 * k + c];
+                numbers[c] = numbers[c] + coordinate * axis;
+                variances[c] = variances[c] + variance * axis * axis;
+            }
+        }
+        Light shown{};
+        for (std::size_t c = 0; c < channels_; ++c) shown[c] = mean_light(numbers[c], variances[c]);
+        return shown;
+    }
+
+    const MappedEndless& mapped_;
+    const EndlessTexture& texture_;
+    const EndlessPlane& plane_;
+    const ExemplarLevels& levels_;
+    EndlessWindow origin_;
+    const TextureView& view_;
+    std::size_t channels_;
+};
+
+}
+
+std::vector<float> reference_map_endless(const MappedEndless& mapped, const EndlessWindow& origin,
+                                         const TextureView& view)
+{
+    const PlainEndlessMap map(mapped, origin, view);
+    return plain_picture(view, mapped.texture.channels,
+                         [&](double column, double row, Light& sum) { map.add_sample(column, row, sum); });
+}
+
+}
