@@ -101,7 +101,8 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
         added->allow_extra_args(has_place);
         if (option.most_values > 1) added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',');
-        if (!option.alone.empty()) added->expected(0, 1)->default_str(option.alone);
+        if (!option.alone.empty()) // words that come twice are refused by the command
+            added->expected(0, 1)->default_str(option.alone)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
     if (has_place || option.is_required) added->required();
     if (!option.value_name.empty()) added->option_text(option.value_name);

@@ -46,12 +46,12 @@ INLINE int texel_inside(Exemplar from, int at, int size)
 }
 
 /// The four nearest texels of a level, bilinearly; `column` and `row` count from the middle of the first texel of level
-/// 0. A level of the exemplar may end within a texel.
+/// 0. The texels of a level divide the exemplar evenly.
 INLINE void add_level(Exemplar from, int level, double column, double row, float weight, float* values)
 {
     const int width = from.levels->widths[level], height = from.levels->heights[level];
-    const double scale = 1.0 / (double)(1 << level);
-    const double x = (column + 0.5) * scale - 0.5, y = (row + 0.5) * scale - 0.5;
+    const double x = (column + 0.5) * ((double)width / from.levels->widths[0]) - 0.5;
+    const double y = (row + 0.5) * ((double)height / from.levels->heights[0]) - 0.5;
     const double west = floor(x), north = floor(y);
     const float east = (float)(x - west), south = (float)(y - north);
     for (int k = 0; k < 4; ++k) {
@@ -92,6 +92,9 @@ INLINE void look_up_piece(Exemplar from, Level level, uint x, uint y, double dx,
     look_up(from, level, column, row, values);
 }
 
+/// A lattice number that may be beyond 32 bits, modulo 2^32.
+INLINE uint lattice_number(double number) { return (uint)(number - floor(number * 0x1p-32) * 0x1p32); }
+
 /// The pieces of the triangle around a place, in pixels from the origin's lattice point, and their weights.
 INLINE void see_triangle(Exemplar from, Level level, double x, double y, float* values, float* weights)
 {
@@ -105,9 +108,9 @@ INLINE void see_triangle(Exemplar from, Level level, double x, double y, float* 
                              is_upper ? whole - fa : fa};
     const int east[3] = {is_upper, is_upper, 1 - is_upper}, south[3] = {is_upper, 1 - is_upper, is_upper};
     for (int k = 0; k < 3; ++k) {
-        look_up_piece(from, level, from.origin->cell_x + (uint)((int)i + east[k]),
-                      from.origin->cell_y + (uint)((int)j + south[k]), x - (i + east[k]) * cell - south[k] * (cell / 2),
-                      dy - south[k] * height, values + k * CHANNELS);
+        look_up_piece(from, level, from.origin->cell_x + lattice_number(i) + (uint)east[k],
+                      from.origin->cell_y + lattice_number(j) + (uint)south[k],
+                      x - (i + east[k]) * cell - south[k] * (cell / 2), dy - south[k] * height, values + k * CHANNELS);
         const float part = (float)parts[k] * from.plane->inverse_unit;
         weights[k] = power(part < 0 ? 0 : part, EXPONENT);
     }
@@ -122,8 +125,9 @@ INLINE void see_square(Exemplar from, Level level, double x, double y, float* va
     const float south = smooth_part((float)dy * from.plane->inverse_unit);
     for (int k = 0; k < 4; ++k) {
         const int u = k % 2, v = k / 2;
-        look_up_piece(from, level, from.origin->cell_x + (uint)((int)i + u), from.origin->cell_y + (uint)((int)j + v),
-                      dx - u * cell, dy - v * cell, values + k * CHANNELS);
+        look_up_piece(from, level, from.origin->cell_x + lattice_number(i) + (uint)u,
+                      from.origin->cell_y + lattice_number(j) + (uint)v, dx - u * cell, dy - v * cell,
+                      values + k * CHANNELS);
         weights[k] = (u ? east : 1.0f - east) * (v ? south : 1.0f - south);
     }
 }
@@ -250,8 +254,9 @@ void add_sample(const struct TextureView* view, Exemplar from, double column, do
     level.lower = lower_level(seen.texels, from.levels->top, &level.upper);
     if (level.lower == from.levels->top) level.upper = 0;
     for (int probe = 0; probe < seen.probes; ++probe) {
-        const double part = probe_part(probe, seen.probes);
-        double x = (seen.u + part * seen.along_u) * TILE_TEXELS, y = -(seen.v + part * seen.along_v) * TILE_TEXELS;
+        double u, v;
+        find_probe(&seen, probe, &u, &v);
+        double x = u * TILE_TEXELS, y = -v * TILE_TEXELS;
         x = view->filter == FILTER_NEAREST ? floor(x) : x - 0.5;
         y = view->filter == FILTER_NEAREST ? floor(y) : y - 0.5;
         add_place(from, level, from.origin->start_x + x, from.origin->start_y + y, (float)(1.0 / seen.probes), sum);

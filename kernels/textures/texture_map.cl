@@ -202,8 +202,9 @@ void add_sample(const struct TextureView* view, const struct TextureLevels* leve
         return;
     }
     for (int probe = 0; probe < seen.probes; ++probe) {
-        const double part = probe_part(probe, seen.probes);
-        move_place(view, levels, seen.u + part * seen.along_u, seen.v + part * seen.along_v, probe == 0, &place);
+        double u, v;
+        find_probe(&seen, probe, &u, &v);
+        move_place(view, levels, u, v, probe == 0, &place);
         add_mipmap(view, levels, light, seen.texels, &place, (float)(1.0 / seen.probes), sum);
     }
 }

@@ -179,13 +179,28 @@ TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
     expect_error("map noise.png --method blended --tile 0 -35184372088833 --out a.png",
                  "noise.png: --tile 0 -35184372088833: must be within 2^45 tiles");
     expect_error("map noise.png --cell 40 --out a.png",
-                 "texture map: --cell 40: is for --method offsets, hexagons, blended or quilted");
+                 "texture map: --cell 40: is for offsets, hexagons, blended; this is repeated");
+    expect_error("map noise.png --method hexagons --block 99 --out a.png",
+                 "texture map: --block 99: is for quilted; this is hexagons");
     expect_error("map noise.png --method hexagon --out a.png",
                  "texture map: --method hexagon: must be one of \"repeated\", \"offsets\", \"hexagons\", \"blended\", "
                  "\"quilted\"; did you mean \"hexagons\"?");
     printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 1 --candidates 1 --quiet --out set");
     expect_error("map set --method hexagons --out a.png",
                  "set: --method hexagons: is for pictures; this is a texture set");
+}
+
+/// What is typed as on or off means on by itself, before another option and at the end.
+TEST_F(TextureCommand, TakesSwitchesByThemselves)
+{
+    const std::string build = "build corner --colors 2 --exemplar noise.png --size 16 --rounds 1 --quiet ";
+    printed(build + "--joint --out a");
+    printed(build + "--out b --joint");
+    printed(build + "--joint on --out c");
+    const PngPixels expected = read_png(folder_.path() / "c" / "atlas.png");
+    EXPECT_EQ(read_png(folder_.path() / "a" / "atlas.png").values, expected.values);
+    EXPECT_EQ(read_png(folder_.path() / "b" / "atlas.png").values, expected.values);
+    expect_error(build + "--joint on --joint off --out d", "texture build: --joint: is given twice");
 }
 
 TEST_F(TextureCommand, MakesTilesWithMarkedCorners)

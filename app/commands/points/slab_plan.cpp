@@ -40,6 +40,14 @@ DeviceMemory slab_memory(const SlabMethod& method, const SlabTask& task, std::ui
     return SlabMover::memory(method, task.dimension, points_in(layers, method, task), part);
 }
 
+/// What the processes of a machine take of a device together. Processors count as the host's memory, which is divided
+/// between them elsewhere.
+DeviceMemory memory_of_all(DeviceMemory memory, const SlabTask& task, const DeviceInfo& device)
+{
+    if (device.type != "CPU") memory.total *= task.processes_here;
+    return memory;
+}
+
 /// Layers around slabs are doubled where cells reach farther, which those of random points do nearly always.
 constexpr std::uint64_t layers_around_factor = 2;
 
@@ -94,7 +102,7 @@ SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const Device
         const bool is_thick =
             method.cells_per_axis() / (slabs * task.processes) > least_thickness * method.layers_around();
         const bool is_slow = device.type == "CPU" && memory.total > fast_slab_bytes && is_thick;
-        if (!is_slow && memory.total <= task.most_slab_bytes && fits(memory, device)) {
+        if (!is_slow && memory.total <= task.most_slab_bytes && fits(memory_of_all(memory, task, device), device)) {
             const std::uint64_t on_device = device.type == "CPU" ? memory.total : 0; // which is the host's
             const SlabPlan plan{slabs, memory.total,
                                 program_bytes + on_device + host_bytes(method, task, slabs * task.processes)};
@@ -102,7 +110,7 @@ SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const Device
             return plan;
         }
         if (slabs * task.processes < method.cells_per_axis()) continue;
-        check_fits("a layer of grid cells", memory, device);
+        check_fits("a layer of grid cells", memory_of_all(memory, task, device), device);
         throw InputError(fmt::format("--memory {:.3g}: must be at least {:.3g} here",
                                      static_cast<double>(task.most_slab_bytes) * 1e-9,
                                      std::ceil(static_cast<double>(memory.total) * 1e-6) * 1e-3));

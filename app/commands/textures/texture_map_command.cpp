@@ -28,9 +28,10 @@ constexpr auto texture_map_notes =
 a window of --laid N x N tiles is laid in scanlines and repeated, with seams where windows meet. A picture is repeated,
 or is the exemplar of an endless texture by another --method, as `texture endless` has them, with the same options, as
 far as one can see; 64 x 64 pixels count as a tile. As on graphics cards, pieces of the exemplar are looked up at levels,
-and what they show is blended. With --laid, a window of N x N tiles around the camera is blended first, has levels of its
-own, and is repeated beyond, with seams; quilted pictures always are. The camera is above the middle of a tile and looks
-to the north; a --pitch of 90 looks straight down. Filters:
+and what they show is blended: where a pixel sees many small pieces of a large exemplar, it shows one of them. With --laid,
+a window of N x N tiles around the camera is blended first, has levels of its own, and is repeated beyond, with seams. Of
+quilted pictures a window from tile 0 on always is. The camera is above the middle of a tile and looks to the north; a
+--pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
   mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance
@@ -57,9 +58,7 @@ void mapped_method_keys(Keys& keys, EndlessRequest& request)
     keys.word("method", request.method, endless_methods,
               "of a picture: the endless texture that it is the exemplar of");
     endless_keys(keys, request);
-    if (request.method != EndlessMethod::repeated) return;
-    for (const char* const key : {"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"})
-        if (keys.is_given(key)) throw keys.invalid(key, "is for --method offsets, hexagons, blended or quilted");
+    check_keys_of_method(keys, request.method);
 }
 
 struct TextureMapOptions : KindOptions

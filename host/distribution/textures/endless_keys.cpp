@@ -4,7 +4,9 @@
 #include "base/images/raw_picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace poissonlab {
@@ -29,6 +31,32 @@ void endless_keys(Keys& keys, EndlessRequest& r)
         .unit("pixels");
     keys.number("tolerance", r.tolerance, {0, 10},
                 "of quilted: blocks are drawn from those whose misfit is at most so much of the least one above it");
+}
+
+void check_keys_of_method(const Keys& keys, EndlessMethod method)
+{
+    using enum EndlessMethod;
+    struct KeyOfMethods
+    {
+        const char* key;
+        std::vector<EndlessMethod> methods;
+    };
+    static const std::vector<KeyOfMethods> table{
+        {"cell", {offsets, hexagons, blended}},
+        {"exponent", {hexagons, blended}},
+        {"falloff", {hexagons}},
+        {"gain", {hexagons}},
+        {"restored", {offsets, hexagons}},
+        {"tileable", {offsets, hexagons, blended}},
+        {"block", {quilted}},
+        {"tolerance", {quilted}},
+    };
+    for (const auto& [key, methods] : table) {
+        if (!keys.is_given(key) || std::ranges::find(methods, method) != methods.end()) continue;
+        std::vector<std::string> words;
+        for (const EndlessMethod one : methods) words.emplace_back(endless_methods[one]);
+        throw keys.invalid(key, fmt::format("is for {}; this is {}", fmt::join(words, ", "), endless_methods[method]));
+    }
 }
 
 void check_exemplar_size(const Keys& keys, const EndlessRequest& request, const std::filesystem::path& exemplar,

@@ -38,6 +38,7 @@ void endless_picture_keys(Keys& keys, EndlessSettings& s)
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     window_key(keys, s);
     endless_keys(keys, s.request);
+    check_keys_of_method(keys, s.request.method);
     check_exemplar_size(keys, s.request, s.exemplar, 0);
 }
 

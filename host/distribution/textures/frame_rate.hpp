@@ -1,4 +1,4 @@
-// The speed of tile-based texture mapping on a device.
+// The speed of views of endless textures on a device.
 #pragma once
 
 #include "host/texture/endless/endless_texture.hpp"

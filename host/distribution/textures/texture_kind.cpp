@@ -165,6 +165,8 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
                 "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also",
                 "straighten"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
+    if (s.endless)
+        check_keys_of_method(keys, s.endless->method);
     else
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},
                "is for kind = \"offsets\", \"hexagons\", \"blended\" or \"quilted\"");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace poissonlab {
 namespace {
@@ -21,6 +22,8 @@ struct SeenPieces
     int count = 3;
     std::array<std::size_t, 4> texels{};
     std::array<float, 4> weights{};
+
+    std::span<float> seen_weights() { return std::span(weights).first(static_cast<std::size_t>(count)); }
 };
 
 class PlainPlane
@@ -121,23 +124,6 @@ private:
         return pieces;
     }
 
-    static void normalize(SeenPieces& pieces)
-    {
-        float sum = pieces.weights[0];
-        for (int k = 1; k < pieces.count; ++k) sum += pieces.weights[static_cast<std::size_t>(k)];
-        const float part = newton_reciprocal(sum);
-        for (float& weight : pieces.weights) weight = weight * part;
-    }
-
-    /// One over the deviation of a sum of independent values with these weights.
-    static float restoring(const SeenPieces& pieces)
-    {
-        float squares = pieces.weights[0] * pieces.weights[0];
-        for (std::size_t k = 1; k < static_cast<std::size_t>(pieces.count); ++k)
-            squares += pieces.weights[k] * pieces.weights[k];
-        return newton_reciprocal_root(squares);
-    }
-
     /// From 0 to 1.
     float lightness(std::uint32_t texel) const
     {
@@ -155,12 +141,9 @@ private:
             if (texture_.method == METHOD_HEXAGONS)
                 pieces.weights[k] = pieces.weights[k] * (1.0f + plane_.falloff * (lightness(found[k]) - 1.0f));
         }
-        normalize(pieces);
-        if (texture_.gain > 1) {
-            for (std::size_t k = 0; k < count; ++k) pieces.weights[k] = gained_weight(pieces.weights[k], texture_.gain);
-            normalize(pieces);
-        }
-        const float factor = texture_.is_restored ? restoring(pieces) : 1.0f;
+        divide_weights(pieces.seen_weights());
+        gain_weights(pieces.seen_weights(), texture_.gain);
+        const float factor = texture_.is_restored ? restoring_factor(pieces.seen_weights()) : 1.0f;
         std::uint32_t bytes = 0;
         for (int c = 0; c < texture_.channels; ++c) {
             const auto value = [&](std::size_t k) { return static_cast<float>(found[k] >> (8 * c) & 255u); };
@@ -184,8 +167,8 @@ private:
 
     std::uint32_t transformed_back(SeenPieces pieces) const
     {
-        normalize(pieces);
-        const float factor = restoring(pieces);
+        divide_weights(pieces.seen_weights());
+        const float factor = restoring_factor(pieces.seen_weights());
         std::array<float, 3> colors{plane_.means[0], plane_.means[1], plane_.means[2]};
         for (int k = 0; k < texture_.channels; ++k) {
             float sum = pieces.weights[0] * gaussian(pieces.texels[0], k);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace poissonlab {
 
@@ -38,10 +39,30 @@ inline float smooth_step(float part)
     return t * t * (3.0f - 2.0f * t);
 }
 
-/// More contrast between weights, whose sum is 1.
-inline float gained_weight(float w, int gain)
+/// Makes the sum of weights 1.
+inline void divide_weights(std::span<float> weights)
 {
-    return w < 0.5f ? 0.5f * whole_power(2.0f * w, gain) : 1.0f - 0.5f * whole_power(2.0f - 2.0f * w, gain);
+    float sum = 0;
+    for (const float weight : weights) sum += weight;
+    const float part = newton_reciprocal(sum);
+    for (float& weight : weights) weight = weight * part;
+}
+
+/// More contrast between weights, whose sum is 1.
+inline void gain_weights(std::span<float> weights, int gain)
+{
+    if (gain == 1) return;
+    for (float& w : weights)
+        w = w < 0.5f ? 0.5f * whole_power(2.0f * w, gain) : 1.0f - 0.5f * whole_power(2.0f - 2.0f * w, gain);
+    divide_weights(weights);
+}
+
+/// One over the deviation of a sum of independent values with these weights.
+inline float restoring_factor(std::span<const float> weights)
+{
+    float squares = 0;
+    for (const float weight : weights) squares += weight * weight;
+    return newton_reciprocal_root(squares);
 }
 
 }

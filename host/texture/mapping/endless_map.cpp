@@ -4,6 +4,8 @@
 #include "host/texture/mapping/exemplar_levels.hpp"
 #include "host/texture/mapping/view_parts.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -58,20 +60,23 @@ MappedEndless mapped_endless(const EndlessRequest& request, const PngPixels& exe
     mapped.texture = endless_texture(request, exemplar);
     mapped.encoded = encoded_numbers();
     mapped.light = light_of_numbers();
-    LevelValues light = light_levels(exemplar);
-    mapped.levels = light.levels;
-    mapped.means.assign(static_cast<std::size_t>(3 * (light.levels.top + 1)), 0.0f);
     if (request.method == EndlessMethod::blended) {
         LevelValues numbers = number_levels(mapped.texture);
-        for (std::size_t i = 0; i < mapped.means.size(); ++i) mapped.means[i] = mapped.texture.plane.means[i % 3];
+        for (int level = 0; level <= numbers.levels.top; ++level)
+            std::ranges::copy(mapped.texture.plane.means, std::back_inserter(mapped.means));
         mapped.inverse = level_tables(numbers, mapped.texture.inverse);
+        mapped.levels = numbers.levels;
         mapped.exemplar = std::move(numbers.values);
     } else {
-        if (mapped.texture.is_restored) mapped.means = encoded_means(light);
+        LevelValues light = light_levels(exemplar);
+        mapped.means = mapped.texture.is_restored
+                           ? encoded_means(light)
+                           : std::vector<float>(static_cast<std::size_t>(3 * (light.levels.top + 1)));
+        mapped.levels = light.levels;
         mapped.inverse = {0};
         mapped.exemplar = std::move(light.values);
     }
-    mapped.texture.texels.clear();
+    mapped.texture.texels = {};
     return mapped;
 }
 

@@ -16,13 +16,18 @@ using namespace contract::endless_map;
 using namespace contract::endless_texture;
 using namespace contract::texture_map;
 
-/// What a piece shows, and its weight.
-struct ShownPiece
+/// What pieces show, and their weights.
+struct ShownPieces
 {
-    Light values{};
-    float weight = 0;
+    std::vector<Light> values;
+    std::vector<float> weights;
+
+    void add(const Light& shown, float weight)
+    {
+        values.push_back(shown);
+        weights.push_back(weight);
+    }
 };
-using ShownPieces = std::vector<ShownPiece>;
 
 constexpr double tile_texels = TILE_TEXELS, encoded_steps = ENCODED_STEPS;
 
@@ -50,9 +55,8 @@ public:
         };
         const auto share = static_cast<float>(1.0 / seen->probes);
         for (int probe = 0; probe < seen->probes; ++probe) {
-            const double part = probe_part(probe, seen->probes);
-            const Light shown = light_at(level, origin_.start_x + pixel(seen->u + part * seen->along_u),
-                                         origin_.start_y + pixel(-(seen->v + part * seen->along_v)));
+            const auto [u, v] = probe_place(*seen, probe);
+            const Light shown = light_at(level, origin_.start_x + pixel(u), origin_.start_y + pixel(-v));
             for (std::size_t c = 0; c < channels_; ++c) sum[c] += share * shown[c];
         }
     }
@@ -79,8 +83,9 @@ private:
 
     void add_level(int level, double column, double row, float weight, Light& sum) const
     {
-        const int width = levels_.widths[level], height = levels_.heights[level], size = 1 << level;
-        const double x = (column + 0.5) / size - 0.5, y = (row + 0.5) / size - 0.5;
+        const int width = levels_.widths[level], height = levels_.heights[level];
+        const double x = (column + 0.5) * (static_cast<double>(width) / levels_.widths[0]) - 0.5,
+                     y = (row + 0.5) * (static_cast<double>(height) / levels_.heights[0]) - 0.5;
         const auto west = static_cast<int>(std::floor(x)), north = static_cast<int>(std::floor(y));
         const auto east = static_cast<float>(x - west), south = static_cast<float>(y - north);
         const auto inside = [&](int at, int count) {
@@ -97,17 +102,24 @@ private:
             }
     }
 
-    /// What the piece of the lattice point (i, j) shows, from which the place is at (dx, dy).
-    Light piece(LevelPair level, int i, int j, double dx, double dy) const
+    /// Modulo 2^32.
+    static std::uint32_t lattice_number(double number)
     {
-        const std::uint32_t hash = endless_word(plane_.seed, origin_.cell_x + static_cast<std::uint32_t>(i),
-                                                origin_.cell_y + static_cast<std::uint32_t>(j));
+        return static_cast<std::uint32_t>(number - std::floor(number * 0x1p-32) * 0x1p32);
+    }
+
+    /// What the piece of the lattice point (i, j) shows, from which the place is at (dx, dy).
+    Light piece(LevelPair level, double i, double j, double dx, double dy) const
+    {
+        const std::uint32_t hash =
+            endless_word(plane_.seed, origin_.cell_x + lattice_number(i), origin_.cell_y + lattice_number(j));
         const auto along = [&](std::uint32_t word, int choices, int reach, int size, double d) {
             const int middle = reach + static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
             if (plane_.is_tileable == 0)
                 return middle + std::clamp(d, static_cast<double>(-reach), static_cast<double>(reach));
-            const double at = middle + d;
-            return at < 0 ? at + size : at >= size ? at - size : at;
+            double at = middle + d;
+            if (at < 0) at += size;
+            return at >= size ? at - size : at; // what was just below 0 may be rounded to the size
         };
         return looked_up(level, along(hash & 0xffffu, plane_.choices_x, plane_.reach_x, plane_.width, dx),
                          along(hash >> 16, plane_.choices_y, plane_.reach_y, plane_.height, dy));
@@ -121,15 +133,23 @@ private:
         const double from_row = x - row * (cell / 2); // from the row's own lattice point
         const double a = 2 * height * from_row - cell * dy, column = std::floor(a / whole);
         const double fa = a - column * whole, fb = 2 * cell * dy;
-        const auto corner = [&](int east, int south, double part) {
-            const Light values = piece(level, static_cast<int>(column) + east, static_cast<int>(row) + south,
-                                       from_row - (column + east) * cell - south * (cell / 2), dy - south * height);
+        ShownPieces pieces;
+        const auto add_corner = [&](int east, int south, double part) {
             const float unit = std::max(0.0f, static_cast<float>(part) * plane_.inverse_unit);
-            return ShownPiece{values, whole_power(unit, texture_.exponent)};
+            pieces.add(piece(level, column + east, row + south, from_row - (column + east) * cell - south * (cell / 2),
+                             dy - south * height),
+                       whole_power(unit, texture_.exponent));
         };
-        if (fa + fb >= whole)
-            return {corner(1, 1, fa + fb - whole), corner(1, 0, whole - fb), corner(0, 1, whole - fa)};
-        return {corner(0, 0, whole - fa - fb), corner(0, 1, fb), corner(1, 0, fa)};
+        if (fa + fb >= whole) {
+            add_corner(1, 1, fa + fb - whole);
+            add_corner(1, 0, whole - fb);
+            add_corner(0, 1, whole - fa);
+        } else {
+            add_corner(0, 0, whole - fa - fb);
+            add_corner(0, 1, fb);
+            add_corner(1, 0, fa);
+        }
+        return pieces;
     }
 
     ShownPieces square(LevelPair level, double x, double y) const
@@ -141,32 +161,15 @@ private:
         ShownPieces pieces;
         for (int v = 0; v < 2; ++v)
             for (int u = 0; u < 2; ++u)
-                pieces.push_back({piece(level, static_cast<int>(column) + u, static_cast<int>(row) + v, dx - u * cell,
-                                        dy - v * cell),
-                                  (u == 1 ? east : 1.0f - east) * (v == 1 ? south : 1.0f - south)});
+                pieces.add(piece(level, column + u, row + v, dx - u * cell, dy - v * cell),
+                           (u == 1 ? east : 1.0f - east) * (v == 1 ? south : 1.0f - south));
         return pieces;
-    }
-
-    static void normalize(ShownPieces& pieces)
-    {
-        float sum = 0;
-        for (const ShownPiece& piece : pieces) sum += piece.weight;
-        const float part = newton_reciprocal(sum);
-        for (ShownPiece& piece : pieces) piece.weight = piece.weight * part;
-    }
-
-    /// One over the deviation of a sum of independent values with these weights.
-    static float restoring(const ShownPieces& pieces)
-    {
-        float squares = 0;
-        for (const ShownPiece& piece : pieces) squares += piece.weight * piece.weight;
-        return newton_reciprocal_root(squares);
     }
 
     static float weighted(const ShownPieces& pieces, std::size_t channel)
     {
         float sum = 0;
-        for (const ShownPiece& piece : pieces) sum += piece.weight * piece.values[channel];
+        for (std::size_t k = 0; k < pieces.weights.size(); ++k) sum += pieces.weights[k] * pieces.values[k][channel];
         return sum;
     }
 
@@ -201,28 +204,26 @@ private:
 
     Light blended(LevelPair level, ShownPieces pieces) const
     {
-        for (ShownPiece& piece : pieces) {
-            for (std::size_t c = 0; c < channels_; ++c) piece.values[c] = encoded(piece.values[c]);
+        for (std::size_t k = 0; k < pieces.weights.size(); ++k) {
+            for (std::size_t c = 0; c < channels_; ++c) pieces.values[k][c] = encoded(pieces.values[k][c]);
             if (texture_.method == METHOD_HEXAGONS)
-                piece.weight = piece.weight * (1.0f + plane_.falloff * (lightness(piece.values) - 1.0f));
+                pieces.weights[k] = pieces.weights[k] * (1.0f + plane_.falloff * (lightness(pieces.values[k]) - 1.0f));
         }
-        normalize(pieces);
-        if (texture_.gain > 1) {
-            for (ShownPiece& piece : pieces) piece.weight = gained_weight(piece.weight, texture_.gain);
-            normalize(pieces);
-        }
+        divide_weights(pieces.weights);
+        gain_weights(pieces.weights, texture_.gain);
         Light shown{};
         for (std::size_t c = 0; c < channels_; ++c) {
             const float number = weighted(pieces, c), middle = mean(level, c);
-            shown[c] = mean_light(texture_.is_restored ? middle + (number - middle) * restoring(pieces) : number, 0);
+            shown[c] = mean_light(
+                texture_.is_restored ? middle + (number - middle) * restoring_factor(pieces.weights) : number, 0);
         }
         return shown;
     }
 
     Light transformed_back(LevelPair level, ShownPieces pieces) const
     {
-        normalize(pieces);
-        const float factor = restoring(pieces);
+        divide_weights(pieces.weights);
+        const float factor = restoring_factor(pieces.weights);
         Light numbers{}, variances{};
         for (std::size_t c = 0; c < channels_; ++c) numbers[c] = mean(level, c);
         for (std::size_t k = 0; k < channels_; ++k) {

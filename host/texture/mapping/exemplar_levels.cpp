@@ -2,11 +2,12 @@
 
 #include "base/images/srgb_light.hpp"
 #include "host/texture/endless/normal_distribution.hpp"
+#include "kernels/common/fields/endless_texture.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <cstdlib>
 #include <span>
 #include <utility>
 
@@ -16,36 +17,51 @@ namespace {
 using namespace contract::endless_map;
 using namespace contract::endless_texture;
 
-/// How many pixels of a row of `size` the texel `at` of a level covers.
-int covered(int level, int at, int size) { return std::min(1 << level, size - (at << level)); }
+/// The part of each texel of a level along an axis, `below` of them, that texel `at` of the `size` above covers: from
+/// the first one on.
+struct Coverage
+{
+    int first = 0;
+    std::vector<double> parts;
+};
 
-/// Appends the level above the last one.
+Coverage coverage(int at, int size, int below)
+{
+    const double begin = static_cast<double>(at) * below / size, end = static_cast<double>(at + 1) * below / size;
+    Coverage covered{static_cast<int>(begin), {}};
+    for (int texel = covered.first; texel < below && texel < end; ++texel)
+        covered.parts.push_back(std::min<double>(texel + 1, end) - std::max<double>(texel, begin));
+    return covered;
+}
+
+/// Appends the level above the last one, whose texels divide the exemplar evenly again, into half as many.
 void append_level(LevelValues& of)
 {
     ExemplarLevels& levels = of.levels;
     const int below = levels.top++, level = levels.top;
-    levels.widths[level] = (levels.widths[below] + 1) / 2;
-    levels.heights[level] = (levels.heights[below] + 1) / 2;
+    const int width = (levels.widths[below] + 1) / 2, height = (levels.heights[below] + 1) / 2;
+    levels.widths[level] = width;
+    levels.heights[level] = height;
     levels.offsets[level] = static_cast<std::uint32_t>(of.values.size());
-    for (int row = 0; row < levels.heights[level]; ++row)
-        for (int column = 0; column < levels.widths[level]; ++column)
-            for (int c = 0; c < of.channels; ++c) {
-                double sum = 0, pixels = 0;
-                for (int k = 0; k < 4; ++k) {
-                    const int x = 2 * column + k % 2, y = 2 * row + k / 2;
-                    if (x >= levels.widths[below] || y >= levels.heights[below]) continue;
-                    const double count =
-                        static_cast<double>(covered(below, x, levels.widths[0])) * covered(below, y, levels.heights[0]);
-                    const std::size_t texel =
-                        static_cast<std::size_t>(y) * static_cast<std::size_t>(levels.widths[below]) +
-                        static_cast<std::size_t>(x);
-                    sum += count * static_cast<double>(
-                                       of.values[of.begin(below) + texel * static_cast<std::size_t>(of.channels) +
-                                                 static_cast<std::size_t>(c)]);
-                    pixels += count;
-                }
-                of.values.push_back(static_cast<float>(sum / pixels));
+    const auto channels = static_cast<std::size_t>(of.channels);
+    std::vector<Coverage> columns;
+    for (int column = 0; column < width; ++column) columns.push_back(coverage(column, width, levels.widths[below]));
+    for (int row = 0; row < height; ++row) {
+        const Coverage rows = coverage(row, height, levels.heights[below]);
+        for (const Coverage& across : columns)
+            for (std::size_t c = 0; c < channels; ++c) {
+                double sum = 0, area = 0;
+                for (std::size_t j = 0; j < rows.parts.size(); ++j)
+                    for (std::size_t i = 0; i < across.parts.size(); ++i) {
+                        const std::size_t texel =
+                            of.texel(below, across.first + static_cast<int>(i), rows.first + static_cast<int>(j));
+                        const double part = rows.parts[j] * across.parts[i];
+                        sum += part * static_cast<double>(of.values[texel + c]);
+                        area += part;
+                    }
+                of.values.push_back(static_cast<float>(sum / area));
             }
+    }
 }
 
 /// The number from 0 to 255 of light from 0 to 65535.
@@ -59,29 +75,20 @@ double mean_product(const LevelValues& numbers, int level, std::size_t coordinat
     if (width == 1) dx = 0;
     if (height == 1) dy = 0;
     const auto value = [&](int x, int y) {
-        const std::size_t texel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        return static_cast<double>(
-            numbers.values[numbers.begin(level) + texel * static_cast<std::size_t>(numbers.channels) + coordinate]);
+        return static_cast<double>(numbers.values[numbers.texel(level, x, y) + coordinate]);
     };
-    double sum = 0, pixels = 0;
+    double sum = 0;
     for (int y = std::max(0, -dy); y < std::min(height, height - dy); ++y)
-        for (int x = std::max(0, -dx); x < std::min(width, width - dx); ++x) {
-            const double count = static_cast<double>(covered(level, x, numbers.levels.widths[0])) *
-                                 covered(level, y, numbers.levels.heights[0]);
-            sum += count * value(x, y) * value(x + dx, y + dy);
-            pixels += count;
-        }
-    return sum / pixels;
+        for (int x = std::max(0, -dx); x < std::min(width, width - dx); ++x) sum += value(x, y) * value(x + dx, y + dy);
+    return sum / (static_cast<double>(width - std::abs(dx)) * (height - std::abs(dy)));
 }
 
 /// The part of the variance of a coordinate that look-ups of a level have left. Pieces lie at any whole pixels, so that
 /// texels of levels above the first are looked up anywhere between their middles, where bilinear look-ups average them:
 /// (1 - t) a + t b has the mean square (a^2 + a b + b^2) / 3.
-double variance_left(const LevelValues& numbers, int level, std::size_t coordinate)
+double variance_left(const LevelValues& numbers, int level, std::size_t coordinate, double whole)
 {
-    const double whole = mean_product(numbers, 0, coordinate, 0, 0);
-    if (level == 0 || whole == 0) return 1;
+    if (level == 0) return 1;
     const auto weight = [](int d) { return d == 0 ? 2.0 / 3 : 1.0 / 6; };
     double variance = 0;
     for (int dy = -1; dy <= 1; ++dy)
@@ -96,7 +103,8 @@ void append_blurred(std::vector<float>& tables, std::span<const float> table, do
     constexpr double entries_of_one =
         static_cast<double>(GAUSSIAN_STEPS) * static_cast<double>(INVERSE_ENTRIES) / 65'536;
     const double entries = deviations * entries_of_one;
-    const int reach = std::min<int>(INVERSE_ENTRIES, static_cast<int>(std::ceil(5 * entries)));
+    // Less than a tenth of an entry changes nothing.
+    const int reach = entries < 0.1 ? 0 : std::min<int>(INVERSE_ENTRIES, static_cast<int>(std::ceil(5 * entries)));
     std::vector<double> weights{1}; // from -reach to reach
     if (reach > 0) weights.clear();
     for (int d = -reach; reach > 0 && d <= reach; ++d)
@@ -121,17 +129,18 @@ void append_blurred(std::vector<float>& tables, std::span<const float> table, do
 
 }
 
-double LevelValues::pixels_of(int level, std::size_t texel) const
+std::size_t LevelValues::texel(int level, int x, int y) const
 {
-    const auto width = static_cast<std::size_t>(levels.widths[level]);
-    return static_cast<double>(covered(level, static_cast<int>(texel % width), levels.widths[0])) *
-           covered(level, static_cast<int>(texel / width), levels.heights[0]);
+    return begin(level) + (static_cast<std::size_t>(y) * static_cast<std::size_t>(levels.widths[level]) +
+                           static_cast<std::size_t>(x)) *
+                              static_cast<std::size_t>(channels);
 }
 
 LevelValues level_values(int width, int height, int channels, std::vector<float> values)
 {
     LevelValues result;
     result.channels = channels;
+    values.reserve(values.size() / 2 * 3);
     result.values = std::move(values);
     result.levels.widths[0] = width;
     result.levels.heights[0] = height;
@@ -168,25 +177,24 @@ std::vector<float> encoded_means(const LevelValues& light)
     std::vector<float> means;
     for (int level = 0; level <= light.levels.top; ++level) {
         std::array<double, 3> sums{};
-        double pixels = 0;
-        for (std::size_t at = light.begin(level), texel = 0; at < light.end(level); at += channels, ++texel) {
-            const double count = light.pixels_of(level, texel);
-            for (std::size_t c = 0; c < channels; ++c)
-                sums[c] += count * encoded_number(static_cast<double>(light.values[at + c]));
-            pixels += count;
-        }
-        for (const double sum : sums) means.push_back(static_cast<float>(std::round(sum / pixels * 4096) / 4096));
+        for (std::size_t at = light.begin(level); at < light.end(level); ++at)
+            sums[(at - light.begin(level)) % channels] += encoded_number(static_cast<double>(light.values[at]));
+        const auto texels = static_cast<double>((light.end(level) - light.begin(level)) / channels);
+        for (const double sum : sums) means.push_back(static_cast<float>(std::round(sum / texels * 4096) / 4096));
     }
     return means;
 }
 
 std::vector<float> level_tables(const LevelValues& numbers, const std::vector<float>& inverse)
 {
+    const auto channels = static_cast<std::size_t>(numbers.channels);
+    std::vector<double> whole;
+    for (std::size_t k = 0; k < channels; ++k) whole.push_back(mean_product(numbers, 0, k, 0, 0));
     std::vector<float> tables;
     for (int level = 0; level <= numbers.levels.top; ++level)
-        for (std::size_t k = 0; k < static_cast<std::size_t>(numbers.channels); ++k)
+        for (std::size_t k = 0; k < channels; ++k)
             append_blurred(tables, std::span(inverse).subspan(k * INVERSE_ENTRIES, INVERSE_ENTRIES),
-                           std::sqrt(1 - variance_left(numbers, level, k)));
+                           std::sqrt(1 - variance_left(numbers, level, k, whole[k])));
     return tables;
 }
 

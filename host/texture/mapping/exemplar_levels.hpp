@@ -16,11 +16,12 @@ struct LevelValues
 
     std::size_t begin(int level) const { return levels.offsets[level]; }
     std::size_t end(int level) const { return level == levels.top ? values.size() : levels.offsets[level + 1]; }
-    /// The pixels of level 0 that a texel is the mean of: fewer than 4^level at the eastern and southern borders.
-    double pixels_of(int level, std::size_t texel) const;
+    /// The first value of a texel.
+    std::size_t texel(int level, int x, int y) const;
 };
 
-/// All levels up to the mean of all, of the values of level 0.
+/// All levels up to the mean of all, of the values of level 0. A level has half as many texels along an axis as the one
+/// below, rounded up, which divide the exemplar evenly: all have the same area, whatever its size.
 LevelValues level_values(int width, int height, int channels, std::vector<float> values);
 
 /// Numbers from 0 to 255 by the root of light: a table of the contract.

@@ -35,6 +35,7 @@ inline std::optional<SeenPlace> seen_place(const contract::texture_map::TextureV
     const double w = at(view.w);
     if (!(w > HORIZON)) return std::nullopt;
     SeenPlace seen{at(view.u) / w, at(view.v) / w};
+    if (!(std::abs(seen.u) < FARTHEST && std::abs(seen.v) < FARTHEST)) return std::nullopt;
     if (view.filter < FILTER_MIPMAP) return seen;
     std::array<double, 2> along_u{}, along_v{}, texels{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -53,8 +54,15 @@ inline std::optional<SeenPlace> seen_place(const contract::texture_map::TextureV
     return seen;
 }
 
-/// How far from the middle of a footprint one of its look-ups is, in parts of the longer side.
-inline double probe_part(int probe, int probes) { return (probe + 0.5) / probes - 0.5; }
+/// Where a look-up of the footprint is, east and north: side by side along its longer side, which near the horizon may
+/// go beyond what is seen, but then counts as its end.
+inline std::array<double, 2> probe_place(const SeenPlace& seen, int probe)
+{
+    using contract::texture_map::FARTHEST;
+    const double part = (probe + 0.5) / seen.probes - 0.5;
+    return {std::clamp(seen.u + part * seen.along_u, -FARTHEST, FARTHEST),
+            std::clamp(seen.v + part * seen.along_v, -FARTHEST, FARTHEST)};
+}
 
 /// Two levels, and the part of the upper one.
 struct LevelPair

@@ -34,9 +34,8 @@ public:
         if (!seen) return add(static_cast<float>(SKY_LIGHT), sum);
         if (view_.filter < FILTER_MIPMAP) return add_level(0, seen->u, seen->v, 1, sum);
         for (int probe = 0; probe < seen->probes; ++probe) {
-            const double part = probe_part(probe, seen->probes);
-            add_mipmap(seen->texels, seen->u + part * seen->along_u, seen->v + part * seen->along_v,
-                       static_cast<float>(1.0 / seen->probes), sum);
+            const auto [u, v] = probe_place(*seen, probe);
+            add_mipmap(seen->texels, u, v, static_cast<float>(1.0 / seen->probes), sum);
         }
     }
 

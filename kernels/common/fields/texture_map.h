@@ -20,8 +20,9 @@ enum
     MAX_PROBES = 16         ///< of an anisotropic look-up
 };
 
-/// The divisor is more than this where the plane is seen: places are below 2^26 tiles away.
+/// The divisor is more than this where the plane is seen, and places are nearer than so many tiles.
 REAL(HORIZON, 0x1p-24)
+REAL(FARTHEST, 0x1p30)
 
 /// The light above the horizon; white is 65535.
 REAL(SKY_LIGHT, 39321)

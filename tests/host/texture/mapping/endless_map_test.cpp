@@ -10,7 +10,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace poissonlab {
@@ -26,12 +28,15 @@ std::vector<EndlessRequest> mapped_requests()
     for (const EndlessMethod method :
          {EndlessMethod::repeated, EndlessMethod::offsets, EndlessMethod::hexagons, EndlessMethod::blended})
         for (const bool is_other : {false, true}) {
+            if (is_other && method == EndlessMethod::repeated) continue; // it has no options
             EndlessRequest request;
             request.method = method;
             request.seed = 7;
             request.tileable = is_other;
             request.restored = is_other;
             request.gain = is_other && method == EndlessMethod::hexagons ? 3 : 1;
+            request.falloff = is_other ? 0.95 : 0.6;
+            if (is_other && method == EndlessMethod::blended) request.exponent = 4;
             requests.push_back(request);
         }
     return requests;
@@ -79,6 +84,29 @@ TEST(EndlessMap, IsTheSameOnADevice)
         expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), horizon_view(filter, 24, 20), 16);
     request.method = EndlessMethod::blended;
     expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), horizon_view(TextureFilter::mipmap, 24, 20), 1);
+}
+
+/// Lattice numbers count modulo 2^32, and what is beyond 2^30 tiles is no longer the plane.
+TEST(EndlessMap, IsTheSameOnADeviceFarAway)
+{
+    TextureCamera camera;
+    camera.width = 8'192;
+    camera.height = 64;
+    camera.above = 10'000;
+    camera.filter = TextureFilter::nearest;
+    TextureView view = view_of(camera);
+    view.height = 1;
+    for (const double w : {0x1.2p-24, 0x1p-20}) { // a row of pixels just below the horizon
+        view.w[0] = w;
+        view.w[1] = view.w[2] = 0;
+        for (const EndlessMethod method : {EndlessMethod::offsets, EndlessMethod::hexagons, EndlessMethod::blended}) {
+            EndlessRequest request;
+            request.method = method;
+            request.cell = 8;
+            request.tileable = true;
+            expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), view, 64);
+        }
+    }
 }
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
@@ -134,7 +162,19 @@ double mean_light(const PngPixels& picture, int x, int y, int width, int height,
     return sum / (static_cast<double>(width) * height);
 }
 
-/// Levels are means of boxes, of what is inside where they go over the border, and the last one is that of all.
+/// The mean of a level's texels of a channel.
+double mean_of_level(const MappedEndless& mapped, int level, int channel)
+{
+    const std::size_t texels =
+        static_cast<std::size_t>(mapped.levels.widths[level]) * static_cast<std::size_t>(mapped.levels.heights[level]);
+    double sum = 0;
+    for (std::size_t i = 0; i < texels; ++i)
+        sum += static_cast<double>(
+            mapped.exemplar[mapped.levels.offsets[level] + 3 * i + static_cast<std::size_t>(channel)]);
+    return sum / static_cast<double>(texels);
+}
+
+/// A level's texels have equal parts of the exemplar: its mean is that of all.
 TEST(EndlessMap, HasLevelsOfExemplarsOfAnySize)
 {
     const PngPixels exemplar = test::random_picture(61, 37, 3, 3);
@@ -145,17 +185,29 @@ TEST(EndlessMap, HasLevelsOfExemplarsOfAnySize)
         const int size = 1 << level;
         ASSERT_EQ(mapped.levels.widths[level], (61 + size - 1) / size);
         ASSERT_EQ(mapped.levels.heights[level], (37 + size - 1) / size);
-        for (int y = 0; y < mapped.levels.heights[level]; ++y)
-            for (int x = 0; x < mapped.levels.widths[level]; ++x)
-                for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(
-                        static_cast<double>(
-                            mapped.exemplar[mapped.levels.offsets[level] +
-                                            static_cast<std::size_t>(3 * (y * mapped.levels.widths[level] + x) + c)]),
-                        mean_light(exemplar, x * size, y * size, std::min(size, 61 - x * size),
-                                   std::min(size, 37 - y * size), c),
-                        65535 * level * 0x1p-24) // a float a level
-                        << level << " " << x << " " << y;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(mean_of_level(mapped, level, c), mean_light(exemplar, 0, 0, 61, 37, c), 65535 * level * 0x1p-24)
+                << level; // a float a level
+    }
+}
+
+/// A line of light at the border of a picture of any width has its part of the light at all levels, when it is repeated
+/// and looked up at each of its columns.
+TEST(EndlessMap, FiltersPicturesOfAnySize)
+{
+    constexpr int side = 129;
+    PngPixels line{side, 20, 1, std::vector<std::uint8_t>(side * 20)};
+    for (int row = 0; row < 20; ++row) line.values[line.at(side - 1, row, 0)] = 255;
+    EndlessRequest request;
+    request.method = EndlessMethod::repeated;
+    const MappedEndless mapped = mapped_endless(request, line);
+    for (int level = 0; level <= mapped.levels.top; ++level) {
+        // A step of a power of two comes to each of an odd number of columns.
+        const std::vector<float> seen =
+            reference_map_endless(mapped, mapped.origin(0, 0), plan_of(1 << level, 0.5, side, TextureFilter::mipmap));
+        const double mean = std::accumulate(seen.begin(), seen.end(), 0.0) / (side * side);
+        // Hats of texels that are no whole number of columns wide add up to 1 within the square of one over that width.
+        EXPECT_NEAR(mean / (65'535.0 / side), 1, 0.02) << level;
     }
 }
 
