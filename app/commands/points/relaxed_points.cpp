@@ -58,8 +58,9 @@ void check_start(const SamplerChoice& start, const SampleRequest& request)
         if (std::ranges::find(start.spec->dimensions, request.dimension) == start.spec->dimensions.end())
             throw InputError::at(place, fmt::format("{}: has no {}D sets", start.spec->name, request.dimension));
         if (start.spec->check) start.spec->check(start.parameters, request, place);
-    } catch (const InputError& error) { // its keys are not those of the command
-        throw InputError(error.moved_to(place).what());
+    } catch (const InputError& error) { // its keys are not those of the command; files have places of their own
+        const bool is_of_file = !error.place().file.empty() && !error.place().is_argument;
+        throw InputError(is_of_file ? fmt::format("--start: {}", error.what()) : error.moved_to(place).what());
     }
 }
 
