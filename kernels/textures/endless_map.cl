@@ -225,7 +225,9 @@ INLINE void add_place(Exemplar from, Level level, double x, double y, float weig
     if (METHOD == METHOD_REPEATED) {
         float shown[CHANNELS];
         const double width = from.plane->width, height = from.plane->height;
-        look_up(from, level, x - floor(x / width) * width, y - floor(y / height) * height, shown);
+        x -= floor(x / width) * width; // may be rounded to the width
+        y -= floor(y / height) * height;
+        look_up(from, level, x >= width ? 0 : x, y >= height ? 0 : y, shown);
         for (int c = 0; c < CHANNELS; ++c) sum[c] += weight * shown[c];
         return;
     }

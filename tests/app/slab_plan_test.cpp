@@ -6,7 +6,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint64_t points = 10'000'000;
+constexpr std::uint64_t points = 1'000'000;
 
 DeviceInfo graphics_card(std::uint64_t bytes)
 {
@@ -35,6 +35,12 @@ TEST(SlabPlan, DividesTheMemoryOfACardBetweenProcesses)
     const DeviceInfo card = graphics_card(whole);
     EXPECT_EQ(plan_on(card, 1, 1).slabs, 1u);
     EXPECT_EQ(plan_on(card, 2, 1).slabs, 1u) << "a card each";
+    EXPECT_EQ(plan_slabs(
+                  *lloyd_in_slabs(2, points),
+                  {.points = points, .processes = 2, .least_slabs = 3, .most_slab_bytes = std::uint64_t{1} << 40}, card)
+                  .slabs,
+              3u)
+        << "as many as another process needs";
     const SlabPlan shared = plan_on(card, 2, 2);
     EXPECT_GT(shared.slabs, 1u);
     EXPECT_LE(2 * shared.slab_bytes, whole);

@@ -179,9 +179,9 @@ TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
     expect_error("map noise.png --method blended --tile 0 -35184372088833 --out a.png",
                  "noise.png: --tile 0 -35184372088833: must be within 2^45 tiles");
     expect_error("map noise.png --cell 40 --out a.png",
-                 "texture map: --cell 40: is for offsets, hexagons, blended; this is repeated");
+                 "texture map: --cell 40: is for --method offsets, hexagons, blended");
     expect_error("map noise.png --method hexagons --block 99 --out a.png",
-                 "texture map: --block 99: is for quilted; this is hexagons");
+                 "texture map: --block 99: is for --method quilted");
     expect_error("map noise.png --method hexagon --out a.png",
                  "texture map: --method hexagon: must be one of \"repeated\", \"offsets\", \"hexagons\", \"blended\", "
                  "\"quilted\"; did you mean \"hexagons\"?");

@@ -84,7 +84,7 @@ public:
     /// Reads and checks what is asked for. False where a process failed.
     bool prepare()
     {
-        return crew_.together([&] {
+        const bool is_planned = crew_.together([&] {
             asked_ = options_.read<AskedRelaxation>();
             check_point_target(options_.command(), options_.out);
             place_.emplace(options_.place(!crew_.leads()));
@@ -92,8 +92,9 @@ public:
             head_ = {.dimension = asked_.dimension, .points = request_.points};
             check_head(options_.out, head_);
             check_room(options_.out, head_);
-            if (place_->engine == Engine::opencl) plan();
+            if (place_->engine == Engine::opencl) plan(1);
         });
+        return is_planned && (place_->engine == Engine::reference || agree_on_slabs());
     }
 
     /// Makes the set and writes it.
@@ -128,12 +129,13 @@ private:
     }
 
     /// The plan of the finest level, which takes the most.
-    void plan()
+    void plan(std::uint32_t least_slabs)
     {
         const SlabTask task{.dimension = asked_.dimension,
                             .points = request_.points,
                             .processes = static_cast<std::uint32_t>(crew_.size()),
                             .processes_here = static_cast<std::uint32_t>(crew_processes_here()),
+                            .least_slabs = least_slabs,
                             .most_slab_bytes = static_cast<std::uint64_t>(asked_.memory * 1e9),
                             .keeps_best = method_.request(asked_.parameters).keep_best,
                             .shares_start = SlabStart::is_shared(start_choice())};
@@ -143,11 +145,27 @@ private:
             check_fits("--start: \"" + start.name + "\"",
                        start.device_memory(start_choice().parameters, start_request(), device), device);
         plan_ = plan_slabs(*method_.in_slabs(asked_.parameters, asked_.dimension, request_.points), task, device);
-        if (place_->on_step)
-            place_->on_step(fmt::format("{}: {} slab{}, at most {} in each of {} process{}", method_.spec.name,
-                                        plan_.slabs * task.processes, plan_.slabs * task.processes == 1 ? "" : "s",
-                                        bytes_text(plan_.process_bytes), task.processes,
-                                        task.processes == 1 ? "" : "es"));
+    }
+
+    /// Machines may have other devices, and other numbers of processes that share one: all processes have as many slabs
+    /// as the one that needs the most. False where one of them failed.
+    bool agree_on_slabs()
+    {
+        std::vector<std::uint64_t> needed(static_cast<std::size_t>(crew_.size()));
+        needed[static_cast<std::size_t>(crew_.rank())] = plan_.slabs;
+        const auto most = static_cast<std::uint32_t>(std::ranges::max(crew_.sum(needed)));
+        return crew_.together([&] {
+            if (most != plan_.slabs) plan(most);
+            if (place_->on_step) place_->on_step(plan_text());
+        });
+    }
+
+    std::string plan_text() const
+    {
+        const int processes = crew_.size();
+        return fmt::format("{}: {} slab{}, at most {} in each of {} process{}", method_.spec.name, slabs(),
+                           slabs() == 1 ? "" : "s", bytes_text(plan_.process_bytes), processes,
+                           processes == 1 ? "" : "es");
     }
 
     std::string comment() const

@@ -3,6 +3,7 @@
 #include "app/commands/points/scattered_points.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/memory_limit.hpp"
+#include "experiment/config/plan_memory.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
 
 #include <fmt/format.h>
@@ -38,14 +39,6 @@ DeviceMemory slab_memory(const SlabMethod& method, const SlabTask& task, std::ui
     const GridPart part = layers_of_grid(method.cells_per_axis(), task.dimension, 0, thickest, method.layers_around());
     const std::uint64_t layers = thickest + std::uint64_t{2} * method.layers_around();
     return SlabMover::memory(method, task.dimension, points_in(layers, method, task), part);
-}
-
-/// What the processes of a machine take of a device together. Processors count as the host's memory, which is divided
-/// between them elsewhere.
-DeviceMemory memory_of_all(DeviceMemory memory, const SlabTask& task, const DeviceInfo& device)
-{
-    if (device.type != "CPU") memory.total *= task.processes_here;
-    return memory;
 }
 
 /// Layers around slabs are doubled where cells reach farther, which those of random points do nearly always.
@@ -97,12 +90,14 @@ void check_process_memory(const SlabTask& task, std::uint64_t needed)
 SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const DeviceInfo& device)
 {
     check_cells(method, task);
-    for (std::uint32_t slabs = 1;; slabs += (slabs + 7) / 8) {
+    // What processors take is the host's memory, which is divided between processes elsewhere.
+    const DeviceInfo share = device.type == "CPU" ? device : share_of(device, static_cast<int>(task.processes_here));
+    for (std::uint32_t slabs = task.least_slabs;; slabs += (slabs + 7) / 8) {
         const DeviceMemory memory = slab_memory(method, task, slabs * task.processes);
         const bool is_thick =
             method.cells_per_axis() / (slabs * task.processes) > least_thickness * method.layers_around();
         const bool is_slow = device.type == "CPU" && memory.total > fast_slab_bytes && is_thick;
-        if (!is_slow && memory.total <= task.most_slab_bytes && fits(memory_of_all(memory, task, device), device)) {
+        if (!is_slow && memory.total <= task.most_slab_bytes && fits(memory, share)) {
             const std::uint64_t on_device = device.type == "CPU" ? memory.total : 0; // which is the host's
             const SlabPlan plan{slabs, memory.total,
                                 program_bytes + on_device + host_bytes(method, task, slabs * task.processes)};
@@ -110,7 +105,7 @@ SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const Device
             return plan;
         }
         if (slabs * task.processes < method.cells_per_axis()) continue;
-        check_fits("a layer of grid cells", memory_of_all(memory, task, device), device);
+        check_fits("a layer of grid cells", memory, share);
         throw InputError(fmt::format("--memory {:.3g}: must be at least {:.3g} here",
                                      static_cast<double>(task.most_slab_bytes) * 1e-9,
                                      std::ceil(static_cast<double>(memory.total) * 1e-6) * 1e-3));

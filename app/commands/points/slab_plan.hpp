@@ -14,7 +14,8 @@ struct SlabTask
     int dimension = 2;
     std::uint64_t points = 0;
     std::uint32_t processes = 1;
-    std::uint32_t processes_here = 1;  ///< on this machine
+    std::uint32_t processes_here = 1;  ///< on this machine, which share its device
+    std::uint32_t least_slabs = 1;     ///< of each process, which all have as many
     std::uint64_t most_slab_bytes = 0; ///< that a slab may take on the device
     bool keeps_best = false;           ///< has a copy of the best iterate
     bool shares_start = true;          ///< else the first process has it as a whole

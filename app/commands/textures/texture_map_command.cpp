@@ -29,8 +29,8 @@ a window of --laid N x N tiles is laid in scanlines and repeated, with seams whe
 or is the exemplar of an endless texture by another --method, as `texture endless` has them, with the same options, as
 far as one can see; 64 x 64 pixels count as a tile. As on graphics cards, pieces of the exemplar are looked up at levels,
 and what they show is blended: where a pixel sees many small pieces of a large exemplar, it shows one of them. With --laid,
-a window of N x N tiles around the camera is blended first, has levels of its own, and is repeated beyond, with seams. Of
-quilted pictures a window from tile 0 on always is. The camera is above the middle of a tile and looks to the north; a
+a window of N x N tiles around the camera is blended first, has levels of its own, and is repeated beyond, with seams.
+Quilted pictures are always such a window, from tile 0 on. The camera is above the middle of a tile and looks to the north; a
 --pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
@@ -58,7 +58,7 @@ void mapped_method_keys(Keys& keys, EndlessRequest& request)
     keys.word("method", request.method, endless_methods,
               "of a picture: the endless texture that it is the exemplar of");
     endless_keys(keys, request);
-    check_keys_of_method(keys, request.method);
+    check_keys_of_method(keys, request.method, "method");
 }
 
 struct TextureMapOptions : KindOptions

@@ -33,7 +33,7 @@ void endless_keys(Keys& keys, EndlessRequest& r)
                 "of quilted: blocks are drawn from those whose misfit is at most so much of the least one above it");
 }
 
-void check_keys_of_method(const Keys& keys, EndlessMethod method)
+void check_keys_of_method(const Keys& keys, EndlessMethod method, const std::string& chosen_by)
 {
     using enum EndlessMethod;
     struct KeyOfMethods
@@ -55,7 +55,7 @@ void check_keys_of_method(const Keys& keys, EndlessMethod method)
         if (!keys.is_given(key) || std::ranges::find(methods, method) != methods.end()) continue;
         std::vector<std::string> words;
         for (const EndlessMethod one : methods) words.emplace_back(endless_methods[one]);
-        throw keys.invalid(key, fmt::format("is for {}; this is {}", fmt::join(words, ", "), endless_methods[method]));
+        throw keys.invalid(key, fmt::format("is for {} {}", keys.name_of(chosen_by), fmt::join(words, ", ")));
     }
 }
 

@@ -13,8 +13,8 @@ namespace poissonlab {
 /// All but the method and the exemplar.
 void endless_keys(Keys& keys, EndlessRequest& request);
 
-/// Throws InputError for keys that are given although the method does not take them.
-void check_keys_of_method(const Keys& keys, EndlessMethod method);
+/// Throws InputError for keys that are given although the method does not take them; `key` chooses the method.
+void check_keys_of_method(const Keys& keys, EndlessMethod method, const std::string& key);
 
 /// Checks a request that was read against the size of its exemplar, by the header of its file, or of a pattern.
 void check_exemplar_size(const Keys& keys, const EndlessRequest& request, const std::filesystem::path& exemplar,

@@ -38,7 +38,7 @@ void endless_picture_keys(Keys& keys, EndlessSettings& s)
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     window_key(keys, s);
     endless_keys(keys, s.request);
-    check_keys_of_method(keys, s.request.method);
+    check_keys_of_method(keys, s.request.method, "kind");
     check_exemplar_size(keys, s.request, s.exemplar, 0);
 }
 

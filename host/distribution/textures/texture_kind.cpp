@@ -160,16 +160,16 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
         for (const char* name : names)
             if (keys.is_given(name)) throw keys.invalid(name, allowed);
     };
-    if (s.endless)
+    if (s.endless) {
         refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
                 "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also",
                 "straighten"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
-    if (s.endless)
-        check_keys_of_method(keys, s.endless->method);
-    else
+        check_keys_of_method(keys, s.endless->method, "kind");
+    } else {
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},
                "is for kind = \"offsets\", \"hexagons\", \"blended\" or \"quilted\"");
+    }
 }
 
 /// Without tiles there is nothing to show but the texture and what it is made of.

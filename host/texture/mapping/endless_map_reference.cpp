@@ -65,10 +65,16 @@ private:
     Light light_at(LevelPair level, double x, double y) const
     {
         if (texture_.method == METHOD_REPEATED)
-            return looked_up(level, x - std::floor(x / plane_.width) * plane_.width,
-                             y - std::floor(y / plane_.height) * plane_.height);
+            return looked_up(level, wrapped(x, plane_.width), wrapped(y, plane_.height));
         const ShownPieces pieces = texture_.method == METHOD_OFFSETS ? square(level, x, y) : triangle(level, x, y);
         return texture_.method == METHOD_BLENDED ? transformed_back(level, pieces) : blended(level, pieces);
+    }
+
+    /// From 0 to the size, without it.
+    static double wrapped(double at, int size)
+    {
+        const double inside = at - std::floor(at / size) * size;
+        return inside >= size ? 0 : inside;
     }
 
     bool is_wrapped() const { return texture_.method == METHOD_REPEATED || plane_.is_tileable != 0; }

@@ -26,7 +26,7 @@ struct SeenPlace
     int probes = 1;                  ///< look-ups; of filters without levels 1
 };
 
-/// Where a sample sees the plane, whose tiles have `size` texels; nothing above the horizon.
+/// Where a sample sees the plane, whose tiles have `size` texels; nothing above the horizon and beyond FARTHEST.
 inline std::optional<SeenPlace> seen_place(const contract::texture_map::TextureView& view, int size, double column,
                                            double row)
 {

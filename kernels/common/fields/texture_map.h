@@ -24,7 +24,7 @@ enum
 REAL(HORIZON, 0x1p-24)
 REAL(FARTHEST, 0x1p30)
 
-/// The light above the horizon; white is 65535.
+/// The light where the plane is not seen; white is 65535.
 REAL(SKY_LIGHT, 39321)
 
 /// A view of the plane: places, in tiles, are quotients of affine functions of a sample's column and row. Each function

@@ -96,6 +96,7 @@ TEST(EndlessMap, IsTheSameOnADeviceFarAway)
     camera.filter = TextureFilter::nearest;
     TextureView view = view_of(camera);
     view.height = 1;
+    int of_sky = 0, of_plane = 0;
     for (const double w : {0x1.2p-24, 0x1p-20}) { // a row of pixels just below the horizon
         view.w[0] = w;
         view.w[1] = view.w[2] = 0;
@@ -104,9 +105,20 @@ TEST(EndlessMap, IsTheSameOnADeviceFarAway)
             request.method = method;
             request.cell = 8;
             request.tileable = true;
+            const MappedEndless mapped = mapped_endless(request, test::random_picture(61, 57, 1, 3));
+            for (const float light : reference_map_endless(mapped, mapped.origin(0, 0), view))
+                ++(light == static_cast<float>(contract::texture_map::SKY_LIGHT) ? of_sky : of_plane);
             expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), view, 64);
         }
     }
+    EXPECT_GT(of_sky, 100);
+    EXPECT_GT(of_plane, 100);
+    // Footprints at the horizon go beyond what is seen.
+    camera.filter = TextureFilter::anisotropic;
+    camera.pitch = 1e-5;
+    camera.width = 65;
+    camera.height = 17;
+    expect_mapped_twin({}, test::random_picture(61, 57, 1, 3), view_of(camera), 64);
 }
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
@@ -189,6 +201,16 @@ TEST(EndlessMap, HasLevelsOfExemplarsOfAnySize)
             EXPECT_NEAR(mean_of_level(mapped, level, c), mean_light(exemplar, 0, 0, 61, 37, c), 65535 * level * 0x1p-24)
                 << level; // a float a level
     }
+    // Texel 1 of 31 begins in pixel 1 of 61 and ends in pixel 3, and so in rows of 37, of which 19 are made.
+    const auto part = [](int pixel, double size) {
+        return std::min(pixel + 1.0, 2 * size) - std::max<double>(pixel, size);
+    };
+    double sum = 0;
+    for (int y = 1; y <= 3; ++y)
+        for (int x = 1; x <= 3; ++x)
+            sum += part(x, 61.0 / 31) * part(y, 37.0 / 19) * mean_light(exemplar, x, y, 1, 1, 2);
+    EXPECT_NEAR(static_cast<double>(mapped.exemplar[mapped.levels.offsets[1] + 3 * (31 + 1) + 2]),
+                sum / (61.0 / 31 * 37.0 / 19), 65535 * 0x1p-24);
 }
 
 /// A line of light at the border of a picture of any width has its part of the light at all levels, when it is repeated
