@@ -185,6 +185,7 @@ TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
     expect_error("map noise.png --method hexagon --out a.png",
                  "texture map: --method hexagon: must be one of \"repeated\", \"offsets\", \"hexagons\", \"blended\", "
                  "\"quilted\"; did you mean \"hexagons\"?");
+    expect_error("map nothing.png --method hexagons --out a.png", "nothing.png: no such picture, and no such folder");
     printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 1 --candidates 1 --quiet --out set");
     expect_error("map set --method hexagons --out a.png",
                  "set: --method hexagons: is for pictures; this is a texture set");

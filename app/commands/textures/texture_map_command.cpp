@@ -260,8 +260,9 @@ void map_texture_plane(const TextureMapOptions& o)
         throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
     const MappedPlane plane = [&] {
         try {
-            if (std::error_code unknown; std::filesystem::is_regular_file(o.folder, unknown))
-                return plane_of_picture(o, request, place, camera);
+            std::error_code unknown;
+            if (!std::filesystem::exists(o.folder, unknown)) throw InputError("no such picture, and no such folder");
+            if (std::filesystem::is_regular_file(o.folder, unknown)) return plane_of_picture(o, request, place, camera);
             return plane_of_set(o, request, place, laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
