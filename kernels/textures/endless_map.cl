@@ -15,7 +15,7 @@
 #define PIECES (METHOD == METHOD_OFFSETS ? 4 : 3)
 #include "kernels/common/fields/blended_pieces.clh"
 
-/// What pieces are looked up in.
+/// The levels and tables in which pieces are looked up.
 typedef struct
 {
     const struct EndlessPlane* plane;

@@ -191,7 +191,7 @@ TEST_F(TextureCommand, MapsOtherTexturesAroundTheCamera)
                  "set: --method hexagons: is for pictures; this is a texture set");
 }
 
-/// What is typed as on or off means on by itself, before another option and at the end.
+/// A switch that takes on or off means on by itself, before another option and at the end.
 TEST_F(TextureCommand, TakesSwitchesByThemselves)
 {
     const std::string build = "build corner --colors 2 --exemplar noise.png --size 16 --rounds 1 --quiet ";

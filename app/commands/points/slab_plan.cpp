@@ -90,7 +90,7 @@ void check_process_memory(const SlabTask& task, std::uint64_t needed)
 SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const DeviceInfo& device)
 {
     check_cells(method, task);
-    // What processors take is the host's memory, which is divided between processes elsewhere.
+    // A processor takes the host's memory, which check_process_memory() divides between processes.
     const DeviceInfo share = device.type == "CPU" ? device : share_of(device, static_cast<int>(task.processes_here));
     for (std::uint32_t slabs = task.least_slabs;; slabs += (slabs + 7) / 8) {
         const DeviceMemory memory = slab_memory(method, task, slabs * task.processes);

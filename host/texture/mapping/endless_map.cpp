@@ -23,7 +23,7 @@ LevelValues light_levels(const PngPixels& exemplar)
     return level_values(exemplar.width, exemplar.height, exemplar.channels, std::move(light));
 }
 
-/// Of a Gaussian exemplar's texels, from the mean on.
+/// Levels of a Gaussian exemplar's numbers, which count from the mean on.
 LevelValues number_levels(const EndlessTexture& texture)
 {
     const auto channels = static_cast<std::size_t>(texture.channels), words = (channels + 1) / 2;

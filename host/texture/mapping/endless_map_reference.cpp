@@ -16,7 +16,7 @@ using namespace contract::endless_map;
 using namespace contract::endless_texture;
 using namespace contract::texture_map;
 
-/// What pieces show, and their weights.
+/// The colours or Gaussian numbers that pieces show, and the pieces' weights.
 struct ShownPieces
 {
     std::vector<Light> values;
@@ -114,7 +114,7 @@ private:
         return static_cast<std::uint32_t>(number - std::floor(number * 0x1p-32) * 0x1p32);
     }
 
-    /// What the piece of the lattice point (i, j) shows, from which the place is at (dx, dy).
+    /// Looks up the piece of the lattice point (i, j), from which the place is at (dx, dy).
     Light piece(LevelPair level, double i, double j, double dx, double dy) const
     {
         const std::uint32_t hash =

@@ -376,8 +376,8 @@ TEST(EndlessMap, IsNearTheMeansOfTheTexture)
         }
 }
 
-/// What light lacks at most of its mean over a picture when it follows from the mean and the variance of numbers: a
-/// sixth of its third derivative times the third moment, in parts of `all`. Signs of the next derivatives alternate.
+/// The mean light of a picture follows from the mean and the variance of its numbers but for at most this, in parts of
+/// `all`: a sixth of the third derivative of light times the third moment. Signs of the next derivatives alternate.
 double third_order(const PngPixels& picture, double all)
 {
     double mean = 0, third = 0;
