@@ -11,6 +11,7 @@
 
 #include "kernels/common/philox.clh"
 #include "kernels/common/tiles/tile_torus.clh"
+#include "kernels/common/tiles/coarse_points.clh"
 
 #define DARTS_AT_ONCE 8 // that are drawn as vectors
 
@@ -36,11 +37,35 @@ Position dart_at(local const int* positions, uint number)
     return position;
 }
 
-/// Is no point at a smaller squared distance?
-bool is_free(global const int* points, uint capacity, uint count, const Position* position, uint squared_distance)
+/// The points of a torus, with images.
+typedef struct
 {
-    for (uint from = 0; from < count; from += LANES) {
-        if (any_of(squared_distances(points, capacity, count, from, position) < squared_distance)) return false;
+    global int* c; // axis after axis, `capacity` apart
+    uint capacity;
+    CoarsePoints coarse;
+} DartPoints;
+
+uint squared_distance(const DartPoints* points, uint entry, const Position* position)
+{
+    uint squared = 0;
+    FOR_EACH_AXIS(k)
+    {
+        const uint length = abs(torus_difference_of(points->c[k * points->capacity + entry] - position->c[k]));
+        squared += min(length, (uint)FAR_LENGTH) * min(length, (uint)FAR_LENGTH);
+    }
+    return squared;
+}
+
+/// All points at smaller squared distances are within these limits.
+NearLimits limits_of_squared(uint squared) { return limits_of_ball((int)sqrt((float)squared) + 2); }
+
+/// Is none of `count` points at a smaller squared distance? `limits`: limits_of_squared of it.
+bool is_free(const DartPoints* points, uint count, const Position* position, uint squared, NearLimits limits)
+{
+    for (uint from = 0; from < count; from += POINTS_A_MASK) {
+        for (uint mask = mask_near(&points->coarse, from, count, position, limits); mask != 0; mask &= mask - 1) {
+            if (squared_distance(points, from + lowest_bit(mask), position) < squared) return false;
+        }
     }
     return true;
 }
@@ -59,8 +84,8 @@ typedef struct
 /// darts.levels: given up.
 kernel void throw_tile_darts(struct Darts darts, global const uint* problems, global const uint* streams,
                              global const uint* thresholds, global const uint* targets,
-                             global const uint* held_counts, global int* all_points, global uint* counts,
-                             global uint* levels)
+                             global const uint* held_counts, global int* all_points, global short* all_coarse,
+                             global uint* counts, global uint* levels)
 {
     const uint capacity = darts.tori.capacity;
     const uint copies = darts.tori.copies;
@@ -68,8 +93,9 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
-    global int* points = all_points + (ulong)problem * DIMENSION * capacity;
-    const Zone zone = zone_of(&darts.tori, points, held_counts[problem]);
+    const DartPoints points = {all_points + (ulong)problem * DIMENSION * capacity, capacity,
+                               coarse_points_of(all_coarse, problem, capacity)};
+    const Zone zone = zone_of(&darts.tori, points.c, held_counts[problem]);
     const uint stream = streams[problem];
     const uint target = targets[problem];
 
@@ -80,7 +106,10 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
         filling.points = counts[problem];
         filling.level = filling.failures = filling.darts = 0;
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint entry = item; entry < counts[problem] * copies; entry += items) {
+        FOR_EACH_AXIS(k) put_coarse(&points.coarse, entry, points.c[k * capacity + entry], k);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     while (filling.points < target && filling.level < level_count && filling.darts < MAX_DARTS) {
         const uint first = filling.darts;
         const uint reachable = filling.level + (filling.failures + BATCH - 1) / darts.attempts;
@@ -89,11 +118,12 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
             draw_darts(first + i, stream, &darts, positions + i);
         }
         barrier(CLK_LOCAL_MEM_FENCE);
+        const NearLimits limits = limits_of_squared(least);
         for (uint i = item; i < BATCH; i += items) {
             const Position position = dart_at(positions, i);
-            is_candidate[i] = !is_allowed(&position, &zone)                                         ? 2
-                              : is_free(points, capacity, filling.points * copies, &position, least) ? 1
-                                                                                                     : 0;
+            is_candidate[i] = !is_allowed(&position, &zone)                                            ? 2
+                              : is_free(&points, filling.points * copies, &position, least, limits) ? 1
+                                                                                                    : 0;
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         if (item == 0) {
@@ -103,11 +133,14 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
                 if (is_candidate[i] == 2) continue; // not in the domain
                 const Position position = dart_at(positions, i);
                 if (is_candidate[i] == 1 &&
-                    is_free(points, capacity, f.points * copies, &position, thresholds[f.level])) {
+                    is_free(&points, f.points * copies, &position, thresholds[f.level],
+                            limits_of_squared(thresholds[f.level]))) {
                     for (uint image = 0; image < copies; ++image) {
                         for (int k = 0; k < DIMENSION; ++k) {
-                            points[k * capacity + f.points * copies + image] =
+                            const uint entry = f.points * copies + image;
+                            points.c[k * capacity + entry] =
                                 (position.c[k] + (int)(image >> k & 1) * TILE_UNITS) & TORUS_MASK;
+                            put_coarse(&points.coarse, entry, points.c[k * capacity + entry], k);
                         }
                     }
                     ++f.points;

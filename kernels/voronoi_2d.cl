@@ -127,7 +127,7 @@ void finish_wide(Search* search)
     const Batch* batch = &search->wide;
     BatchNeighbours neighbours;
     BatchCells cells;
-    find_batch_cells(&search->wide, &search->grid, &search->points, &neighbours, &cells);
+    find_batch_cells(&search->wide, search->grid.positions, &search->points, &neighbours, &cells);
     for (uint slot = 0; slot < batch->count; ++slot) {
         if (cells.is_known[slot] && cells.is_complete[slot] && cells.is_certain[slot]) {
             store_of_batch(&cells, slot, batch->site[slot], search->results);
@@ -165,7 +165,8 @@ void widen(Search* search, const BatchCells* cells, const BatchNeighbours* neigh
         for (uint k = 0; k < edges; ++k) {
             append_point(window, grid, neighbour_of(near, neighbours, slot, k));
         }
-        add_to_batch(&search->wide, window, site, grid_cell, &margins);
+        add_to_batch(&search->wide, window, site, grid->fixed_point[site], grid->fixed_point[grid->stride + site],
+                     grid_cell, &margins);
         if (search->wide.count == BATCH_SITES) finish_wide(search);
     } else if (vertices.left < margins.left && vertices.right < margins.right && vertices.below < margins.below &&
                vertices.above < margins.above) {
@@ -181,7 +182,7 @@ void finish_near(Search* search)
     const Batch* batch = &search->near;
     BatchNeighbours neighbours;
     BatchCells cells;
-    find_batch_cells(&search->near, &search->grid, &search->points, &neighbours, &cells);
+    find_batch_cells(&search->near, search->grid.positions, &search->points, &neighbours, &cells);
     for (uint slot = 0; slot < batch->count; ++slot) {
         const bool is_right = cells.is_known[slot] && cells.is_certain[slot];
         if (is_right && cells.is_complete[slot]) {
@@ -233,7 +234,8 @@ kernel void find_centroids_fast(global const double2* positions, global const in
         for (uint site = first; site < last; ++site) {
             Margins margins;
             margins_around(site, cell, 1, &grid, &margins);
-            add_to_batch(&search.near, window, site, cell, &margins);
+            add_to_batch(&search.near, window, site, grid.fixed_point[site], grid.fixed_point[grid.stride + site], cell,
+                         &margins);
             if (search.near.count == BATCH_SITES) finish_near(&search);
         }
     }

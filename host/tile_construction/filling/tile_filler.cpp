@@ -46,8 +46,12 @@ std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
     return reaches;
 }
 
-/// The width, in spacings, by which a box is larger if its points are listed once for several iterations.
-constexpr double list_slack = 0.5;
+/// Half the width, in spacings, of the box whose points are listed for each; in 2D, the radius of the disk: less than
+/// of the first box, as the few cells that need more are looked for in boxes.
+double list_reach(int dimension) { return dimension == 2 ? 1.7 : 2.1; }
+
+/// How much larger, in spacings, it is, so that lists stand for several iterations.
+double list_slack(int dimension) { return dimension == 2 ? 0.35 : 0.5; }
 
 /// Elements of buffers that a torus takes.
 struct TorusRoom
@@ -56,19 +60,22 @@ struct TorusRoom
     std::size_t lists;
 };
 
+std::size_t in_whole(std::size_t vector, std::size_t count) { return (count + vector - 1) / vector * vector; }
+
 TorusRoom torus_room(const FillShape& shape, int dimension)
 {
+    // Kernels read points 32 at a time, and lists of 8 points.
     constexpr std::size_t lanes = contract::vectors::LANES;
-    return {(shape.points * shape.images + lanes - 1) / lanes * lanes,
-            shape.moving * contract::tile_filling::LIST_WORDS(dimension)};
+    return {in_whole(4 * lanes, shape.points * shape.images),
+            in_whole(lanes, shape.moving) * contract::tile_filling::LIST_WORDS(dimension)};
 }
 
 /// Tori that are filled at once.
 std::size_t batch_size(const TorusRoom& room, int dimension, const DeviceInfo& device)
 {
-    const std::size_t bytes =
-        room.capacity * static_cast<std::size_t>(dimension) * (3 * sizeof(std::int32_t) + sizeof(double)) +
-        room.lists * sizeof(std::uint16_t);
+    const std::size_t bytes = room.capacity * static_cast<std::size_t>(dimension) *
+                                  (3 * sizeof(std::int32_t) + sizeof(std::int16_t) + sizeof(double)) +
+                              room.lists * sizeof(std::uint16_t);
     return std::max<std::size_t>(1, batch_bytes(device) / std::max<std::size_t>(1, bytes));
 }
 
@@ -87,6 +94,7 @@ struct FillBuffers
 {
     Buffer<std::uint32_t> distances;
     Buffer<std::int32_t> points, moved, kept; ///< a coordinate each
+    Buffer<std::int16_t> coarse;              ///< a coordinate each
     Buffer<double> doubles;
     Buffer<std::uint16_t> lists;
     Buffer<std::uint8_t> exponents;
@@ -100,6 +108,7 @@ struct FillBuffers
                           {points, coordinates},
                           {moved, coordinates},
                           {kept, coordinates},
+                          {coarse, coordinates},
                           {doubles, coordinates},
                           {lists, listed},
                           {exponents, contract::tile_filling::MAX_MONOMIALS * std::size_t{3}},
@@ -134,7 +143,7 @@ public:
         const FillShape shape = shape_of(stage, problems, settings_.dimension);
         const TorusRoom room = torus_room(shape, settings_.dimension);
         copies_ = shape.images;
-        max_moving_ = shape.moving;
+        max_moving_ = in_whole(contract::vectors::LANES, shape.moving);
         capacity_ = room.capacity;
         const std::size_t batch = batch_size(room, settings_.dimension, device_.info());
         std::vector<FilledTorus> results;
@@ -240,7 +249,7 @@ private:
                                                   .attempts = attempts};
         FillBuffers& b = buffers_;
         throw_.run(groups_ * work_group_size_, work_group_size_, darts, b.problem_numbers, b.streams, b.distances,
-                   targets, b.held, b.points, b.counts, b.levels);
+                   targets, b.held, b.points, b.coarse, b.counts, b.levels);
     }
 
     void relax(const FillStage& stage)
@@ -254,12 +263,14 @@ private:
             .wanted = settings_.wanted,
             .reaches = {},
             .reach_count = static_cast<std::uint32_t>(reaches_.size()),
-            .slack = static_cast<std::int32_t>(list_slack * settings_.spacing),
+            .listed = std::min(reaches_.front(),
+                               static_cast<std::int32_t>(list_reach(settings_.dimension) * settings_.spacing)),
+            .slack = static_cast<std::int32_t>(list_slack(settings_.dimension) * settings_.spacing),
             .max_moving = static_cast<std::uint32_t>(max_moving_)};
         std::ranges::copy(reaches_, relaxation.reaches);
         FillBuffers& b = buffers_;
         relax_.run(groups_ * work_group_size_, work_group_size_, relaxation, b.problem_numbers, b.counts, b.held,
-                   b.active, b.lists, b.points, b.doubles, b.moved, b.kept, b.squared_kept);
+                   b.active, b.lists, b.points, b.coarse, b.doubles, b.moved, b.kept, b.squared_kept);
     }
 
     /// Returns the number of monomials.

@@ -67,7 +67,8 @@ struct Relaxation
     uint wanted;              ///< squared distance
     int reaches[MAX_REACHES]; ///< half widths of the boxes that are looked into for Voronoi neighbours, in this order
     uint reach_count;
-    int slack;       ///< how much larger the box is whose points are listed once for several iterations
+    int listed; ///< half the width of the box, in 2D the radius of the disk, whose points are listed for each
+    int slack;  ///< how much larger it is, as lists stand for several iterations
     uint max_moving; ///< points of a torus
 };
 
