@@ -37,6 +37,23 @@ Position dart_at(local const int* positions, uint number)
     return position;
 }
 
+/// Sets `is_candidate` of darts that are drawn as vectors to 2 where they are not in the domain, else to 1.
+void find_allowed(local const int* positions, const Zone* zone, local uchar* is_candidate)
+{
+#if DIMENSION == 2
+    if (zone->corners == 0) {
+        const int8 is_in = are_allowed(vload8(0, positions), vload8(0, positions + BATCH), (uint8)(uint)zone->cells,
+                                       &zone->regions);
+        vstore8(convert_uchar8(2 + is_in), 0, is_candidate);
+        return;
+    }
+#endif
+    for (uint i = 0; i < DARTS_AT_ONCE; ++i) {
+        const Position position = dart_at(positions, i);
+        is_candidate[i] = is_allowed(&position, zone) ? 1 : 2;
+    }
+}
+
 /// The points of a torus, with images.
 typedef struct
 {
@@ -100,7 +117,7 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
     const uint target = targets[problem];
 
     local Filling filling;
-    local uchar is_candidate[BATCH];
+    local uchar is_candidate[BATCH]; // 0: too near to a point; 1: may be free; 2: not in the domain
     local int positions[DIMENSION * BATCH];
     if (item == 0) {
         filling.points = counts[problem];
@@ -116,14 +133,14 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
         const uint least = thresholds[min(reachable, level_count - 1)];
         for (uint i = item * DARTS_AT_ONCE; i < BATCH; i += items * DARTS_AT_ONCE) {
             draw_darts(first + i, stream, &darts, positions + i);
+            find_allowed(positions + i, &zone, is_candidate + i);
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         const NearLimits limits = limits_of_squared(least);
         for (uint i = item; i < BATCH; i += items) {
             const Position position = dart_at(positions, i);
-            is_candidate[i] = !is_allowed(&position, &zone)                                            ? 2
-                              : is_free(&points, filling.points * copies, &position, least, limits) ? 1
-                                                                                                    : 0;
+            if (is_candidate[i] == 2) continue;
+            is_candidate[i] = is_free(&points, filling.points * copies, &position, least, limits);
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         if (item == 0) {
