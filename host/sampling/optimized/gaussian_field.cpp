@@ -2,6 +2,8 @@
 
 #include "host/sampling/optimized/torus_map.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,9 +117,15 @@ struct PlaceNumbers
     /// `own_deviation`: of the density of the place.
     PlaceNumbers(const BlurredDensity& density, double own_deviation, double at_x, double at_y)
         : squared(density.squared), under(squared * (1 + density.deviation.between(at_x, at_y))),
-          enough(std::max(under, squared * (1 + own_deviation))), slope_x(density.slope_x.between(at_x, at_y)),
-          slope_y(density.slope_y.between(at_x, at_y))
+          enough(std::max(under, squared * (1 + own_deviation)))
     {}
+
+    /// Slopes are read last: most Gaussians are not wide enough, and need none.
+    void read_slopes(const BlurredDensity& density, double at_x, double at_y)
+    {
+        slope_x = density.slope_x.between(at_x, at_y);
+        slope_y = density.slope_y.between(at_x, at_y);
+    }
 
     /// Turns the numbers of a Gaussian that is wide enough into those of one between it and a narrower one that is not:
     /// the narrowest that is wide enough.
@@ -149,24 +157,31 @@ public:
     {
         BlurredDensity density{root_power(number, 2), deviation, slope_along_x(deviation), slope_along_y(deviation)};
         const std::size_t size = field_.shape.size;
-        const auto middle = [&](std::size_t cell) {
-            return (static_cast<double>(cell) + 0.5) / static_cast<double>(size);
-        };
-        for (std::size_t i = 0; i < field_.cells.size(); ++i) {
-            if (is_done_[i]) continue;
-            const auto numbers_in = [&](const BlurredDensity& blurred) {
-                return PlaceNumbers(blurred, own_.values[i], middle(i % size), middle(i / size));
-            };
-            PlaceNumbers numbers = numbers_in(density);
-            if (numbers.enough < 1 && !is_last) continue;
-            if (numbers.enough > 1 && number > field_.shape.narrowest) numbers.narrow_towards(numbers_in(narrower_));
-            is_done_[i] = true;
-            field_.cells[i] = cell_of(numbers);
-        }
+        tbb::parallel_for(std::size_t{0}, size, [&](std::size_t row) {
+            for (std::size_t i = row * size; i < (row + 1) * size; ++i)
+                if (!is_done_[i]) choose_for(i, number, density, is_last);
+        });
         narrower_ = std::move(density);
     }
 
 private:
+    void choose_for(std::size_t i, int number, const BlurredDensity& density, bool is_last)
+    {
+        const auto size = static_cast<double>(field_.shape.size);
+        const double x = (static_cast<double>(i % field_.shape.size) + 0.5) / size;
+        const double y = (static_cast<double>(i / field_.shape.size) + 0.5) / size;
+        PlaceNumbers numbers(density, own_.values[i], x, y);
+        if (numbers.enough < 1 && !is_last) return;
+        numbers.read_slopes(density, x, y);
+        if (numbers.enough > 1 && number > field_.shape.narrowest) {
+            PlaceNumbers narrower(narrower_, own_.values[i], x, y);
+            narrower.read_slopes(narrower_, x, y);
+            numbers.narrow_towards(narrower);
+        }
+        is_done_[i] = 1;
+        field_.cells[i] = cell_of(numbers);
+    }
+
     DensityCell cell_of(const PlaceNumbers& numbers) const
     {
         const double squared = sigma_ * sigma_ * numbers.squared;
@@ -181,7 +196,7 @@ private:
     GaussianField& field_;
     const TorusMap& own_;
     double sigma_, step_, points_;
-    std::vector<bool> is_done_;
+    std::vector<std::uint8_t> is_done_; ///< bytes, which threads can write side by side
     BlurredDensity narrower_;
 };
 
