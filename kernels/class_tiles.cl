@@ -52,18 +52,6 @@ Position dart_of(uint number, uint stream, const struct ClassFilling* filling)
     return position;
 }
 
-/// Exact where it matters: lengths along an axis count as FAR_LENGTH at most.
-uint squared_between(const Position* a, const Position* b)
-{
-    uint sum = 0;
-    FOR_EACH_AXIS(k)
-    {
-        const uint length = min(abs(torus_difference_of(a->c[k] - b->c[k])), (uint)FAR_LENGTH);
-        sum += length * length;
-    }
-    return sum;
-}
-
 /// Does a point keep this part of the squared distances `wanted` of its class from the first `count` points?
 bool is_free(const ClassedPoints* points, uint count, const Position* position, global const uint* wanted, uint part)
 {

@@ -98,7 +98,7 @@ typedef struct
 
 /// Work-group g fills problem problems[g]. A problem has capacity ints for each axis in `points`; images of a point come
 /// one after the other. counts: points there are, without images, before and after. levels: the level that was reached;
-/// darts.levels: given up.
+/// darts.levels: given up. all_coarse: room for coarse coordinates.
 kernel void throw_tile_darts(struct Darts darts, global const uint* problems, global const uint* streams,
                              global const uint* thresholds, global const uint* targets,
                              global const uint* held_counts, global int* all_points, global short* all_coarse,

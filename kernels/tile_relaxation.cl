@@ -5,8 +5,6 @@
 // surroundings, which are held as well or, in Lloyd relaxation, move in cells of their own. Movements end where they
 // would leave the allowed cells; with repulsion they slide along them. The plain twin is host/tile_construction/reference/tile_filling.cpp.
 //
-// Coordinates are whole units, so that all tests are exact; a torus is small enough to look at all of its points.
-//
 // Needs DIMENSION (2 or 3).
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -38,27 +36,15 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
     }
 }
 
-/// The squared distance of two positions, or a large one.
-uint squared_between(const Position* a, const Position* b)
-{
-    uint squared = 0;
-    for (int k = 0; k < DIMENSION; ++k) {
-        const uint length = min(abs(torus_difference_of(a->c[k] - b->c[k])), (uint)FAR_LENGTH);
-        squared += length * length;
-    }
-    return squared;
-}
-
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
-/// from all points or, where none has, the best one. Where no reach is enough, a point stays. For the first box, each
-/// point has a list of LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have
+/// from all points or, where none has, the best one. Where no reach is enough, a point stays. Each point
+/// has a list of LIST_WORDS of those around it, `slack` farther than is needed, for as long as movements cannot have
 /// brought in others. Points themselves end as the last iterate; surroundings that move are kept as well.
 kernel void relax_tiles(struct Relaxation relaxation, global const uint* problems, global const uint* counts,
                         global const uint* held_counts, global const uint* active_counts, global ushort* all_lists,
                         global int* all_points, global short* all_coarse, global double* all_doubles,
-                        global int* all_moved,
-                        global int* all_kept, global uint* squared_kept)
+                        global int* all_moved, global int* all_kept, global uint* squared_kept)
 {
     const uint capacity = relaxation.tori.capacity;
     const uint copies = relaxation.tori.copies;
@@ -119,20 +105,24 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
 #endif
             for (uint k = 0; k < count; ++k) {
                 const uint i = from + k;
-                if (finds ? !steps[k].is_found : !steps[k].is_counted) {
-                    find_step(&steps[k], i, &points, own_lists + k * LIST_WORDS, doubles, &relaxation, end, finds, &nearest);
+                SiteStep* step = &steps[k];
+                if (finds ? !step->is_found : !step->is_counted) {
+                    find_step(step, i, &points, own_lists + k * LIST_WORDS, doubles, &relaxation, end, finds, &nearest);
                 }
+                if (!finds) continue;
                 const Position position = point_at(&points, i * copies);
-                const Position target = steps[k].is_allowed ? end_of(&position, &steps[k].movement)
-                                                            : allowed_end(&position, &steps[k].movement,
-                                                                          i < end ? &zone : &surrounding_zone, false);
+                const Zone* own_zone = i < end ? &zone : &surrounding_zone;
+                const Position target = step->is_allowed
+                                            ? end_of(&position, &step->movement)
+                                            : allowed_end(&position, &step->movement, own_zone, false);
                 const Position listed_at = coarse_position(&coarse, i * copies);
                 longest = max(longest, squared_between(&target, &listed_at));
                 put_point(&moved, i, target);
             }
         }
         nearest = smallest_of_group(nearest, values);
-        moved_by = (int)sqrt((float)(UINT_MAX - smallest_of_group(UINT_MAX - longest, values))) + 4; // coarse and rounded
+        longest = UINT_MAX - smallest_of_group(UINT_MAX - longest, values);
+        moved_by = (int)sqrt((float)longest) + 4; // as coarse positions lack a bit
         if (relaxation.keeps_last ? iteration == iterations : nearest >= wanted || nearest > best || iteration == 0) {
             best = min(nearest, wanted);
             copy_points(&kept, &points, first, moving_end);

@@ -56,7 +56,7 @@ double list_slack(int dimension) { return dimension == 2 ? 0.35 : 0.5; }
 /// Elements of buffers that a torus takes.
 struct TorusRoom
 {
-    std::size_t capacity; ///< points with their images, in whole vectors
+    std::size_t capacity; ///< points with their images, as many as are read at once
     std::size_t lists;
 };
 

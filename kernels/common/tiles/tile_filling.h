@@ -25,7 +25,7 @@ enum
 /// A condition on moments that has less than this part of its own left, beside those before it, is dropped.
 REAL(LEAST_PIVOT, 0x1p-30)
 
-/// Entries of the list of points around a point: their number, then the points.
+/// Entries of the list of points around a point: their number, the points, and the point itself, at least once.
 DERIVED(LIST_WORDS, (size_t DIMENSION), DIMENSION == 2 ? 64 : 256)
 
 /// Bounds of folded coordinates, see tiles/poisson/tile_regions.hpp.
@@ -69,7 +69,7 @@ struct Relaxation
     uint reach_count;
     int listed; ///< half the width of the box, in 2D the radius of the disk, whose points are listed for each
     int slack;  ///< how much larger it is, as lists stand for several iterations
-    uint max_moving; ///< points of a torus
+    uint max_moving; ///< lists of a torus: as many as move, in whole vectors
 };
 
 /// The arguments of repel_tiles.
