@@ -38,9 +38,11 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
-/// from all points or, where none has, the best one. Where no reach is enough, a point stays. Each point
-/// has a list of LIST_WORDS of those around it, `slack` farther than is needed, for as long as movements cannot have
-/// brought in others. Points themselves end as the last iterate; surroundings that move are kept as well.
+/// from all points or, where none has, the best one. Where no reach is enough, a point stays: its cell
+/// reaches across half of the torus, as there are few points in it. (The plain twin moves it: sets of fewer than 8
+/// points a tile may differ.) Each point has a list of LIST_WORDS of those around it, `slack` farther than is needed, for
+/// as long as movements cannot have brought in others. Points themselves end as the last iterate; surroundings that move
+/// are kept as well.
 kernel void relax_tiles(struct Relaxation relaxation, global const uint* problems, global const uint* counts,
                         global const uint* held_counts, global const uint* active_counts, global ushort* all_lists,
                         global int* all_points, global short* all_coarse, global double* all_doubles,
