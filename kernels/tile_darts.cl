@@ -62,15 +62,11 @@ typedef struct
     CoarsePoints coarse;
 } DartPoints;
 
-uint squared_distance(const DartPoints* points, uint entry, const Position* position)
+Position point_at(const DartPoints* points, uint entry)
 {
-    uint squared = 0;
-    FOR_EACH_AXIS(k)
-    {
-        const uint length = abs(torus_difference_of(points->c[k * points->capacity + entry] - position->c[k]));
-        squared += min(length, (uint)FAR_LENGTH) * min(length, (uint)FAR_LENGTH);
-    }
-    return squared;
+    Position position;
+    FOR_EACH_AXIS(k) position.c[k] = points->c[k * points->capacity + entry];
+    return position;
 }
 
 /// All points at smaller squared distances are within these limits.
@@ -81,7 +77,8 @@ bool is_free(const DartPoints* points, uint count, const Position* position, uin
 {
     for (uint from = 0; from < count; from += POINTS_A_MASK) {
         for (uint mask = mask_near(&points->coarse, from, count, position, limits); mask != 0; mask &= mask - 1) {
-            if (squared_distance(points, from + lowest_bit(mask), position) < squared) return false;
+            const Position other = point_at(points, from + lowest_bit(mask));
+            if (squared_between(&other, position) < squared) return false;
         }
     }
     return true;
