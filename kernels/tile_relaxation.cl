@@ -15,10 +15,12 @@
 #include "kernels/common/tiles/limited_movement.clh"
 #if DIMENSION == 2
 #include "kernels/common/voronoi/voronoi_2d.clh"
+#include "kernels/common/voronoi/voronoi_2d_window.clh"
 #else
 #include "kernels/common/voronoi/voronoi_3d_window.clh"
 #endif
 #include "kernels/common/tiles/torus_windows.clh"
+#include "kernels/common/tiles/whole_torus.clh"
 #include "kernels/common/tiles/site_step.clh"
 #if DIMENSION == 2
 #include "kernels/common/tiles/batch_of_tile.clh"
@@ -38,9 +40,7 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
-/// from all points or, where none has, the best one. Where no reach is enough, a point stays: its cell
-/// reaches across half of the torus, as there are few points in it. (The plain twin moves it: sets of fewer than 8
-/// points a tile may differ.) Each point has a list of LIST_WORDS of those around it, `slack` farther than is needed, for
+/// from all points or, where none has, the best one. Each point has a list of LIST_WORDS of those around it, `slack` farther than is needed, for
 /// as long as movements cannot have brought in others. Points themselves end as the last iterate; surroundings that move
 /// are kept as well.
 kernel void relax_tiles(struct Relaxation relaxation, global const uint* problems, global const uint* counts,

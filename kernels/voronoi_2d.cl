@@ -24,6 +24,7 @@
 #include "kernels/common/voronoi/voronoi_2d_batch.clh"
 #include "kernels/common/voronoi/voronoi_2d_batch_cells.clh"
 #include "kernels/common/voronoi/voronoi_2d_wide.clh"
+#include "kernels/common/voronoi/grid_rings_2d.clh"
 #include "kernels/common/voronoi/voronoi_2d_slow.clh"
 
 /// The results, a value a site.

@@ -33,6 +33,7 @@ struct Run
     std::vector<ConstructionResult> constructions;
     std::vector<DistributionResult> distributions;
     std::vector<DistributionResult> schemes; ///< of tilings and tile sets
+    std::vector<std::string> missing;        ///< what was asked for and is not there, and why: a sentence each
 
     bool operator==(const Run&) const = default;
 };

@@ -53,6 +53,7 @@ void members(JsonMembers& m, Stored<Run> auto& run)
     m.objects_if_any("constructions", run.constructions);
     m.objects_if_any("distributions", run.distributions);
     m.objects_if_any("schemes", run.schemes);
+    m.if_any("missing", run.missing);
 }
 
 namespace {

@@ -59,7 +59,7 @@ void fill_file(const std::filesystem::path& temporary, const std::filesystem::pa
         writer.write(before[job.first]);
     };
     Schedule schedule = one_job_each(static_cast<std::uint32_t>(before.size() - 1));
-    if (!crew.work(schedule, make_and_write, [](const Job& /*job*/, bool /*here*/) {})) return;
+    if (!crew.work(schedule, make_and_write, [](const Job& /*job*/, bool /*here*/) {}, {})) return;
     crew.together([&] {
         writer.finish();
         file->close();

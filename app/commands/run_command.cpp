@@ -32,8 +32,9 @@ constexpr auto run_notes =
   --set seed=2   --set analysis.points=4096   --set engine=reference
   --set method.0.label=White   --set "method.relative_radius=[0.6, 0.7]" (every method that has it)
   --set method.0.start.relative_radius=0.7 (in a table of the method)
-Results are written to DIR when everything is done; see docs/output-folder.md. Until then, and when something
-fails, a previous result in DIR stays as it is. The last line of output is the path of the report.
+Results are written to DIR when everything is done; see docs/output-folder.md. Until then a previous result in DIR stays
+as it is, and so it does when nothing can be made. A series that fails is named, in the report as well, which has all
+others; the exit status is then that of its failure. The last line of output is the path of the report.
 
 Finished work is kept in DIR/.units: a run that was interrupted goes on where it was, and one with other settings makes
 only what these change. Several processes share the work:
@@ -177,14 +178,15 @@ void run(const RunOptions& options)
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;
     if (plan.is_collection) settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
-    const bool is_complete = run_experiments(plan.runs, settings, *crew, progress);
+    const RunsOutcome outcome = run_experiments(plan.runs, settings, *crew, progress);
     if (!crew->leads()) return;
-    if (!is_complete)
+    if (!outcome.is_complete)
         return progress.message(fmt::format("shard {} is done, and kept in {}; others are not. When all are, the same "
                                             "command without --shard writes the results (`poissonlab merge` first, "
                                             "where shards have folders of their own)",
                                             options.shard, settings.units.string()));
-    write_final_report(plan, done, progress);
+    if (outcome.is_published) write_final_report(plan, done, progress);
+    outcome.raise_failures();
 }
 
 }

@@ -1,6 +1,7 @@
 // The processes that share the work of a run.
 #pragma once
 
+#include "experiment/crew/failure.hpp"
 #include "experiment/crew/schedule.hpp"
 
 #include <cstddef>
@@ -23,6 +24,8 @@ public:
     using Execute = std::function<void(const Job&)>;
     /// `here`: this process has executed the job.
     using Done = std::function<void(const Job&, bool here)>;
+    /// `given_up`: so many more jobs of the same series or exhibit will not be executed.
+    using Failed = std::function<void(const Job&, const Failure&, std::size_t given_up)>;
 
     virtual ~Crew() = default;
 
@@ -31,9 +34,11 @@ public:
     virtual bool leads() const = 0;
 
     /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one
-    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. What any process
-    /// throws is thrown in the one that leads, and the others return false; true where all went well.
-    virtual bool work(Schedule& schedule, const Execute& execute, const Done& done) = 0;
+    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. `failed` is called
+    /// there like `done` where `execute` throws what spares other jobs. All else that any process throws, and
+    /// everything where there is no `failed`, is thrown in the one that leads, and the others return false; true where
+    /// nothing was thrown.
+    virtual bool work(Schedule& schedule, const Execute& execute, const Done& done, const Failed& failed) = 0;
 
     /// Does something in every process. What any of them throws is thrown in the one that leads, and the others return
     /// false; true where all went well.

@@ -12,13 +12,17 @@ public:
     int rank() const override { return 0; }
     bool leads() const override { return true; }
 
-    bool work(Schedule& schedule, const Execute& execute, const Done& done) override
+    bool work(Schedule& schedule, const Execute& execute, const Done& done, const Failed& failed) override
     {
         while (const auto id = schedule.next()) {
             stop_if_interrupted();
-            execute(schedule.job(*id));
+            const Job job = schedule.job(*id);
+            const Failure failure = executed(job, execute, static_cast<bool>(failed));
             schedule.finish(*id);
-            done(schedule.job(*id), true);
+            if (failure.kind == Failure::Kind::none)
+                done(job, true);
+            else
+                failed(job, failure, schedule.give_up(job));
         }
         return true;
     }
@@ -36,6 +40,21 @@ public:
     std::optional<std::vector<std::vector<std::byte>>> exchange(std::vector<std::vector<std::byte>> messages) override
     {
         return messages;
+    }
+
+private:
+    /// What became of a job. Throws what ends the work.
+    static Failure executed(const Job& job, const Execute& execute, bool may_fail)
+    {
+        try {
+            execute(job);
+            return {};
+        } catch (...) {
+            stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
+            Failure failure = Failure::current();
+            if (!may_fail || !failure.spares_others()) throw;
+            return failure;
+        }
     }
 };
 

@@ -27,6 +27,9 @@ struct Failure
 
     /// Throws an exception of that kind, or returns where nothing failed.
     void raise() const;
+
+    /// Is other work worth going on with? Not where somebody has interrupted it, or nothing can be stored.
+    bool spares_others() const { return kind != Kind::interrupted && kind != Kind::storage; }
 };
 
 }

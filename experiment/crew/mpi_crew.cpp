@@ -30,7 +30,7 @@ constexpr int farewell_tag = 3; ///< from the leader: the end
 /// A process's report to the leader. The message of a failure follows.
 struct JobReport
 {
-    std::int64_t id = -1; ///< of the job that was done; -1: none yet
+    std::int64_t id = -1; ///< of the job that was done, or failed; -1: none yet
     Failure::Kind failure = Failure::Kind::none;
 };
 
@@ -54,18 +54,28 @@ Failure elsewhere(Failure failure, const std::string& host)
     return failure;
 }
 
+/// What became of a job of another process.
+struct Outcome
+{
+    Job job;
+    Failure failure;
+    std::size_t given_up = 0;
+};
+
 /// Hands out the jobs of a schedule: to its own process, and in a thread to the others.
 class Dealer
 {
 public:
-    Dealer(Schedule& schedule, int processes) : schedule_(schedule), others_(processes - 1) {}
+    Dealer(Schedule& schedule, int processes, const Crew::Done& done, const Crew::Failed& failed)
+        : schedule_(schedule), others_(processes - 1), done_(done), failed_(failed)
+    {}
 
-    /// Executes jobs here until all are done everywhere. Throws what was thrown in any process.
-    void work(const Crew::Execute& execute, const Crew::Done& done)
+    /// Executes jobs here until all are done everywhere. Throws what was thrown in any process and ends the work.
+    void work(const Crew::Execute& execute)
     {
         std::thread dealing([this] { deal(); });
         try {
-            work_here(execute, done);
+            work_here(execute);
         } catch (...) {
             note(Failure::current());
         }
@@ -78,11 +88,11 @@ public:
     }
 
 private:
-    void work_here(const Crew::Execute& execute, const Crew::Done& done)
+    void work_here(const Crew::Execute& execute)
     {
         while (true) {
             stop_if_interrupted();
-            std::deque<Job> finished;
+            std::deque<Outcome> finished;
             std::optional<Schedule::Id> id;
             {
                 const std::lock_guard lock(mutex_);
@@ -93,19 +103,51 @@ private:
                     id = schedule_.next();
                 }
             }
-            for (const Job& job : finished) done(job, false);
+            for (const Outcome& outcome : finished) tell(outcome, false);
             if (id) {
-                const Job job = schedule_.job(*id);
-                execute(job);
+                const Failure failure = executed(schedule_.job(*id), execute);
+                Outcome outcome;
                 {
                     const std::lock_guard lock(mutex_);
-                    schedule_.finish(*id);
+                    outcome = finish(*id, failure);
                 }
-                done(job, true);
+                tell(outcome, true);
             } else if (finished.empty()) {
                 std::this_thread::sleep_for(longest_pause);
             }
         }
+    }
+
+    /// What became of a job of this process. Throws what ends the work.
+    Failure executed(const Job& job, const Crew::Execute& execute) const
+    {
+        try {
+            execute(job);
+            return {};
+        } catch (...) {
+            stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
+            Failure failure = Failure::current();
+            if (!is_of_one_job(failure)) throw;
+            return failure;
+        }
+    }
+
+    bool is_of_one_job(const Failure& failure) const { return failed_ && failure.spares_others(); }
+
+    Outcome finish(Schedule::Id id, const Failure& failure)
+    {
+        Outcome outcome{schedule_.job(id), failure};
+        schedule_.finish(id);
+        if (failure.kind != Failure::Kind::none) outcome.given_up = schedule_.give_up(outcome.job);
+        return outcome;
+    }
+
+    void tell(const Outcome& outcome, bool here) const
+    {
+        if (outcome.failure.kind == Failure::Kind::none)
+            done_(outcome.job, here);
+        else
+            failed_(outcome.job, outcome.failure, outcome.given_up);
     }
 
     void note(const Failure& failure)
@@ -149,12 +191,12 @@ private:
         MPI_Recv(message.data(), bytes, MPI_BYTE, status.MPI_SOURCE, report_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
         JobReport report;
         std::memcpy(&report, message.data(), sizeof report);
-        if (report.failure != Failure::Kind::none)
-            note({report.failure, std::string(message.begin() + sizeof report, message.end())});
-        if (report.id >= 0) {
+        const Failure failure{report.failure, std::string(message.begin() + sizeof report, message.end())};
+        if (failure.kind != Failure::Kind::none && !is_of_one_job(failure)) {
+            note(failure);
+        } else if (report.id >= 0) {
             const std::lock_guard lock(mutex_);
-            schedule_.finish(static_cast<Schedule::Id>(report.id));
-            finished_.push_back(schedule_.job(static_cast<Schedule::Id>(report.id)));
+            finished_.push_back(finish(static_cast<Schedule::Id>(report.id), failure));
         }
         return status.MPI_SOURCE;
     }
@@ -173,10 +215,12 @@ private:
 
     Schedule& schedule_;
     int others_;
-    std::mutex mutex_;         ///< of all below, and of the schedule
-    std::deque<Job> finished_; ///< by other processes, and not told yet
-    Failure failure_;          ///< the first
-    bool is_over_ = false;     ///< nothing more can fail
+    const Crew::Done& done_;
+    const Crew::Failed& failed_;
+    std::mutex mutex_;             ///< of all below, and of the schedule
+    std::deque<Outcome> finished_; ///< by other processes, and not told yet
+    Failure failure_;              ///< the first that ends the work
+    bool is_over_ = false;         ///< nothing more can fail
 };
 
 class MpiCrew final : public Crew
@@ -216,10 +260,10 @@ public:
     int rank() const override { return rank_; }
     bool leads() const override { return rank_ == 0; }
 
-    bool work(Schedule& schedule, const Execute& execute, const Done& done) override
+    bool work(Schedule& schedule, const Execute& execute, const Done& done, const Failed& failed) override
     {
         if (!leads()) return follow(execute);
-        Dealer(schedule, size_).work(execute, done);
+        Dealer(schedule, size_, done, failed).work(execute);
         return true;
     }
 
@@ -295,11 +339,12 @@ private:
             const Order order = receive();
             if (order.id < 0) return !order.has_failed;
             report = {order.id, Failure::Kind::none};
+            message.clear();
             try {
                 execute(order.job);
             } catch (...) {
                 const Failure failure = elsewhere(Failure::current(), host_name());
-                report = {-1, failure.kind};
+                report.failure = failure.kind;
                 message = failure.message;
             }
         }

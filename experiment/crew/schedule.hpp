@@ -48,6 +48,10 @@ public:
     /// Takes note that a job that was handed out is done.
     void finish(Id id);
 
+    /// Takes back the jobs of the same series or exhibit that are not handed out yet, as if they were done. Returns how
+    /// many there were.
+    std::size_t give_up(const Job& job);
+
     const Job& job(Id id) const { return nodes_[id].job; }
     std::size_t size() const { return nodes_.size(); }
     bool is_done() const { return done_ == nodes_.size(); }
@@ -57,6 +61,7 @@ private:
     {
         Job job;
         bool is_follow_up = false; ///< of jobs before
+        bool is_out = false;       ///< handed out
         bool is_done = false;
         std::size_t waits_for = 0; ///< jobs
         std::vector<Id> followers;

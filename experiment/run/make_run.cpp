@@ -154,11 +154,15 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
     run.realizations = static_cast<int>(experiment.realizations);
     run.machine = results.machine;
     run.methods = experiment.methods;
-    for (std::size_t i = 0; i < results.series.size(); ++i)
+    run.missing = experiment.left_out;
+    run.missing.insert(run.missing.end(), results.failures.begin(), results.failures.end());
+    for (std::size_t i = 0; i < results.series.size(); ++i) {
+        if (!results.series[i]) continue;
         run.series.push_back(
-            series_of(experiment.series[i], experiment.analysis_of(experiment.series[i]), results.series[i]));
-    for (std::size_t i = 0; i < experiment.exhibits.size(); ++i)
-        std::visit(AddExhibit(experiment.exhibits[i], run), results.exhibits.at(i));
+            series_of(experiment.series[i], experiment.analysis_of(experiment.series[i]), *results.series[i]));
+    }
+    for (std::size_t i = 0; i < results.exhibits.size(); ++i)
+        if (results.exhibits[i]) std::visit(AddExhibit(experiment.exhibits[i], run), *results.exhibits[i]);
     return run;
 }
 

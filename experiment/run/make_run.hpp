@@ -4,15 +4,18 @@
 #include "experiment/series/experiment.hpp"
 #include "results/run.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
 
-/// The results of the tasks of an experiment, one item for each.
+/// The results of the tasks of an experiment, one item for each; std::nullopt where it has failed.
 struct ExperimentResults
 {
-    std::vector<Series> series;      ///< as SeriesWork::result() has them
-    std::vector<Exhibited> exhibits; ///< files without the folder
+    std::vector<std::optional<Series>> series;      ///< as SeriesWork::result() has them
+    std::vector<std::optional<Exhibited>> exhibits; ///< files without the folder
+    std::vector<std::string> failures;              ///< a sentence each
     Machine machine;
 };
 

@@ -164,7 +164,6 @@ bool RunWork::all_shares_are_done(bool split) const
     return true;
 }
 
-/// The label of the series or exhibit that a job belongs to.
 std::string RunWork::label(const Job& job) const
 {
     return job.kind == Job::Kind::exhibit ? experiment_.exhibits.at(job.item).label : series_.at(job.item).task().label;
@@ -227,29 +226,47 @@ std::uint64_t RunWork::realizations_analysed_by(const Job& job) const
     return has_one_part ? series_.at(job.item).task().realizations : 0;
 }
 
-void RunWork::publish(const std::filesystem::path& out, int processes)
+void RunWork::publish(const std::filesystem::path& out, int processes, std::span<const FailedItem> failed)
 {
-    ResultFolder folder(out, folder_names(experiment_));
+    const auto is_missing = [&](bool is_exhibit, std::uint32_t item) {
+        return std::ranges::any_of(failed, [&](const FailedItem& each) {
+            return each.run == number_ && each.is_exhibit == is_exhibit && each.item == item;
+        });
+    };
+    std::vector<std::string> names;
+    for (std::uint32_t item = 0; item < series_.size(); ++item)
+        if (!is_missing(false, item)) names.push_back(series_[item].task().name);
+    for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item)
+        if (!is_missing(true, item)) names.push_back(experiment_.exhibits[item].name);
+    ResultFolder folder(out, names);
     bool used_device = false;
     ExperimentResults results;
-    for (SeriesWork& series : series_) {
+    results.series.resize(series_.size());
+    results.exhibits.resize(experiment_.exhibits.size());
+    for (std::uint32_t item = 0; item < series_.size(); ++item) {
+        if (is_missing(false, item)) continue;
+        SeriesWork& series = series_[item];
         series.time_more(); // machines that took part may have other devices or threads
         folder.add(series.task().name, series.files());
-        results.series.push_back(series.result());
+        results.series[item] = series.result();
         used_device = used_device || series.used_device();
     }
     for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item) {
+        if (is_missing(true, item)) continue;
         const Exhibit& exhibit = experiment_.exhibits[item];
         ExhibitUnit stored = there(exhibits_.find(item), exhibit.label);
         folder.add(exhibit.name, stored.files);
-        results.exhibits.push_back(std::move(stored.result));
+        results.exhibits[item] = std::move(stored.result);
         used_device = used_device || stored.on_device;
     }
+    for (const FailedItem& each : failed)
+        if (each.run == number_) results.failures.push_back(each.label + ": failed: " + each.failure.message);
     const auto& machine_of = experiment_.workplace->machine;
     if (machine_of) results.machine = machine_of(used_device);
     if (processes > 1) results.machine.processes = processes;
     folder.publish(run_json(make_run(experiment_, results)));
-    for (SeriesWork& series : series_) series.remove_parts();
+    for (std::uint32_t item = 0; item < series_.size(); ++item)
+        if (!is_missing(false, item)) series_[item].remove_parts();
 }
 
 }

@@ -1,6 +1,7 @@
 // All the work of one experiment: its jobs, and its results once they are done.
 #pragma once
 
+#include "experiment/crew/failure.hpp"
 #include "experiment/crew/schedule.hpp"
 #include "experiment/series/exhibit_units.hpp"
 #include "experiment/series/series_work.hpp"
@@ -9,6 +10,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,16 @@ struct Shard
 {
     std::uint32_t number = 1; ///< from 1
     std::uint32_t count = 1;
+};
+
+/// A series or an exhibit of a run that could not be made.
+struct FailedItem
+{
+    std::uint32_t run = 0;
+    bool is_exhibit = false;
+    std::uint32_t item = 0;
+    std::string label;
+    Failure failure;
 };
 
 class RunWork
@@ -61,9 +73,15 @@ public:
     std::uint64_t realizations_made_by(const Job& job) const;
     std::uint64_t realizations_analysed_by(const Job& job) const;
 
-    /// Moves the results to the output folder, and removes from the store what they make superfluous. Everything must
-    /// be done. Throws InputError and StorageError.
-    void publish(const std::filesystem::path& out, int processes);
+    /// Moves the results to the output folder, and removes from the store what they make superfluous. Everything but
+    /// what has failed must be done. Throws InputError and StorageError.
+    void publish(const std::filesystem::path& out, int processes, std::span<const FailedItem> failed);
+
+    /// The label of the series or exhibit that a job belongs to.
+    std::string label(const Job& job) const;
+
+    /// Series and exhibits.
+    std::size_t items() const { return series_.size() + experiment_.exhibits.size(); }
 
     const SeriesWork& series(std::uint32_t item) const { return series_[item]; }
 
@@ -72,7 +90,6 @@ private:
     Ids add_samples(Schedule& schedule, std::uint32_t item, const RealizationRange& range, const Ids& after) const;
     Schedule::Id add_series(Schedule& schedule, std::uint32_t item, bool split, const Ids& after) const;
     void execute_in_memory(const Job& job, const WorkListener& listener);
-    std::string label(const Job& job) const;
     Job job(Job::Kind kind, std::uint32_t item, const RealizationRange& range = {}) const;
 
     const Experiment& experiment_;

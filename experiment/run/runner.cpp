@@ -76,7 +76,7 @@ public:
     }
 
     /// Does the shard's part of the jobs. Returns whether the others' parts are done as well; false in all processes if
-    /// one has failed.
+    /// one has failed. What could not be made is thrown in the process that leads, when all else is done.
     bool work_on_share(const Shard& shard)
     {
         const bool split = independent_jobs() / 2 < shard.count;
@@ -89,6 +89,7 @@ public:
         if (!is_planned || !work(schedule)) return false;
         bool is_done = false;
         const bool is_known = crew_.together([&] {
+            outcome().raise_failures();
             const auto all_done = [&](const RunWork& work) { return work.all_shares_are_done(split); };
             is_done = crew_.leads() && std::ranges::all_of(works_, all_done);
         });
@@ -111,6 +112,13 @@ public:
             publish_in_order();
         });
         return is_planned && work(schedule);
+    }
+
+    RunsOutcome outcome() const
+    {
+        RunsOutcome outcome{.is_published = is_published_, .failed = failed_};
+        for (const RunWork& work : works_) outcome.items += work.items();
+        return outcome;
     }
 
 private:
@@ -142,7 +150,8 @@ private:
                 if (job.kind == Job::Kind::exhibit) slot_.clear();
                 works_.at(job.run).execute(job, listener());
             },
-            [&](const Job& job, bool here) { note_done(job, here); });
+            [&](const Job& job, bool here) { note_done(job, here); },
+            [&](const Job& job, const Failure& failure, std::size_t given_up) { note_failed(job, failure, given_up); });
         slot_.clear();
         return went_well;
     }
@@ -186,15 +195,36 @@ private:
         publish_in_order();
     }
 
-    /// Publishes the runs whose jobs are all done, but none before those that come first.
+    /// Several jobs of an item may fail, in several processes; the first says why.
+    void note_failed(const Job& job, const Failure& failure, std::size_t given_up)
+    {
+        const bool is_exhibit = job.kind == Job::Kind::exhibit;
+        const auto is_same = [&](const FailedItem& each) {
+            return each.run == job.run && each.is_exhibit == is_exhibit && each.item == job.item;
+        };
+        if (std::ranges::none_of(failed_, is_same)) {
+            failed_.push_back({job.run, is_exhibit, job.item, works_.at(job.run).label(job), failure});
+            if (outcome().items > 1) progress_.message(failed_.back().label + ": failed: " + failure.message);
+        }
+        if (jobs_left_.empty()) return; // a share
+        jobs_left_.at(job.run) -= 1 + given_up;
+        publish_in_order();
+    }
+
+    /// Publishes the runs whose jobs are all done, but none before those that come first, and none of which nothing
+    /// could be made.
     void publish_in_order()
     {
         for (; published_ < jobs_left_.size() && jobs_left_[published_] == 0; ++published_) {
             stop_if_interrupted();
             announce(static_cast<std::uint32_t>(published_));
             const PlannedRun& run = runs_[published_];
+            RunWork& work = works_[published_];
+            const auto missing = std::ranges::count(failed_, static_cast<std::uint32_t>(published_), &FailedItem::run);
+            if (static_cast<std::size_t>(missing) == work.items() && missing > 0) continue;
             const FileLock lock(publish_lock(settings_.units));
-            works_[published_].publish(run.out, crew_.size());
+            work.publish(run.out, crew_.size(), failed_);
+            is_published_ = true;
             if (settings_.on_published) settings_.on_published(run);
         }
     }
@@ -208,6 +238,8 @@ private:
     std::deque<RunWork> works_;
     std::vector<std::size_t> jobs_left_; ///< of each run; empty while a shard does its share
     std::size_t published_ = 0;          ///< runs
+    bool is_published_ = false;          ///< a run
+    std::vector<FailedItem> failed_;     ///< in the process that leads
     std::set<std::uint32_t> announced_;  ///< runs
 };
 
@@ -251,16 +283,32 @@ std::vector<std::string> folder_names(const Experiment& experiment)
     return names;
 }
 
-bool run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew, Progress& progress)
+void RunsOutcome::raise_failures() const
+{
+    if (failed.empty()) return;
+    Failure first = failed.front().failure;
+    if (items > 1) {
+        std::string labels;
+        for (const FailedItem& each : failed) labels += (labels.empty() ? "" : ", ") + each.label;
+        first.message += fmt::format("; {} of {} could not be made: {}", failed.size(), items, labels);
+    }
+    first.raise();
+}
+
+RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
+                            Progress& progress)
 {
     std::optional<Runs> work;
     const bool is_there = crew.together([&] {
         if (crew.leads()) check_folders(runs, settings);
         work.emplace(runs, settings, crew, progress);
     });
-    if (!is_there || !are_alike(crew, work->identity())) return false;
-    if (settings.shard && !work->work_on_share(*settings.shard)) return false;
-    return work->work_on_everything() && crew.leads();
+    if (!is_there || !are_alike(crew, work->identity())) return {};
+    if (settings.shard && !work->work_on_share(*settings.shard)) return {};
+    const bool is_done = work->work_on_everything();
+    RunsOutcome outcome = work->outcome();
+    outcome.is_complete = is_done && crew.leads();
+    return outcome;
 }
 
 void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
@@ -269,7 +317,7 @@ void run_experiment(const Experiment& experiment, const std::filesystem::path& o
     settings.units = out / unit_folder_name;
     const auto crew = make_crew_of_one();
     const std::vector<PlannedRun> runs = {{experiment, out}};
-    run_experiments(runs, settings, *crew, progress);
+    run_experiments(runs, settings, *crew, progress).raise_failures();
 }
 
 }

@@ -39,16 +39,31 @@ struct RunSettings
     std::function<void(const PlannedRun&)> on_published; ///< in the order of the runs
 };
 
+/// What became of runs.
+struct RunsOutcome
+{
+    bool is_complete = false;       ///< all results are in place, but for what has failed
+    bool is_published = false;      ///< of some run at least
+    std::vector<FailedItem> failed; ///< in the order of their failures
+    std::size_t items = 0;          ///< series and exhibits of all runs
+
+    /// Throws the first failure, with what else is missing. Returns where nothing has failed.
+    void raise_failures() const;
+};
+
 /// Carries out runs and writes all of docs/output-folder.md but the report and its pictures to their folders.
 ///
 /// Every unit of work is stored when it is done, and nothing that is stored is done again, so that a run that was
 /// interrupted goes on where it was. Results appear in an output folder all at once; until then a previous result stays
 /// as it is. Sampling and analysis of a process take turns: the times of sampling are results, and analysis would
-/// disturb them. Returns true when all results are in place; false for a shard that is done while others are not, and
-/// in processes of the crew that do not lead. Throws what samplers throw, InputError and StorageError.
-bool run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew, Progress& progress);
+/// disturb them. A series or exhibit that fails leaves the others as they are; a run of which nothing can be made
+/// leaves its folder as it is. `is_complete` is false for a shard that is done while others are not, and in processes
+/// of the crew that do not lead. Throws InputError and StorageError, and what samplers throw in the share of a shard.
+RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
+                            Progress& progress);
 
-/// One run of this process alone, with finished work in a folder within the output folder.
+/// One run of this process alone, with finished work in a folder within the output folder. Throws what
+/// RunsOutcome::raise_failures() throws, when the others' results are in place.
 void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress);
 
 }

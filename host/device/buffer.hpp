@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -31,10 +32,13 @@ public:
 
     std::size_t size() const { return size_; }
 
+    /// Is it on a device? One that is can be of size 0; kernels take it all the same.
+    bool is_allocated() const { return impl_ != nullptr; }
+
     /// The values from `offset`, as many as `target` holds.
     void read(std::span<T> target, std::size_t offset = 0) const
     {
-        if (!target.empty()) read_buffer(*impl_, offset * sizeof(T), target.size_bytes(), target.data());
+        if (!target.empty()) read_buffer(impl(), offset * sizeof(T), target.size_bytes(), target.data());
     }
 
     std::vector<T> read(std::size_t offset, std::size_t count) const
@@ -46,10 +50,15 @@ public:
 
     void write(std::span<const T> source, std::size_t offset = 0)
     {
-        if (!source.empty()) write_buffer(*impl_, offset * sizeof(T), source.size_bytes(), source.data());
+        if (!source.empty()) write_buffer(impl(), offset * sizeof(T), source.size_bytes(), source.data());
     }
 
-    BufferImpl& impl() const { return *impl_; }
+    /// Throws std::logic_error where nothing is allocated.
+    BufferImpl& impl() const
+    {
+        if (!impl_) throw std::logic_error("a buffer is used that was never allocated");
+        return *impl_;
+    }
 
 private:
     std::shared_ptr<BufferImpl> impl_;

@@ -95,11 +95,12 @@ private:
     std::shared_ptr<DeviceImpl> impl_;
 };
 
-/// Replaces a buffer by a larger one when it holds fewer than `count` values; its content is not kept.
+/// Replaces a buffer by a larger one when it holds fewer than `count` values; its content is not kept. It is allocated
+/// for a count of 0 as well: empty problems go to the same kernels.
 template <typename T>
 void reserve(Device& device, Buffer<T>& buffer, std::size_t count)
 {
-    if (buffer.size() >= count) return;
+    if (buffer.is_allocated() && buffer.size() >= count) return;
     buffer = {}; // before the new one: there may be no room for both
     buffer = device.buffer<T>(count);
 }

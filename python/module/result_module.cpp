@@ -129,14 +129,15 @@ RunOutcome run_config(const std::string& config, const fs::path& out, const std:
         settings.units = plan.out / unit_folder_name;
         CollectionFile done{plan.title, options.command, {}};
         std::vector<std::string> left_out;
-        for (const PlannedRun& run : plan.runs) {
-            done.runs.push_back(run.out.filename().string());
+        for (const PlannedRun& run : plan.runs)
             std::ranges::copy(run.experiment.left_out, std::back_inserter(left_out));
-        }
+        settings.on_published = [&](const PlannedRun& run) { done.runs.push_back(run.out.filename().string()); };
         Progress progress(Progress::Style::quiet);
-        run_experiments(plan.runs, settings, *make_crew_of_one(), progress);
+        const RunsOutcome outcome = run_experiments(plan.runs, settings, *make_crew_of_one(), progress);
         if (plan.is_collection) write_collection_file(plan.out, done);
-        if (with_report) write_report({plan.out}, plan.out, [](const std::string&) { stop_if_interrupted(); });
+        if (with_report && outcome.is_published)
+            write_report({plan.out}, plan.out, [](const std::string&) { stop_if_interrupted(); });
+        outcome.raise_failures();
         return RunOutcome{plan.out, std::move(left_out)};
     });
 }

@@ -71,6 +71,7 @@ std::string render_overview_page(const Site& site)
     for (const auto& run : site.runs) runs.push_back(&run);
     page.set("title", site.title);
     page.set("summary", summary_of(runs));
+    page.set("missing", missing_in(runs));
     page.set("has_figures", site.has_several_runs());
     if (site.has_several_runs()) {
         clear_run_parts(page);

@@ -113,6 +113,9 @@ PageData tone_scale();
 /// "12 series of 16,384 points ...": what runs hold, in a sentence or two.
 std::string summary_of(const std::vector<const ReportRun*>& runs);
 
+/// What was asked for in runs and is not there: a sentence each.
+PageData missing_in(const std::vector<const ReportRun*>& runs);
+
 bool has_dimension(const std::vector<const ReportRun*>& runs, int dimension);
 
 /// Sets what things are called in the dimensions that runs have: disk, ring, lattice.

@@ -138,6 +138,7 @@ std::string render_run_page(const Site& site, std::size_t index)
     page.set("glance", glance(run, run.root));
     page.set("title", run.stored->title);
     page.set("summary", summary_of({&run}));
+    page.set("missing", missing_in({&run}));
     page.set("overview", relative_link(run.root, site.out / overview_page));
     page.set("previous", neighbour(site, index - 1, run.root)); // of the first there is none
     page.set("next", neighbour(site, index + 1, run.root));

@@ -129,6 +129,14 @@ void set_dimension_words(PageData& page, const std::vector<const ReportRun*>& ru
     page.set("space", space);
 }
 
+PageData missing_in(const std::vector<const ReportRun*>& runs)
+{
+    PageData list{PageData::type::list};
+    for (const ReportRun* run : runs)
+        for (const std::string& sentence : run->stored->missing) list << PageData{sentence};
+    return list;
+}
+
 std::string summary_of(const std::vector<const ReportRun*>& runs)
 {
     std::string text;

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace poissonlab {
 namespace {
@@ -269,6 +270,10 @@ TEST_F(ManyProcesses, WhatFailsAmidTheWorkIsSaidOnce)
     const Outcome outcome = run_ranks(folder_->path(), 3, "run fails.toml --threads 1");
     expect_one_error(outcome, "");
     EXPECT_THAT(outcome.error, HasSubstr("fails.toml:8: relative_radius = 0.79"));
+    EXPECT_THAT(outcome.error, HasSubstr("1 of 2 could not be made: Dart throwing"));
+    const auto results = nlohmann::json::parse(content_of(folder_->path() / "out/fails/results.json"));
+    EXPECT_EQ(results["series"].size(), 1U) << "the other is there";
+    EXPECT_EQ(results["missing"].size(), 1U);
 }
 
 TEST_F(ManyProcesses, CollectionsAreSharedOutAsAWhole)

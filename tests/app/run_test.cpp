@@ -113,17 +113,29 @@ TEST_F(Run, ALocaleWithDecimalCommasChangesNothing)
     EXPECT_EQ(lasting_results(out_), expected);
 }
 
-TEST_F(Run, ThatFailsLeavesThePreviousResultAlone)
+TEST_F(Run, WhereASeriesFailsTheReportHasTheOthers)
 {
-    ASSERT_EQ(run().status, 0);
-    const auto before = files_below(out_);
-    // A radius that most sets of this size reach and some do not: the first series is done when the second
-    // fails.
+    // A radius that most sets of this size reach and some do not: found out while running.
     const Outcome outcome =
         run({"run", "tiny.toml", "--set", "method.1.relative_radius=0.79", "--set", "analysis.realizations=40"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error, testing::HasSubstr("relative_radius = 0.79"));
-    EXPECT_THAT(outcome.out, testing::HasSubstr("Random: 40 realizations")) << "it failed too early to show anything";
+    EXPECT_THAT(outcome.error, testing::HasSubstr("1 of 2 could not be made: Dart throwing"));
+    EXPECT_THAT(outcome.out, testing::HasSubstr("Random: 40 realizations"));
+    EXPECT_THAT(outcome.out, testing::EndsWith("out/tiny/index.html\n"));
+    EXPECT_THAT(content_of(out_ / "index.html"), testing::HasSubstr("<b>Missing here.</b> Dart throwing"));
+    const auto results = nlohmann::json::parse(content_of(out_ / "results.json"));
+    EXPECT_EQ(results["series"].size(), 1U);
+}
+
+TEST_F(Run, WhereNothingCanBeMadeThePreviousResultStays)
+{
+    ASSERT_EQ(run().status, 0);
+    const auto before = files_below(out_);
+    folder_.write("one/tiny.toml", "[analysis]\npoints = 64\nrealizations = 40\n"
+                                   "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.79\n");
+    const Outcome outcome = run({"run", "one/tiny.toml", "--out", "out/tiny"});
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(files_below(out_), before);
 }
 

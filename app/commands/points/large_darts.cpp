@@ -123,7 +123,8 @@ private:
             [&](const Job& /*job*/, bool /*here*/) {
                 if (place_.on_step)
                     place_.on_step(fmt::format("dart throwing: {} of {} blocks", ++done, blocks_.count()));
-            });
+            },
+            {});
         if (!is_done) return false;
         counts_ = crew_.sum(counts_);
         marks_ = crew_.sum(marks_);

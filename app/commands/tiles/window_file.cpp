@@ -21,7 +21,7 @@ std::optional<std::vector<std::uint64_t>> count_pieces(WindowPoints& points, Cre
         for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) counts[piece] = points.count(piece);
     } else {
         Schedule schedule = one_job_each(points.pieces());
-        if (!crew.work(schedule, count, nothing_more)) return std::nullopt;
+        if (!crew.work(schedule, count, nothing_more, {})) return std::nullopt;
         counts = crew.sum(counts);
     }
     std::vector<std::uint64_t> before{0};

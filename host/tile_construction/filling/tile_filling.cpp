@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poissonlab {
 namespace {
@@ -20,18 +21,24 @@ constexpr std::uint32_t max_repulsion_passes = 400;
 constexpr double repulsion_margin = 1.0005;
 constexpr double rounding_margin = 2;
 
+/// Few points may be asked to keep distances whose squares have more than 32 bits.
+std::uint32_t limited_to_words(double value)
+{
+    return static_cast<std::uint32_t>(std::min<double>(value, std::numeric_limits<std::uint32_t>::max()));
+}
+
 }
 
 FillSettings fill_settings(const PoissonTileParameters& p)
 {
     FillSettings settings;
     settings.dimension = p.dimension;
-    settings.wanted = static_cast<std::uint32_t>(asked_squared_distance(p));
+    settings.wanted = limited_to_words(static_cast<double>(asked_squared_distance(p)));
     const double distance = asked_min_distance(p) * tile_units;
     const double factor = p.filling == TileFilling::dart_throwing ? 0 : p.factor;
     for (double part = 1; part >= least_radius; part *= factor) {
         const double reduced = distance * part;
-        settings.squared_distances.push_back(static_cast<std::uint32_t>(std::ceil(reduced * reduced)));
+        settings.squared_distances.push_back(limited_to_words(std::ceil(reduced * reduced)));
     }
     settings.attempts = p.attempts;
     settings.surrounding_attempts = std::max<std::uint32_t>(1, p.attempts / surroundings_share);

@@ -69,6 +69,26 @@ TEST(Schedule, JobsAfterWhatIsDoneAreReady)
     EXPECT_TRUE(schedule.next());
 }
 
+TEST(Schedule, GivesUpWhatIsLeftOfASeries)
+{
+    Schedule schedule;
+    const std::array samples{schedule.add({JobKind::sample, 0, 0, 0, 4}), schedule.add({JobKind::sample, 0, 0, 4, 4})};
+    const std::array series{schedule.add({JobKind::series, 0, 0, 0, 0}, samples)};
+    const auto exhibit = schedule.add({JobKind::exhibit, 0, 0, 0, 0});
+    const auto with_the_same_sets = schedule.add({JobKind::series, 0, 1, 0, 0}, series);
+    ASSERT_EQ(schedule.next(), samples[0]);
+    ASSERT_EQ(schedule.next(), samples[1]);
+    schedule.finish(samples[0]);
+    EXPECT_EQ(schedule.give_up(schedule.job(samples[0])), 1U) << "the other sample is handed out already";
+    EXPECT_EQ(schedule.next(), with_the_same_sets) << "it comes first, as others wait for such";
+    EXPECT_EQ(schedule.next(), exhibit);
+    schedule.finish(samples[1]);
+    EXPECT_FALSE(schedule.next()) << "the series does not come back";
+    schedule.finish(exhibit);
+    schedule.finish(with_the_same_sets);
+    EXPECT_TRUE(schedule.is_done());
+}
+
 /// Whatever the dependences, every job is handed out once, after all that it waits for.
 TEST(Schedule, RandomDependences)
 {

@@ -290,21 +290,53 @@ TEST(Runner, StoresIterations)
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "plain/iterations.csv"));
 }
 
-TEST(Runner, AFailureInALaterSeriesLeavesThePreviousResultAlone)
+/// A series whose second set cannot be made.
+SeriesTask failing_task(const std::string& name, std::uint32_t realizations = 2)
 {
-    const TemporaryFolder folder;
-    const auto good = task("good", 2, [](std::uint32_t k) { return diagonal(16, k); });
-    run(experiment_of({good}), folder.path());
-    const auto before = files_below(folder.path());
-
-    const auto bad = task("bad", 2, [](std::uint32_t k) {
+    return task(name, realizations, [](std::uint32_t k) {
         if (k == 1) throw DeviceError("the device is gone");
         return diagonal(16, k);
     });
-    EXPECT_THROW(run(experiment_of({good, bad}), folder.path()), DeviceError);
+}
+
+TEST(Runner, ASeriesThatFailsLeavesTheOthers)
+{
+    const TemporaryFolder folder;
+    const auto first = task("first", 2, [](std::uint32_t k) { return diagonal(16, k); });
+    const auto last = task("last", 2, [](std::uint32_t k) { return diagonal(16, k + 1); });
+    run(experiment_of({first, last}), folder.path() / "without");
+    EXPECT_EQ(message_of<DeviceError>([&] {
+                  run(experiment_of({first, failing_task("bad"), last, failing_task("long", 100)}), folder.path());
+              }),
+              "the device is gone; 2 of 4 could not be made: bad, long");
+    const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
+    EXPECT_EQ(json["missing"], nlohmann::json({"bad: failed: the device is gone", "long: failed: the device is gone"}));
+    ASSERT_EQ(json["series"].size(), 2U);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "bad"));
+    for (const char* name : {"first", "last"})
+        EXPECT_EQ(files_below(folder.path() / name), files_below(folder.path() / "without" / name)) << name;
+}
+
+TEST(Runner, WhereNothingCanBeMadeThePreviousResultStays)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task("good", 2, [](std::uint32_t k) { return diagonal(16, k); })}), folder.path());
+    const auto before = files_below(folder.path());
+    EXPECT_EQ(message_of<DeviceError>([&] { run(experiment_of({failing_task("bad")}), folder.path()); }),
+              "the device is gone");
     EXPECT_EQ(files_below(folder.path()), before);
-    EXPECT_THROW(run(experiment_of({good, bad}), folder.path() / "new"), DeviceError);
+    EXPECT_THROW(run(experiment_of({failing_task("bad"), failing_task("worse")}), folder.path() / "new"), DeviceError);
     EXPECT_TRUE(files_below(folder.path() / "new").empty());
+}
+
+/// A full disk is no matter of one series.
+TEST(Runner, WhatCannotBeStoredEndsTheRun)
+{
+    const TemporaryFolder folder;
+    const auto good = task("good", 2, [](std::uint32_t k) { return diagonal(16, k); });
+    const auto full = task("full", 1, [](std::uint32_t) -> PointSet { throw StorageError("no space is left"); });
+    EXPECT_THROW(run(experiment_of({full, good}), folder.path()), StorageError);
+    EXPECT_TRUE(files_below(folder.path()).empty());
 }
 
 TEST(Runner, ManyRealizationsKeepTheirOrderInNames)

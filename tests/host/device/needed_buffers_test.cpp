@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace poissonlab {
 namespace {
 
@@ -23,6 +25,31 @@ TEST(NeededBuffers, TakeWhatIsForetold)
     Buffers buffers;
     reserve(device, buffers.needed(1000));
     EXPECT_EQ(device.memory().total - before, foretold.total);
+}
+
+/// Problems without points go to the same kernels as others.
+TEST(NeededBuffers, AreThereWhereNothingIsNeeded)
+{
+    Device device = Device::open();
+    auto kernel =
+        device.kernel_from_text("kernel void count(uint words, global uint* word, global double* value, global "
+                                "uint* total) { if (words == 0) *total = 7; else word[0] = *value; }",
+                                "count.cl", "count");
+    Buffers buffers;
+    reserve(device, buffers.needed(0));
+    auto total = device.buffer<std::uint32_t>(1);
+    kernel.run(1, 1, std::uint32_t{0}, buffers.words, buffers.values, total);
+    EXPECT_EQ(total.read(0, 1).at(0), 7u);
+    EXPECT_EQ(buffers.words.size(), 0u);
+}
+
+TEST(NeededBuffers, AreRefusedWhereTheyWereForgotten)
+{
+    Device device = Device::open();
+    auto kernel = device.kernel_from_text("kernel void none(global uint* word) {}", "none.cl", "none");
+    Buffers buffers;
+    EXPECT_THROW(kernel.run(1, 1, buffers.words), std::logic_error);
+    EXPECT_THROW(buffers.words.read(0, 1), std::logic_error);
 }
 
 TEST(NeededBuffers, KeepBuffersThatAreLargeEnough)
