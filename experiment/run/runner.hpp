@@ -59,8 +59,8 @@ struct RunsOutcome
 /// disturb them. A series or exhibit that fails leaves the others as they are; a run of which nothing can be made
 /// leaves its folder as it is. `is_complete` is false for a shard that is done while others are not, and in processes
 /// of the crew that do not lead. Throws InputError and StorageError, and what samplers throw in the share of a shard.
-RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
-                            Progress& progress);
+[[nodiscard]] RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
+                                          Progress& progress);
 
 /// One run of this process alone, with finished work in a folder within the output folder. Throws what
 /// RunsOutcome::raise_failures() throws, when the others' results are in place.

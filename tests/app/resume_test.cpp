@@ -88,7 +88,9 @@ protected:
         Progress progress(Progress::Style::quiet);
         const auto crew = make_crew_of_one();
         const std::vector<PlannedRun> runs = {{experiment, folder_.path() / out}};
-        is_complete_ = run_experiments(runs, settings, *crew, progress);
+        const RunsOutcome outcome = run_experiments(runs, settings, *crew, progress);
+        is_complete_ = outcome.is_complete;
+        outcome.raise_failures();
     }
 
     /// The number of realizations that were made since the last call.
@@ -357,7 +359,7 @@ TEST_F(Resuming, SeriesOfTheSamePointSetsShareThem)
     const std::vector<PlannedRun> runs = {{experiment(5), folder_.path() / "out/a"},
                                           {zone, folder_.path() / "out/b"},
                                           {experiment(8), folder_.path() / "out/c"}};
-    run_experiments(runs, settings, *crew, progress);
+    run_experiments(runs, settings, *crew, progress).raise_failures();
     EXPECT_EQ(made(), 8U);
     const auto a = folder_.path() / "out/a/s/realization-000.dat";
     EXPECT_TRUE(fs::equivalent(a, folder_.path() / "out/b/s/realization-000.dat"));
