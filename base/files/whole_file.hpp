@@ -1,4 +1,5 @@
-// Files that are there whole or not at all: written to a temporary name beside the target, then renamed.
+// Files that are there whole or not at all: written to a temporary name beside the target, then renamed. Links are
+// followed; devices, pipes and standard output take the bytes and stay what they are, see output_place.hpp.
 #pragma once
 
 #include <chrono>
@@ -9,8 +10,8 @@
 
 namespace poissonlab {
 
-/// Writes `content` to `path`, replacing what is there. Throws StorageError and leaves nothing behind on
-/// failure.
+/// Writes `content` to `path`, replacing the file that is there or that a link leads to. Throws StorageError and leaves
+/// nothing behind on failure.
 void write_whole_file(const std::filesystem::path& path, std::string_view content);
 
 /// Puts bytes at the end of a file.
@@ -21,7 +22,8 @@ void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write);
 
 /// Serves libraries that write files themselves: calls `write` with a temporary path that has the extension of
-/// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
+/// `path` and lies in the folder of the file, then renames, or copies into a device or a pipe. Removes the temporary
+/// file when `write` throws.
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 

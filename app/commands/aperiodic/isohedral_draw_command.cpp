@@ -127,8 +127,8 @@ Drawing chosen_drawing(const IsohedralDrawOptions& o)
 
 void draw_isohedral(const IsohedralDrawOptions& options)
 {
-    check_picture_file("isohedral draw", options.out);
-    write_picture_file(options.out, chosen_drawing(options));
+    const std::filesystem::path out = checked_output("isohedral draw", "--out", options.out, picture_formats());
+    write_picture_file(out, chosen_drawing(options));
 }
 
 }
