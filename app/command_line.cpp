@@ -38,6 +38,14 @@ constexpr auto main_notes = R"(Examples:
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
+/// The digits without zeros before them, which CLI11 would take for the mark of an octal number.
+std::string without_leading_zeros(const std::string& digits)
+{
+    const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+    const std::size_t first = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);
+    return digits.substr(0, sign) + digits.substr(first);
+}
+
 /// Accepts what is an integer of this type and of the option's range, and nothing else: no overflow, no sign for
 /// numbers that have none.
 template <class Integer>
@@ -47,14 +55,17 @@ CLI::Validator integer(const Option& option)
     const std::string allowed =
         option.allowed.empty() ? fmt::format("an integer from {} to {}", Limits::min(), Limits::max()) : option.allowed;
     return CLI::Validator(
-        [allowed, least = option.least, most = option.most](const std::string& text) -> std::string {
+        [allowed, least = option.least, most = option.most](std::string& text) -> std::string {
             Integer value{};
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
             const bool is_in_range = std::is_signed_v<Integer> || (static_cast<std::uint64_t>(value) >= least &&
                                                                    static_cast<std::uint64_t>(value) <= most);
-            if (error == std::errc() && stop == end && is_in_range) return {};
-            return fmt::format("{}: must be {}", text, allowed);
+            if (error == std::errc() && stop == end && is_in_range) {
+                text = without_leading_zeros(text);
+                return {};
+            }
+            return fmt::format("{}: must be {}{}", text, allowed, decimal_comma_words(text));
         },
         "");
 }
@@ -64,11 +75,14 @@ CLI::Validator threads()
 {
     constexpr int most_threads = 4096;
     return CLI::Validator(
-        [](const std::string& text) -> std::string {
+        [](std::string& text) -> std::string {
             int value = 0;
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) return {};
+            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) {
+                text = without_leading_zeros(text);
+                return {};
+            }
             return fmt::format("{}: must be {}", text, Integers{1, most_threads}.words());
         },
         "");
@@ -82,7 +96,7 @@ CLI::Validator number(bool only_finite)
         [only_finite](const std::string& text) -> std::string {
             double value = 0;
             if (parse_number(text, value) && (!only_finite || std::isfinite(value))) return {};
-            return fmt::format("{}: must be a number", text);
+            return fmt::format("{}: must be a number{}", text, decimal_comma_words(text));
         },
         "");
 }
@@ -91,11 +105,11 @@ template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
-    if constexpr (std::is_same_v<Value, int>) added->check(threads());
-    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option));
+    if constexpr (std::is_same_v<Value, int>) added->transform(threads());
+    if constexpr (std::is_unsigned_v<Value>) added->transform(integer<Value>(option));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
-        added->expected(1, option.most_values)->check(integer<std::int64_t>(option));
+        added->expected(1, option.most_values)->transform(integer<std::int64_t>(option));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {

@@ -81,6 +81,9 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
     std::vector<std::string_view> row;
     for (std::size_t i = 0; i < vertices.table->count; ++i) {
         next_row(*vertices.table);
+        if (lines.line().find(',') != std::string_view::npos)
+            fail_in_point_file(file, lines.number(), lines.line(),
+                               "blanks separate the numbers of PLY" + decimal_comma_words(lines.line()));
         row.clear();
         for (WordReader words(lines.line()); words.next();) row.push_back(words.word());
         if (row.size() != width) {
