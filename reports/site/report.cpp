@@ -12,6 +12,7 @@
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_endless.hpp"
 #include "results/collection_file.hpp"
+#include "results/own_files.hpp"
 #include "results/run.hpp"
 
 #include <tbb/parallel_for.h>
@@ -23,6 +24,16 @@ namespace poissonlab {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Throws InputError where a page would take the place of one that another program has written.
+void check_pages(const Site& site)
+{
+    for (const char* page : {overview_page, claims_page, compare_page}) check_own_page(site.out / page);
+    for (const ReportRun& run : site.runs) {
+        check_own_page(page_of(run));
+        for (const ReportSeries& series : run.series) check_own_page(page_of(series));
+    }
+}
 
 void create_folders(const Site& site)
 {
@@ -125,6 +136,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     for (const auto& folder : output_folders(result_folders)) runs.push_back(read_run(folder));
     const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
     auto site = make_site(runs, out, collection ? collection->title : std::string(), gallery);
+    check_pages(site);
     create_folders(site);
 
     say("drawing pictures");
