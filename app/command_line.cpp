@@ -264,16 +264,23 @@ int opening()
     return exit_wrong_input;
 }
 
-/// The action of `help`.
-Action explanation(const CLI::App& app, const std::string& topic)
+/// The action of `help`, of which `topic` are the words after it: those of a command, such as "distribute stipple".
+Action explanation(const CLI::App& program, const std::vector<std::string>& topic)
 {
-    if (topic == "samplers") return samplers_command().action;
-    if (topic == "man-page") return print_man_page;
-    const std::vector<std::string> names = names_of_commands(app);
-    if (!topic.empty() && std::ranges::find(names, topic) == names.end())
-        throw InputError(
-            fmt::format("no help on \"{}\"{} (topics: {})", topic, did_you_mean(topic, names), fmt::join(names, ", ")));
-    return [text = topic.empty() ? app.help() : app.get_subcommand(topic)->help()] {
+    if (topic == std::vector<std::string>{"samplers"}) return samplers_command().action;
+    if (topic == std::vector<std::string>{"man-page"}) return print_man_page;
+    const CLI::App* app = &program;
+    std::string before;
+    for (const std::string& word : topic) {
+        const std::vector<std::string> names = names_of_commands(*app);
+        if (names.empty()) throw InputError("help explains one topic at a time");
+        if (std::ranges::find(names, word) == names.end())
+            throw InputError(fmt::format("no help on \"{}{}\"{} (topics: {})", before, shortened(printable(word)),
+                                         did_you_mean(word, names), fmt::join(names, ", ")));
+        app = app->get_subcommand(word);
+        before += word + " ";
+    }
+    return [text = app->help()] {
         fmt::print("{}", text);
         return 0;
     };
@@ -310,8 +317,7 @@ std::vector<Action> actions_called_for(int argc, const char* const* argv)
                                      fmt::join(names, ", ")));
     // Topics are names of commands, which the parser would run instead of explaining.
     if (first == "help" && (argc == 2 || argv[2][0] != '-')) {
-        if (argc > 3) throw InputError("help explains one topic at a time");
-        called.push_back(explanation(app, argc == 3 ? argv[2] : ""));
+        called.push_back(explanation(app, {argv + 2, argv + argc}));
     } else {
         parse(app, argc, argv);
     }
