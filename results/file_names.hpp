@@ -9,11 +9,6 @@ namespace poissonlab::file_names {
 inline constexpr const char* results = "results.json";
 inline constexpr const char* collection = "collection.json";
 
-/// Pages of the report, beside the results.
-inline constexpr const char* overview_page = "index.html";
-inline constexpr const char* compare_page = "compare.html";
-inline constexpr const char* claims_page = "claims.html";
-
 /// In the folder of a series.
 inline constexpr const char* spectrum = "spectrum.exr";
 inline constexpr const char* spectrum_volume = "spectrum-volume.exr";

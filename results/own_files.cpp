@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,14 +18,14 @@ namespace {
 
 /// Of files of the program one of these stands near the beginning. Pages of version 0.2 are known by their style sheet
 /// alone.
-constexpr std::initializer_list<std::string_view> page_marks{R"(<meta name="generator" content="poissonlab")",
-                                                             R"(/report.css"/>)"};
-constexpr std::initializer_list<std::string_view> results_marks{"\"poissonlab-results\""};
-constexpr std::initializer_list<std::string_view> collection_marks{"\"poissonlab-collection\""};
+constexpr std::array<std::string_view, 2> page_marks{R"(<meta name="generator" content="poissonlab")",
+                                                     R"(/report.css"/>)"};
+constexpr std::array<std::string_view, 1> results_marks{"\"poissonlab-results\""};
+constexpr std::array<std::string_view, 1> collection_marks{"\"poissonlab-collection\""};
 
 constexpr std::size_t bytes_with_mark = 4096;
 
-bool has_mark(const fs::path& file, std::initializer_list<std::string_view> marks)
+bool has_mark(const fs::path& file, std::span<const std::string_view> marks)
 {
     std::string begin(bytes_with_mark, '\0');
     std::ifstream stream(file, std::ios::binary);
@@ -34,7 +34,7 @@ bool has_mark(const fs::path& file, std::initializer_list<std::string_view> mark
     return std::ranges::any_of(marks, [&](std::string_view mark) { return begin.find(mark) != begin.npos; });
 }
 
-void check_own_file(const fs::path& file, std::initializer_list<std::string_view> marks)
+void check_own_file(const fs::path& file, std::span<const std::string_view> marks)
 {
     std::error_code unknown;
     const bool is_there = fs::exists(fs::symlink_status(file, unknown));
@@ -44,7 +44,7 @@ void check_own_file(const fs::path& file, std::initializer_list<std::string_view
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const std::string name = file.filename();
     throw InputError(fmt::format("--out {}: has {} {} that poissonlab did not write; choose another folder",
-                                 printable(folder.string()), name == file_names::overview_page ? "an" : "a", name));
+                                 printable(folder.string()), name == own_pages.front() ? "an" : "a", name));
 }
 
 }
@@ -55,8 +55,7 @@ void check_own_files(const fs::path& out)
 {
     check_own_file(out / file_names::results, results_marks);
     check_own_file(out / file_names::collection, collection_marks);
-    for (const char* page : {file_names::overview_page, file_names::compare_page, file_names::claims_page})
-        check_own_page(out / page);
+    for (const char* page : own_pages) check_own_page(out / page);
 }
 
 }

@@ -2,6 +2,7 @@
 #include "app/commands/command.hpp"
 #include "app/commands/finish_report.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/runner.hpp"

@@ -147,7 +147,8 @@ Option OutputFiles::option()
 {
     std::vector<std::string> ends = formats.endings;
     if (formats.may_be_points) ends.push_back("a point file");
-    return {"--out", &names, fmt::format("A file: {}; may be repeated", fmt::join(ends, ", ")), "FILE", required};
+    return {"--out", &names, fmt::format("A file: {}; -: standard output; may be repeated", fmt::join(ends, ", ")),
+            "FILE", required};
 }
 
 void OutputFiles::check(const std::string& command) const

@@ -3,7 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/output_place.hpp"
 #include "base/files/standard_streams.hpp"
-#include "base/points/point_file.hpp"
+#include "base/points/point_file_endings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,7 +58,7 @@ void check_place(const std::string& begin, const fs::path& file)
 fs::path output_name(const fs::path& file, const OutputFormats& formats)
 {
     const bool is_text = formats.may_be_points || formats.may_lack_ending;
-    return file == "-" && !is_text ? file.string() + formats.endings.front() : file;
+    return file == "-" && !is_text ? fs::path("-" + formats.endings.front()) : file;
 }
 
 fs::path checked_output(const std::string& command, const std::string& option, const fs::path& file,

@@ -2,6 +2,7 @@
 
 #include "base/densities/density_formula.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/points/placed_file.hpp"
 #include "base/points/point_file.hpp"
+#include "base/points/point_file_endings.hpp"
 #include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>

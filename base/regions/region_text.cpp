@@ -1,6 +1,7 @@
 #include "base/regions/region_text.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"

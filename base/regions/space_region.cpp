@@ -1,6 +1,7 @@
 #include "base/regions/space_region.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file.hpp"
 

@@ -139,7 +139,7 @@ void ResultFolder::publish(const std::string& results_json)
 
     // The rest only renames. results.json goes first and comes last, so that a folder with a results.json is complete
     // at any moment.
-    std::vector<std::string> leaving = {file_names::results, file_names::overview_page};
+    std::vector<std::string> leaving = {file_names::results, own_pages.front()};
     leaving.insert(leaving.end(), previous_.begin(), previous_.end());
     leaving.insert(leaving.end(), series_.begin(), series_.end());
     for (const std::string& name : leaving)

@@ -1,6 +1,7 @@
 #include "host/settings/config_tree.hpp"
 
-#include "base/files/text_lines.hpp"
+#include "base/files/decimal_commas.hpp"
+#include "host/settings/comma_words.hpp"
 #include "host/settings/nearest_key.hpp"
 
 #include <fmt/format.h>

@@ -60,10 +60,6 @@ std::string shown(const ConfigNode& node);
 /// A table with everything in it, in one line.
 std::string text_of(const ConfigTable& table);
 
-/// The end of a message about a value that is a number with a decimal comma, see decimal_comma_words(); empty for any
-/// other.
-std::string comma_words(const ConfigNode& node);
-
 /// The InputError for a key whose value is not allowed, at the value's own line.
 InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed);
 

@@ -1,5 +1,6 @@
 #include "host/settings/toml_reader.hpp"
 
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 #include "reports/gallery/gallery.hpp"
 #include "reports/gallery/gallery_use.hpp"
 #include "reports/layout/series_curves.hpp"
-#include "results/file_names.hpp"
 
 #include <filesystem>
 #include <string>
@@ -41,9 +40,9 @@ struct Site
 };
 
 /// Files of the site, in the report's folder.
-using file_names::claims_page;
-using file_names::compare_page;
-using file_names::overview_page;
+inline constexpr auto overview_page = "index.html";
+inline constexpr auto compare_page = "compare.html";
+inline constexpr auto claims_page = "claims.html";
 
 /// The folder of style sheet and scripts, in the report's folder.
 inline constexpr auto asset_folder = "site";

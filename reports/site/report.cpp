@@ -19,16 +19,24 @@
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace poissonlab {
 
 namespace fs = std::filesystem;
 
 namespace {
 
+static_assert(std::ranges::equal(
+    own_pages, std::array{overview_page, compare_page, claims_page}, std::ranges::equal_to(),
+    [](const char* name) { return std::string_view(name); }, [](const char* name) { return std::string_view(name); }));
+
 /// Throws InputError where a page would take the place of one that another program has written.
 void check_pages(const Site& site)
 {
-    for (const char* page : {overview_page, claims_page, compare_page}) check_own_page(site.out / page);
+    for (const char* page : own_pages) check_own_page(site.out / page);
     for (const ReportRun& run : site.runs) {
         check_own_page(page_of(run));
         for (const ReportSeries& series : run.series) check_own_page(page_of(series));

@@ -45,7 +45,7 @@ std::array<int, 2> socket_pair()
 
 std::vector<std::string> arguments(const std::string& profile)
 {
-    return {until_all_end_file(),
+    return {std::filesystem::path(program_file()).replace_filename("until_all_end").string(),
             "chromium",
             "--headless",
             "--no-sandbox",

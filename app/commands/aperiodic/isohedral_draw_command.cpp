@@ -2,6 +2,7 @@
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "reports/drawings/tilings/isohedral_image.hpp"
 

@@ -7,6 +7,7 @@ namespace poissonlab {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<PointSet> read_text(std::string_view content)
