@@ -29,11 +29,16 @@ CalledCommand called_command(const CLI::App& program)
     return called;
 }
 
+bool begins_option(const std::string& word) { return word.starts_with("-"); }
+
+/// What is missing may be missing because its option is not known, such as a misspelt one.
+bool has_unknown_option(const CLI::App& program) { return std::ranges::any_of(program.remaining(true), begins_option); }
+
 /// The first option that there is not, or the first argument too many.
 std::string words_for_extras(const CLI::App& program, const CLI::App& command)
 {
     const std::vector<std::string> extras = program.remaining(true);
-    const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("-"); });
+    const auto option = std::ranges::find_if(extras, begins_option);
     if (option == extras.end())
         return fmt::format("{}: is one argument too many", shortened(printable(extras.front())));
     std::vector<std::string> known;
@@ -63,6 +68,7 @@ std::string words_for(const CLI::App& program, const CLI::App& command, const CL
     const std::string message = error.what();
     const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
     if (is(CLI::ExitCodes::ExtrasError)) return words_for_extras(program, command);
+    if (is(CLI::ExitCodes::RequiredError) && has_unknown_option(program)) return words_for_extras(program, command);
     if (is(CLI::ExitCodes::RequiredError))
         return words_for_missing(command, message.substr(0, message.find(" is required")));
     if (is(CLI::ExitCodes::ExcludesError)) return parted(message, " excludes ", ": does not go with ");

@@ -6,6 +6,7 @@
 #include "app/man_page.hpp"
 #include "app/opening.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
 #include "host/settings/nearest_key.hpp"
@@ -38,6 +39,14 @@ constexpr auto main_notes = R"(Examples:
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
+/// The digits without zeros before them, which CLI11 would take for the mark of an octal number.
+std::string without_leading_zeros(const std::string& digits)
+{
+    const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+    const std::size_t first = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);
+    return digits.substr(0, sign) + digits.substr(first);
+}
+
 /// Accepts what is an integer of this type and of the option's range, and nothing else: no overflow, no sign for
 /// numbers that have none.
 template <class Integer>
@@ -47,14 +56,17 @@ CLI::Validator integer(const Option& option)
     const std::string allowed =
         option.allowed.empty() ? fmt::format("an integer from {} to {}", Limits::min(), Limits::max()) : option.allowed;
     return CLI::Validator(
-        [allowed, least = option.least, most = option.most](const std::string& text) -> std::string {
+        [allowed, least = option.least, most = option.most](std::string& text) -> std::string {
             Integer value{};
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
             const bool is_in_range = std::is_signed_v<Integer> || (static_cast<std::uint64_t>(value) >= least &&
                                                                    static_cast<std::uint64_t>(value) <= most);
-            if (error == std::errc() && stop == end && is_in_range) return {};
-            return fmt::format("{}: must be {}", text, allowed);
+            if (error == std::errc() && stop == end && is_in_range) {
+                text = without_leading_zeros(text);
+                return {};
+            }
+            return fmt::format("{}: must be {}{}", text, allowed, decimal_comma_words(text));
         },
         "");
 }
@@ -64,11 +76,14 @@ CLI::Validator threads()
 {
     constexpr int most_threads = 4096;
     return CLI::Validator(
-        [](const std::string& text) -> std::string {
+        [](std::string& text) -> std::string {
             int value = 0;
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) return {};
+            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) {
+                text = without_leading_zeros(text);
+                return {};
+            }
             return fmt::format("{}: must be {}", text, Integers{1, most_threads}.words());
         },
         "");
@@ -82,7 +97,7 @@ CLI::Validator number(bool only_finite)
         [only_finite](const std::string& text) -> std::string {
             double value = 0;
             if (parse_number(text, value) && (!only_finite || std::isfinite(value))) return {};
-            return fmt::format("{}: must be a number", text);
+            return fmt::format("{}: must be a number{}", text, decimal_comma_words(text));
         },
         "");
 }
@@ -91,11 +106,11 @@ template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
-    if constexpr (std::is_same_v<Value, int>) added->check(threads());
-    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option));
+    if constexpr (std::is_same_v<Value, int>) added->transform(threads());
+    if constexpr (std::is_unsigned_v<Value>) added->transform(integer<Value>(option));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
-        added->expected(1, option.most_values)->check(integer<std::int64_t>(option));
+        added->expected(1, option.most_values)->transform(integer<std::int64_t>(option));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
@@ -250,16 +265,23 @@ int opening()
     return exit_wrong_input;
 }
 
-/// The action of `help`.
-Action explanation(const CLI::App& app, const std::string& topic)
+/// The action of `help`, of which `topic` are the words after it: those of a command, such as "distribute stipple".
+Action explanation(const CLI::App& program, const std::vector<std::string>& topic)
 {
-    if (topic == "samplers") return samplers_command().action;
-    if (topic == "man-page") return print_man_page;
-    const std::vector<std::string> names = names_of_commands(app);
-    if (!topic.empty() && std::ranges::find(names, topic) == names.end())
-        throw InputError(
-            fmt::format("no help on \"{}\"{} (topics: {})", topic, did_you_mean(topic, names), fmt::join(names, ", ")));
-    return [text = topic.empty() ? app.help() : app.get_subcommand(topic)->help()] {
+    if (topic == std::vector<std::string>{"samplers"}) return samplers_command().action;
+    if (topic == std::vector<std::string>{"man-page"}) return print_man_page;
+    const CLI::App* app = &program;
+    std::string before;
+    for (const std::string& word : topic) {
+        const std::vector<std::string> names = names_of_commands(*app);
+        if (names.empty()) throw InputError("help explains one topic at a time");
+        if (std::ranges::find(names, word) == names.end())
+            throw InputError(fmt::format("no help on \"{}{}\"{} (topics: {})", before, shortened(printable(word)),
+                                         did_you_mean(word, names), fmt::join(names, ", ")));
+        app = app->get_subcommand(word);
+        before += word + " ";
+    }
+    return [text = app->help()] {
         fmt::print("{}", text);
         return 0;
     };
@@ -296,8 +318,7 @@ std::vector<Action> actions_called_for(int argc, const char* const* argv)
                                      fmt::join(names, ", ")));
     // Topics are names of commands, which the parser would run instead of explaining.
     if (first == "help" && (argc == 2 || argv[2][0] != '-')) {
-        if (argc > 3) throw InputError("help explains one topic at a time");
-        called.push_back(explanation(app, argc == 3 ? argv[2] : ""));
+        called.push_back(explanation(app, {argv + 2, argv + argc}));
     } else {
         parse(app, argc, argv);
     }

@@ -15,7 +15,8 @@
 // factor of a point process, with applications to hyperuniformity, Statistics and Computing 33, 2023, section 3;
 // Rajala, Olhede, Grainger, Murrell, What is the Fourier transform of a spatial point process?, IEEE Transactions on
 // Information Theory 69(8), 2023). Unlike that of the torus it is without bias on whole numbers f only as far as the
-// region is large: W of it blurs spectra, over frequencies of one over its width.
+// region is large: W of it blurs spectra, over frequencies of one over its width. At frequency 0 it is 0: the number of
+// points, which a torus has there, is what is taken away.
 //
 // Lengths are roots of the region's area, so that N points have N a unit square as on the torus; frequencies are whole.
 #pragma once
@@ -43,7 +44,7 @@ HalfPlane region_transforms(const FramedRegion& region, int reach, NonuniformTra
 HalfPlane region_sums(const PointSet& points, std::span<const double> weights, double unit, int reach,
                       NonuniformTransform* fast);
 
-/// A periodogram of n points of an even size: the squares of deviations(u, v) over n, and n at frequency 0.
+/// A periodogram of n points of an even size: the squares of deviations(u, v) over n.
 template <class Deviations>
 void fill_with_powers(HalfSpectrum& result, int size, double n, const Deviations& deviations)
 {
@@ -55,7 +56,7 @@ void fill_with_powers(HalfSpectrum& result, int size, double n, const Deviations
     for (int u = 0; u <= reach; ++u)
         for (int v = -reach; v <= reach; ++v)
             result.power[static_cast<std::size_t>(u) * rows + static_cast<std::size_t>(v + reach)] =
-                u == 0 && v == 0 ? n : std::norm(deviations(u, v)) / n;
+                std::norm(deviations(u, v)) / n;
 }
 
 class RegionPeriodogram

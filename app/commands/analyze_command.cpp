@@ -2,6 +2,8 @@
 #include "app/commands/command.hpp"
 #include "app/commands/finish_report.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
+#include "base/files/text_lines.hpp"
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
@@ -61,7 +63,8 @@ void analyze(const AnalyzeOptions& options)
         domain = parse_range(options.domain);
         if (!domain)
             throw InputError("analyze: --domain " + options.domain +
-                             ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
+                             ": must be LOW:HIGH, two numbers, the first smaller; or HIGH" +
+                             decimal_comma_words(options.domain));
     }
     const ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);

@@ -1,6 +1,5 @@
 #include "app/commands/kind_options.hpp"
 
-#include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
 #include "host/settings/toml_reader.hpp"
 
@@ -25,14 +24,6 @@ bool is_plain_text(const KeySpec& spec)
 /// Booleans that are false unless they are given; those that follow from other keys are typed as "on" or "off", or mean
 /// "on" by themselves.
 bool is_flag(const KeySpec& spec) { return spec.value.kind == ValueKind::boolean && spec.value.otherwise.has_value(); }
-
-/// ".svg, .png or .csv"
-std::string either(const std::vector<std::string>& words)
-{
-    if (words.size() < 2) return words.empty() ? "" : words.front();
-    const std::vector<std::string> first(words.begin(), words.end() - 1);
-    return fmt::format("{} or {}", fmt::join(first, ", "), words.back());
-}
 
 std::string in_capitals(std::string text)
 {
@@ -154,22 +145,22 @@ void print_numbers(const std::vector<DistributionNumber>& numbers)
 
 Option OutputFiles::option()
 {
-    std::vector<std::string> ends = kinds;
-    if (may_be_points) ends.push_back("a point file");
-    return {"--out", &names, fmt::format("A file: {}; may be repeated", fmt::join(ends, ", ")), "FILE", required};
+    std::vector<std::string> ends = formats.endings;
+    if (formats.may_be_points) ends.push_back("a point file");
+    return {"--out", &names, fmt::format("A file: {}; -: standard output; may be repeated", fmt::join(ends, ", ")),
+            "FILE", required};
 }
 
 void OutputFiles::check(const std::string& command) const
 {
-    for (const std::filesystem::path file : names) {
-        const bool is_known = std::ranges::find(kinds, file.extension().string()) != kinds.end();
-        if (!is_known && may_be_points)
-            check_point_target(command, file, kinds.empty() ? "" : ", " + either(kinds));
-        else if (!is_known)
-            throw InputError(
-                fmt::format("{}: --out {}: must end in {}", command, printable(file.string()), either(kinds)));
-        check_target_folder(command, file);
-    }
+    for (const std::string& name : names) checked_output(command, "--out", name, formats);
+}
+
+std::vector<std::filesystem::path> OutputFiles::files() const
+{
+    std::vector<std::filesystem::path> all;
+    for (const std::string& name : names) all.push_back(output_name(name, formats));
+    return all;
 }
 
 Command kind_command(const Kind& kind, OutputFiles files, std::string notes, void (*work)(const KindOptions&),

@@ -1,6 +1,7 @@
 // The options of commands that do the work of a kind: its keys, and what all such commands have.
 #pragma once
 
+#include "app/commands/output_file.hpp"
 #include "app/commands/work_options.hpp"
 #include "host/kinds/kind.hpp"
 #include "results/pictures/distribution_result.hpp"
@@ -15,14 +16,16 @@ namespace poissonlab {
 /// The files that a command writes: --out, as often as one likes.
 struct OutputFiles
 {
-    std::vector<std::string> kinds;   ///< what their names may end in
-    bool may_be_points = false;       ///< names with other ends are point files
+    OutputFormats formats;
     std::vector<std::string> names{}; ///< that were typed
 
     Option option();
 
-    /// Throws InputError for a name with another end, a folder that is not there, and a name that is one.
+    /// Throws where one of them cannot be written: checked_output().
     void check(const std::string& command) const;
+
+    /// What is to be written.
+    std::vector<std::filesystem::path> files() const;
 };
 
 class KindOptions

@@ -11,6 +11,7 @@
 #include "experiment/store/unit_store.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "results/collection_file.hpp"
+#include "results/own_files.hpp"
 
 #include <fmt/format.h>
 
@@ -136,7 +137,7 @@ void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run)
 {
     done.runs.push_back(run.out.filename().string());
     std::error_code error;
-    fs::remove(plan.out / "index.html", error);
+    fs::remove(plan.out / own_pages.front(), error);
     write_collection_file(plan.out, done);
 }
 

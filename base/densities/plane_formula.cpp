@@ -2,6 +2,8 @@
 
 #include "base/densities/density_formula.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
+#include "base/files/text_lines.hpp"
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -24,12 +26,18 @@ bool has_assignment(const std::string& formula)
     return false;
 }
 
+InputError error_in_formula(const std::string& name, const std::string& text, const mu::Parser::exception_type& error)
+{
+    return InputError(fmt::format("{}: {}{}", name, printable(error.GetMsg()), decimal_comma_words(text)));
+}
+
 }
 
 struct SpaceFormula::Parser
 {
     mu::Parser parser;
     double x = 0, y = 0, z = 0;
+    bool is_constant = false;
 };
 
 SpaceFormula::SpaceFormula(const std::string& name_or_text, int axes)
@@ -43,8 +51,15 @@ SpaceFormula::SpaceFormula(const std::string& name_or_text, int axes)
         parser_->parser.DefineConst("pi", std::numbers::pi);
         parser_->parser.DefineConst("e", std::numbers::e);
         parser_->parser.SetExpr(formula_of(name_or_text));
+        // A comma between formulas is one more result, of which Eval() would give the last one.
+        int results = 0;
+        parser_->parser.Eval(results);
+        if (results != 1)
+            throw InputError(fmt::format("{}: is {} formulas with commas between them: must be one{}", name_, results,
+                                         decimal_comma_words(name_or_text)));
+        parser_->is_constant = parser_->parser.GetUsedVar().empty();
     } catch (const mu::Parser::exception_type& error) {
-        throw InputError(fmt::format("{}: {}", name_, printable(error.GetMsg())));
+        throw error_in_formula(name_, name_or_text, error);
     }
 }
 
@@ -55,11 +70,20 @@ double SpaceFormula::at(double x, double y, double z)
     parser_->x = x;
     parser_->y = y;
     parser_->z = z;
+    return parser_->parser.Eval(); // throws no more: the text has been understood, and division by 0 is infinite
+}
+
+bool SpaceFormula::is_constant() const { return parser_->is_constant; }
+
+std::optional<double> constant_of(const std::string& text)
+{
     try {
-        return parser_->parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-        throw InputError(fmt::format("{}: {}", name_, printable(error.GetMsg())));
+        PlaneFormula formula(text);
+        if (formula.is_constant()) return formula.at(0, 0);
+    } catch (const InputError&) {
+        // Whoever needs a formula says what is wrong with it.
     }
+    return std::nullopt;
 }
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace poissonlab {
@@ -9,15 +10,18 @@ namespace poissonlab {
 class SpaceFormula
 {
 public:
-    /// The formula of a name or a text, see formula_of(). Throws InputError, one line with the text, where it assigns
-    /// something: that would change x, y and z.
+    /// The formula of a name or a text, see formula_of(). Throws InputError, one line with the text, where it cannot be
+    /// understood, is several formulas with commas between them, or assigns something: that would change x, y and z.
     explicit SpaceFormula(const std::string& name_or_text) : SpaceFormula(name_or_text, 3) {}
     ~SpaceFormula();
     SpaceFormula(const SpaceFormula&) = delete;
     SpaceFormula& operator=(const SpaceFormula&) = delete;
 
-    /// The value at a place. Throws InputError, one line with the text, where the formula cannot be understood.
+    /// The value at a place.
     double at(double x, double y, double z);
+
+    /// True where the value is the same everywhere, as no coordinate occurs.
+    bool is_constant() const;
 
     /// The text as messages call it.
     const std::string& name() const { return name_; }
@@ -38,7 +42,11 @@ public:
     explicit PlaneFormula(const std::string& name_or_text) : SpaceFormula(name_or_text, 2) {}
 
     double at(double x, double y) { return SpaceFormula::at(x, y, 0); }
+    using SpaceFormula::is_constant;
     using SpaceFormula::name;
 };
+
+/// The number that a text is, or that a formula without x and y gives, such as "1/2". Nothing for any other text.
+std::optional<double> constant_of(const std::string& text);
 
 }

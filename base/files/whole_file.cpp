@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/leftovers.hpp"
+#include "base/files/output_place.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,16 +31,15 @@ std::string last_system_error() { return std::generic_category().message(errno);
 
 constexpr std::string_view temporary_mark = ".tmp-";
 
-/// A name beside `path` that no other thread or process uses, hidden, with the same extension:
+/// A name in `folder` that no other thread or process uses, hidden, with the extension of `name`:
 /// ".tmp-PROCESS-NUMBER-NAME".
-std::filesystem::path temporary_beside(const std::filesystem::path& path)
+std::filesystem::path temporary_in(const std::filesystem::path& folder, const std::filesystem::path& name)
 {
     static std::atomic<unsigned> counter = 0;
-    return path.parent_path() /
-           fmt::format("{}{}-{}-{}", temporary_mark, ::getpid(), ++counter, path.filename().string());
+    return folder / fmt::format("{}{}-{}-{}", temporary_mark, ::getpid(), ++counter, name.filename().string());
 }
 
-/// The process that has made up this name in temporary_beside(); 0: it is no such name.
+/// The process that has made up this name in temporary_in(); 0: it is no such name.
 pid_t maker_of(const std::filesystem::path& file)
 {
     const std::string name = file.filename().string();
@@ -67,7 +68,10 @@ bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::fi
 class TemporaryFile
 {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
+    /// Beside the file that it becomes, or that is copied: links may lead to other folders. The ending is that of the
+    /// name that the user gave, which says the format.
+    TemporaryFile(const OutputPlace& place, const std::filesystem::path& named)
+        : path_(temporary_in(place.file.parent_path(), named))
     {
         list_leftover(path_);
     }
@@ -81,20 +85,59 @@ private:
     std::filesystem::path path_;
 };
 
-/// Throws StorageError. Names `target`, the file that the user knows of, not `file`.
-void write_content(const std::filesystem::path& file, const std::filesystem::path& target,
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why)
+{
+    throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), why));
+}
+
+/// Writes all that `write` hands over, and closes the file. Throws StorageError, which names `target`, the file that
+/// the user knows of.
+void write_content(FileHandle handle, const std::filesystem::path& target,
                    const std::function<void(const FileSink& sink)>& write)
 {
-    const auto fail = [&target] {
-        throw StorageError(fmt::format("{}: cannot be written: {}", target.string(), last_system_error()));
-    };
-    FileHandle handle(std::fopen(file.c_str(), "wb"), &std::fclose);
-    if (!handle) fail();
+    if (!handle) fail_to_write(target, last_system_error());
     write([&](std::string_view bytes) {
-        if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) fail();
+        if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size())
+            fail_to_write(target, last_system_error());
     });
     // Closing writes the rest of the buffer, so a full disk may show up only now.
-    if (std::fclose(handle.release()) != 0) fail();
+    if (std::fclose(handle.release()) != 0) fail_to_write(target, last_system_error());
+}
+
+FileHandle opened_to_write(const std::filesystem::path& file) { return {std::fopen(file.c_str(), "wb"), &std::fclose}; }
+
+/// A device, a pipe or an open file, which is neither made nor emptied.
+FileHandle opened_stream(const OutputPlace& place)
+{
+    const int file = place.descriptor >= 0 ? ::fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0)
+                                           : ::open(place.stream.c_str(), O_WRONLY | O_CLOEXEC);
+    return {file < 0 ? nullptr : ::fdopen(file, "wb"), &std::fclose};
+}
+
+void copy_into_stream(const std::filesystem::path& file, const OutputPlace& place, const std::filesystem::path& target)
+{
+    const FileHandle made(std::fopen(file.c_str(), "rb"), &std::fclose);
+    if (!made) fail_to_write(target, last_system_error());
+    write_content(opened_stream(place), target, [&](const FileSink& sink) {
+        std::string piece(1 << 16, '\0');
+        while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), made.get())) sink({piece.data(), got});
+        if (std::ferror(made.get()) != 0) fail_to_write(target, last_system_error());
+    });
+}
+
+/// Puts the temporary file in the place of the one that is there, whose permissions it gets. A file that may not be
+/// written stays, although its folder would let it be replaced.
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& file,
+                  const std::filesystem::path& named)
+{
+    std::error_code error;
+    const auto there = std::filesystem::status(file, error);
+    if (std::filesystem::is_regular_file(there)) {
+        if (::access(file.c_str(), W_OK) != 0) fail_to_write(named, last_system_error());
+        std::filesystem::permissions(temporary, there.permissions(), error);
+    }
+    std::filesystem::rename(temporary, file, error);
+    if (error) fail_to_write(named, error.message());
 }
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why)
@@ -143,18 +186,22 @@ void write_whole_file(const std::filesystem::path& path, std::string_view conten
 void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write)
 {
-    write_whole_file(path, [&](const std::filesystem::path& temporary) { write_content(temporary, path, write); });
+    const OutputPlace place = output_place(path);
+    if (place.is_stream) return write_content(opened_stream(place), path, write);
+    write_whole_file(
+        path, [&](const std::filesystem::path& temporary) { write_content(opened_to_write(temporary), path, write); });
 }
 
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write)
 {
-    const TemporaryFile temporary(path);
+    const OutputPlace place = output_place(path);
+    const TemporaryFile temporary(place, path);
     write(temporary.path());
-
-    std::error_code error;
-    std::filesystem::rename(temporary.path(), path, error);
-    if (error) throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+    if (place.is_stream)
+        copy_into_stream(temporary.path(), place, path);
+    else
+        put_in_place(temporary.path(), place.file, path);
 }
 
 void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,

@@ -1,4 +1,4 @@
-// Files that are there whole or not at all: written to a temporary name beside the target, then renamed.
+// Files that are there whole or not at all: written beside the target, then renamed. For links see output_place.hpp.
 #pragma once
 
 #include <chrono>
@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-/// Writes `content` to `path`, replacing what is there. Throws StorageError and leaves nothing behind on
-/// failure.
+/// Writes `content` to `path`, replacing the file that is there or that a link leads to; a device or a pipe takes it.
+/// Throws StorageError and leaves nothing behind on failure.
 void write_whole_file(const std::filesystem::path& path, std::string_view content);
 
 /// Puts bytes at the end of a file.
@@ -20,8 +20,8 @@ using FileSink = std::function<void(std::string_view bytes)>;
 void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write);
 
-/// Serves libraries that write files themselves: calls `write` with a temporary path that has the extension of
-/// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
+/// Serves libraries that write files themselves: calls `write` with a temporary path that has the extension of `path`,
+/// then renames, or copies into a device or a pipe. Removes the temporary file when `write` throws.
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 

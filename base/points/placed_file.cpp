@@ -1,6 +1,7 @@
 #include "base/points/placed_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/output_place.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/hdf5_points.hpp"
 #include "base/points/point_file_formats.hpp"
@@ -52,7 +53,8 @@ void check_room(const std::filesystem::path& path, const PointFileHead& head, st
 {
     constexpr std::uint64_t head_bytes = 4096;
     std::error_code error;
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const auto file = output_place(path).file;
+    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     const auto space = std::filesystem::space(folder, error);
     if (error || space.available == static_cast<std::uintmax_t>(-1)) return; // writing shows it
     const std::uint64_t each = bytes_per_point(path, head.dimension) + scratch;

@@ -1,4 +1,5 @@
 // Reads a point set from a PLY file, ascii or binary: the properties x, y and z of the element `vertex`.
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/ply_header.hpp"
 #include "base/points/point_file_formats.hpp"
@@ -81,6 +82,9 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
     std::vector<std::string_view> row;
     for (std::size_t i = 0; i < vertices.table->count; ++i) {
         next_row(*vertices.table);
+        if (lines.line().find(',') != std::string_view::npos)
+            fail_in_point_file(file, lines.number(), lines.line(),
+                               "blanks separate the numbers of PLY" + decimal_comma_words(lines.line()));
         row.clear();
         for (WordReader words(lines.line()); words.next();) row.push_back(words.word());
         if (row.size() != width) {

@@ -1,8 +1,11 @@
 // Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or CSV.
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 
@@ -70,19 +73,35 @@ private:
             return;
         }
         if (has_ended_) fail_in_point_file(file_, line, text, "a file that is read in pieces has one set");
+        check_commas(text, line);
         const std::size_t before = current_.size();
         for (WordReader words(text); words.next();) append_coordinate(file_, line, words.word(), current_);
         const auto count = static_cast<int>(current_.size() - before);
 
         if (count != 2 && count != 3) {
             fail_in_point_file(file_, line, fmt::format("{} coordinate{}", count, count == 1 ? "" : "s"),
-                               "a point has 2 or 3; a line that is not a point starts with `# `");
+                               "a point has 2 or 3; a line that is not a point starts with `# `" +
+                                   decimal_comma_words(text));
         }
         if (dimension_ == 0) dimension_ = count;
         if (count != dimension_) {
             fail_in_point_file(file_, line, fmt::format("{} coordinates", count),
                                fmt::format("must be {}, as on the lines before", dimension_));
         }
+    }
+
+    /// Throws where commas stand within numbers, as many languages write decimals: "12,5 7" is no point in space.
+    void check_commas(std::string_view text, int line) const
+    {
+        const std::string_view number = decimal_comma_in(text);
+        if (number.empty()) return;
+        const bool has_other_separators = std::ranges::any_of(text, [&](const char& c) {
+            const bool is_beside_comma =
+                (&c > text.data() && *(&c - 1) == ',') || (&c < &text.back() && *(&c + 1) == ',');
+            return c == ';' || ((c == ' ' || c == '\t') && !is_beside_comma);
+        });
+        if (has_other_separators)
+            fail_in_point_file(file_, line, text, "commas separate numbers" + decimal_comma_words(text));
     }
 
     /// The names of columns, before all points.

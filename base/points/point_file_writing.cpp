@@ -1,12 +1,15 @@
 // Writes point sets as text, CSV, PLY or USD; NumPy and HDF5 are those of placed_file.
+#include "base/errors/errors.hpp"
 #include "base/files/npy_header.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/placed_file.hpp"
 #include "base/points/point_file.hpp"
+#include "base/points/point_file_endings.hpp"
 #include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -62,6 +65,16 @@ void write_lines(const FileSink& file, std::span<const double> coordinates, int 
     }
 }
 
+/// Other names would make text of what was to be something else.
+void check_point_ending(const std::filesystem::path& path)
+{
+    const std::string ending = path.extension();
+    const std::vector<std::string>& known = point_file_endings();
+    if (!ending.empty() && std::ranges::find(known, ending) == known.end())
+        throw InputError(
+            fmt::format("{}: a point file must end in {}", printable(path.string()), fmt::join(known, ", ")));
+}
+
 /// Appends the header of a PLY file. 2D points have a z, which is 0, because programs that show PLY files expect one.
 void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_view comment)
 {
@@ -76,6 +89,13 @@ void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_
 std::string npy_header(std::uint64_t points, int dimension)
 {
     return npy_header_of(fmt::format("'{}f8'", npy_byte_order()), fmt::format("({}, {})", points, dimension));
+}
+
+const std::vector<std::string>& point_file_endings()
+{
+    static const std::vector<std::string> endings{".txt", ".dat",  ".csv",  ".npy",   ".ply",
+                                                  ".h5",  ".hdf5", ".usda", ".h5part"};
+    return endings;
 }
 
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment)
@@ -96,6 +116,7 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write)
 {
+    check_point_ending(path);
     if (has_known_places(path))
         return write_placed_points(path, {.dimension = dimension, .points = points, .comment = comment}, write);
     const auto extension = path.extension();

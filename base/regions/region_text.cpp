@@ -1,6 +1,7 @@
 #include "base/regions/region_text.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
@@ -55,10 +56,11 @@ std::string_view without_blanks_around(std::string_view text)
     return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-/// The numbers after the first word, if there are so many and no others.
+/// The numbers after the first word, if there are so many and no others, and if none can have a decimal comma.
 std::optional<std::vector<double>> numbers_after_word(std::string_view text, std::size_t count)
 {
     std::vector<double> numbers;
+    if (mixes_separators(text.substr(std::min(text.size(), text.find(' '))), count, 2)) return {};
     WordReader words(text);
     for (words.next(); words.next();) {
         double number = 0;
@@ -73,7 +75,8 @@ PlaneRegion rectangle_of(const std::string& text)
 {
     const auto n = numbers_after_word(text, 4);
     if (!n || !((*n)[0] < (*n)[2]) || !((*n)[1] < (*n)[3]))
-        throw InputError(shortened(printable(text)) + ": must be rectangle X0 Y0 X1 Y1 with X0 < X1 and Y0 < Y1");
+        throw InputError(shortened(printable(text)) + ": must be rectangle X0 Y0 X1 Y1 with X0 < X1 and Y0 < Y1" +
+                         decimal_comma_words(text));
     const double x0 = (*n)[0], y0 = (*n)[1], x1 = (*n)[2], y1 = (*n)[3];
     PlaneRegion region;
     region.polygons.emplace_back().outline = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -84,7 +87,8 @@ PlaneRegion disk_of(const std::string& text)
 {
     const auto n = numbers_after_word(text, 3);
     if (!n || !((*n)[2] > 0))
-        throw InputError(shortened(printable(text)) + ": must be disk X Y RADIUS with RADIUS > 0");
+        throw InputError(shortened(printable(text)) + ": must be disk X Y RADIUS with RADIUS > 0" +
+                         decimal_comma_words(text));
     PlaneRegion region;
     RegionRing& ring = region.polygons.emplace_back().outline;
     for (int i = 0; i < disk_corners; ++i) {
@@ -99,13 +103,14 @@ PlaneRegion formula_region_of(const std::string& text)
 {
     std::array<double, 4> n{};
     WordReader words(text);
-    bool is_right = words.next();
+    bool is_right = words.next() && !mixes_separators(std::string_view(text).substr(text.find(' ')), n.size(), 2);
     for (double& number : n)
         is_right = is_right && words.next() && parse_number(words.word(), number) && std::isfinite(number);
     is_right = is_right && words.next() && n[0] < n[2] && n[1] < n[3];
     if (!is_right)
         throw InputError(shortened(printable(text)) +
-                         ": must be formula X0 Y0 X1 Y1 EXPRESSION with X0 < X1, Y0 < Y1 and an expression in x and y");
+                         ": must be formula X0 Y0 X1 Y1 EXPRESSION with X0 < X1, Y0 < Y1 and an expression in x and y" +
+                         decimal_comma_words(text));
     const auto begin = static_cast<std::size_t>(words.word().data() - text.data());
     return region_of_formula(text.substr(begin), {n[0], n[1]}, {n[2], n[3]});
 }

@@ -1,6 +1,7 @@
 #include "base/regions/space_region.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file.hpp"
 
@@ -46,6 +47,7 @@ const ShapeWord* shape_word_of(std::string_view text)
 std::optional<std::vector<double>> leading_numbers(const std::string& text, std::size_t count, std::string& rest)
 {
     std::vector<double> numbers(count);
+    if (mixes_separators(std::string_view(text).substr(std::min(text.size(), text.find(' '))), count, 3)) return {};
     WordReader words(text);
     words.next();
     for (double& number : numbers)
@@ -84,7 +86,8 @@ SpaceRegion read_space_region(const std::string& text)
     const auto numbers = leading_numbers(text, shape->numbers, region.formula);
     if (numbers) region.box = shape->shape == SpaceShape::ball ? box_around_ball(*numbers) : box_of_numbers(*numbers);
     if (!numbers || !has_room(region.box) || region.formula.empty() == (shape->shape == SpaceShape::solid))
-        throw InputError(fmt::format("{}: must be {}", shortened(printable(text)), shape->form));
+        throw InputError(
+            fmt::format("{}: must be {}{}", shortened(printable(text)), shape->form, decimal_comma_words(text)));
     return region;
 }
 

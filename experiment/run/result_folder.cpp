@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/plan.hpp"
 #include "results/file_names.hpp"
+#include "results/own_files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,7 @@ void ResultFolder::check(const fs::path& out, const std::vector<std::string>& se
         throw InputError("--out " + out.string() + ": is a file; a folder is needed");
     if (fs::exists(out / file_names::collection, error))
         throw InputError("--out " + out.string() + ": is the folder of a collection; choose another folder");
+    check_own_files(out);
     const std::vector<std::string> previous = series_in(out);
     for (const std::string& name : series) {
         const fs::path target = out / name;
@@ -137,7 +139,7 @@ void ResultFolder::publish(const std::string& results_json)
 
     // The rest only renames. results.json goes first and comes last, so that a folder with a results.json is complete
     // at any moment.
-    std::vector<std::string> leaving = {file_names::results, "index.html"};
+    std::vector<std::string> leaving = {file_names::results, own_pages.front()};
     leaving.insert(leaving.end(), previous_.begin(), previous_.end());
     leaving.insert(leaving.end(), series_.begin(), series_.end());
     for (const std::string& name : leaving)

@@ -5,6 +5,7 @@
 #include "experiment/run/make_experiment.hpp"
 #include "experiment/run/result_folder.hpp"
 #include "results/file_names.hpp"
+#include "results/own_files.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,7 @@ void check_collection_folder(const fs::path& out)
     if (fs::exists(out / file_names::results, error))
         throw InputError("--out " + out.string() +
                          ": has the results of a single run; a collection needs a folder of its own");
+    check_own_files(out);
 }
 
 }

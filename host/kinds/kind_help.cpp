@@ -17,8 +17,8 @@ std::string default_of_key(const KeySpec& spec)
 std::string key_row(const KeySpec& spec)
 {
     const std::string other = spec.alias.empty() ? "" : fmt::format(", `{}`", option_name(spec));
-    return fmt::format("| `{}`{} | {} | {} | {} |\n", spec.value.key, other, spec.allowed(), default_of_key(spec),
-                       meaning_of(spec.value));
+    return fmt::format("| `{}`{} | {} | {} | {} |\n", spec.value.key, other, braces_as_code(spec.allowed()),
+                       default_of_key(spec), meaning_of(spec.value));
 }
 
 /// How a config asks for the kind; for those that only commands make, the command.

@@ -1,5 +1,7 @@
 #include "host/settings/config_tree.hpp"
 
+#include "base/files/decimal_commas.hpp"
+#include "host/settings/comma_words.hpp"
 #include "host/settings/nearest_key.hpp"
 
 #include <fmt/format.h>
@@ -60,9 +62,15 @@ std::string shown(const ConfigNode& node)
     return shortened(text);
 }
 
+std::string comma_words(const ConfigNode& node)
+{
+    const auto* text = node.get_if<std::string>();
+    return text && !text->empty() && decimal_comma_in(*text) == *text ? decimal_comma_words(*text) : "";
+}
+
 InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed)
 {
-    return invalid_value(node.location, key, shown(node), allowed);
+    return invalid_value(node.location, key, shown(node), allowed + comma_words(node));
 }
 
 InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known)

@@ -36,7 +36,7 @@ std::string parameter_text(const ParameterSpec& spec)
 
 std::string parameter_row(const ParameterSpec& spec)
 {
-    return fmt::format("| `{}` | {} | {} | {} |\n", spec.key, allowed_values(spec),
+    return fmt::format("| `{}` | {} | {} | {} |\n", spec.key, braces_as_code(allowed_values(spec)),
                        spec.otherwise ? default_text(spec) : without_it(spec), meaning_of(spec));
 }
 
@@ -55,6 +55,13 @@ std::string traits_of(const SamplerSpec& sampler)
 std::string meaning_of(const ParameterSpec& spec)
 {
     return spec.unit.empty() ? spec.help : fmt::format("{}, in {}", spec.help, spec.unit);
+}
+
+std::string braces_as_code(const std::string& text)
+{
+    std::string code;
+    for (const char letter : text) code += letter == '{' ? "`{" : letter == '}' ? "}`" : std::string(1, letter);
+    return code;
 }
 
 std::string option_help(const ParameterSpec& spec)

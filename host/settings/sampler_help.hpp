@@ -10,6 +10,10 @@ namespace poissonlab {
 /// Says what a parameter means, with its unit.
 std::string meaning_of(const ParameterSpec& spec);
 
+/// The text with what is in braces as code of Markdown, which takes braces at the end of a cell for attributes of it
+/// and leaves them out.
+std::string braces_as_code(const std::string& text);
+
 /// The help of a command on an option that gives a parameter: "Lloyd iterations of each piece:
 /// an integer from 0 to 100000; default: 20".
 std::string option_help(const ParameterSpec& spec);

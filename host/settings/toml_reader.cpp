@@ -1,9 +1,13 @@
 #include "host/settings/toml_reader.hpp"
 
+#include "base/files/decimal_commas.hpp"
+#include "base/files/text_lines.hpp"
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace poissonlab {
@@ -90,6 +94,18 @@ private:
     mutable Place last_; ///< the next value is mostly further on in the same line, which may be very long
 };
 
+/// Words for a value that is a number with a decimal comma: `radius = 0,5`.
+std::string comma_in_value(std::string_view text, int line)
+{
+    LineReader lines(text);
+    while (lines.next() && lines.number() < line) {
+    }
+    const std::string_view value =
+        trimmed(lines.line().substr(std::min(lines.line().size(), lines.line().find('=') + 1)));
+    const std::string_view begin = value.substr(0, value.find_first_of(" \t#"));
+    return decimal_comma_in(begin) == begin && !begin.empty() ? decimal_comma_words(begin) : "";
+}
+
 /// toml++ says "Error while parsing key-value pair: cannot redefine ...", with names of any length.
 std::string description(const toml::parse_error& error)
 {
@@ -106,7 +122,8 @@ ConfigTable read_toml(std::string_view text, const std::string& file)
         const toml::table document = toml::parse(text, file);
         return TreeBuilder(text, {file}).table(document);
     } catch (const toml::parse_error& error) {
-        throw InputError::at({file, static_cast<int>(error.source().begin.line)}, description(error));
+        const auto line = static_cast<int>(error.source().begin.line);
+        throw InputError::at({file, line}, description(error) + comma_in_value(text, line));
     }
 }
 
@@ -123,6 +140,9 @@ ConfigNode read_toml_value(const std::string& text, const SourceLocation& origin
         if (!text.empty() && (text.front() == '[' || text.front() == '{' || text.front() == '"'))
             throw InputError::at(origin, description(error));
     }
+    // TOML has no numbers such as .5, 5. and +.5.
+    double number = 0;
+    if (parse_number(text, number) && std::isfinite(number)) return {number, origin, text};
     return {text, origin, '"' + text + '"'};
 }
 

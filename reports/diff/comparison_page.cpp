@@ -6,6 +6,7 @@
 #include "reports/layout/site.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/plots/gnuplot_text.hpp"
+#include "results/own_files.hpp"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,7 @@ std::string title_of(const RunComparison& comparison)
 void write_comparison_page(const RunComparison& comparison, const fs::path& before, const fs::path& after,
                            const fs::path& out)
 {
+    check_own_page(out / diff_page);
     try {
         fs::create_directories(out / asset_folder);
     } catch (const fs::filesystem_error& error) {

@@ -12,17 +12,36 @@
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_endless.hpp"
 #include "results/collection_file.hpp"
+#include "results/own_files.hpp"
 #include "results/run.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace poissonlab {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+static_assert(std::ranges::equal(
+    own_pages, std::array{overview_page, compare_page, claims_page}, std::ranges::equal_to(),
+    [](const char* name) { return std::string_view(name); }, [](const char* name) { return std::string_view(name); }));
+
+/// Throws InputError where a page would take the place of one that another program has written.
+void check_pages(const Site& site)
+{
+    for (const char* page : own_pages) check_own_page(site.out / page);
+    for (const ReportRun& run : site.runs) {
+        check_own_page(page_of(run));
+        for (const ReportSeries& series : run.series) check_own_page(page_of(series));
+    }
+}
 
 void create_folders(const Site& site)
 {
@@ -125,6 +144,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     for (const auto& folder : output_folders(result_folders)) runs.push_back(read_run(folder));
     const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
     auto site = make_site(runs, out, collection ? collection->title : std::string(), gallery);
+    check_pages(site);
     create_folders(site);
 
     say("drawing pictures");

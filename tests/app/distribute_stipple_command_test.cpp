@@ -149,11 +149,9 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
     expect_error({"--image", "0.5", "--points", "9", "--out", "no/a.png"}, "there is no folder no");
     expect_error({"--image", "0.5", "--points", "9", "--out", "."}, "--out .: is a folder");
     for (const std::string out : {"a.gif", "a.JPG"})
-        expect_error(
-            {"--image", "0.5", "--points", "9", "--out", out},
-            "--out " + out +
-                ": is the name of a picture; must be a point file, such as .txt, .csv, .npy, .h5, .ply, .usda, "
-                ".svg or .png");
+        expect_error({"--image", "0.5", "--points", "9", "--out", out},
+                     "--out " + out +
+                         ": must end in .svg, .png, .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda or .h5part");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.gif"));
 }
 

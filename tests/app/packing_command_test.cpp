@@ -118,8 +118,8 @@ TEST_F(PackingCommand, WrongArguments)
     expect_error("corner --colors 2 --method eulerian", "packing: --method eulerian: is for wang tiles");
     expect_error("wang --colors 3 --method grown", "packing: --method grown: is for corner tiles of 3 colours");
     expect_error("corner --colors 17 --out a.png", "packing: --colors 17: must be at most 16 for a picture");
-    expect_error("corner --colors 3 --out a.jpg", "packing: --out a.jpg: must be a .png or .svg");
-    expect_error("corner --colors 3 --puzzle a.png", "packing: --puzzle a.png: must be an .svg");
+    expect_error("corner --colors 3 --out a.jpg", "packing: --out a.jpg: must end in .png or .svg");
+    expect_error("corner --colors 3 --puzzle a.png", "packing: --puzzle a.png: must end in .svg");
     expect_error("corner --colors 3 --puzzle a.svg --kerf 1",
                  "packing: --kerf 1: must be a number from 0 to 0.6, in millimetres");
     expect_error("corner --colors 3 --puzzle a.svg --piece nan",

@@ -74,7 +74,7 @@ TEST_F(TextureCommand, MapsThePlane)
     printed(small + "--frames 2 --advance 3 --out fly.png --engine reference");
     EXPECT_EQ(read_png(folder_.path() / "fly-00000.png").values, read_png(folder_.path() / "a.png").values);
     EXPECT_NE(read_png(folder_.path() / "fly-00001.png").values, read_png(folder_.path() / "a.png").values);
-    expect_error(small + "--out a.jpg", "texture map: --out a.jpg: must be a .png");
+    expect_error(small + "--out a.jpg", "texture map: --out a.jpg: must end in .png");
     expect_error(small + "--pitch 91 --out a.png", "texture map: --pitch 91: must be a number from 0 to 90");
     expect_error("map tiles --size 0 2 --out a.png", "texture map: --size 0: must be an integer from 1 to 16384");
     expect_error("map tiles --size 9 --out a.png", "texture map: --size 9: must be W H");

@@ -3,7 +3,7 @@
 # of colours, against packings that texture_wgsl_test.js puts together by their definitions. Exit status 77: there is no
 # node, no Chromium or no WebGPU.
 #
-# Usage: texture_wgsl.sh SOURCE_FOLDER
+# Usage: texture_wgsl.sh SOURCE_FOLDER UNTIL_ALL_END
 set -euo pipefail
 
 source "$(dirname "$0")/in_chromium.sh"

@@ -2,7 +2,7 @@
 # runtime/poisson_tiles.wgsl in the WebGPU of headless Chromium against runtime/poisson_tiles.js, which is the C header to
 # the last bit: tiles in the plane and in space. Exit status 77: there is no node, no Chromium or no WebGPU.
 #
-# Usage: wgsl.sh SOURCE_FOLDER
+# Usage: wgsl.sh SOURCE_FOLDER UNTIL_ALL_END
 set -euo pipefail
 
 source "$(dirname "$0")/in_chromium.sh"

@@ -1,12 +1,12 @@
 #include "tests/support/devtools_pipe.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "tests/support/places.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,7 +45,8 @@ std::array<int, 2> socket_pair()
 
 std::vector<std::string> arguments(const std::string& profile)
 {
-    return {"chromium",
+    return {std::filesystem::path(program_file()).replace_filename("until_all_end").string(),
+            "chromium",
             "--headless",
             "--no-sandbox",
             "--disable-gpu",
@@ -80,11 +81,10 @@ DevToolsPipe::DevToolsPipe(std::chrono::milliseconds limit, EventHandler on_even
     ::close(theirs);
 }
 
-// In a process group of its own, so that end() reaches all that the browser starts; and processes that it leaves behind
-// become our children, so that none stays as a zombie where nobody else would wait for it.
+// By the program that ends when all of the browser's processes have, see until_all_end.cpp: the profile can be removed
+// then. In a process group of its own, which keys that end the tests do not reach.
 void DevToolsPipe::start(int browser_end)
 {
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, browser_end, 3);
@@ -102,7 +102,7 @@ void DevToolsPipe::start(int browser_end)
     std::vector<char*> argv;
     for (auto& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    const int error = ::posix_spawnp(&process_, "chromium", &files, &attributes, argv.data(), environ);
+    const int error = ::posix_spawnp(&process_, argv.front(), &files, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     if (error != 0) {
@@ -113,11 +113,13 @@ void DevToolsPipe::start(int browser_end)
 
 DevToolsPipe::~DevToolsPipe() { end(); }
 
-void DevToolsPipe::wait_for_end(std::chrono::milliseconds time)
+bool DevToolsPipe::ends_within(std::chrono::milliseconds time) const
 {
-    const auto deadline = Clock::now() + time;
-    while (::waitpid(process_, nullptr, WNOHANG) == 0 && Clock::now() < deadline)
+    for (const auto deadline = Clock::now() + time; Clock::now() < deadline;) {
+        if (::waitpid(process_, nullptr, WNOHANG) != 0) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
 }
 
 // A browser whose pipe is closed ends by itself; one that hangs is ended.
@@ -126,9 +128,10 @@ void DevToolsPipe::end()
     const std::string close = R"({"id": 0, "method": "Browser.close"})";
     (void)::send(socket_, close.c_str(), close.size() + 1, MSG_NOSIGNAL | MSG_DONTWAIT);
     ::shutdown(socket_, SHUT_WR);
-    wait_for_end(std::chrono::seconds(10));
-    ::kill(-process_, SIGKILL);
-    while (::waitpid(-process_, nullptr, 0) > 0 || errno == EINTR) {
+    if (!ends_within(std::chrono::seconds(10))) {
+        ::kill(process_, SIGTERM);
+        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
     ::close(socket_);
 }

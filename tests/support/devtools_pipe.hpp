@@ -22,7 +22,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// One process of Chromium, with a profile of its own. It is gone when this is destroyed.
+/// Chromium, with a profile of its own. All its processes are gone when this is destroyed.
 class DevToolsPipe
 {
 public:
@@ -47,6 +47,7 @@ public:
 
     void set_limit(std::chrono::milliseconds limit) { limit_ = limit; }
 
+    /// The one that ends when all others have.
     pid_t process() const { return process_; }
 
 private:
@@ -56,7 +57,7 @@ private:
     void send(const std::string& text, Clock::time_point deadline, const std::string& what);
     nlohmann::json receive(Clock::time_point deadline, const std::string& what);
     std::string said() const;
-    void wait_for_end(std::chrono::milliseconds time);
+    bool ends_within(std::chrono::milliseconds time) const;
     void end();
 
     std::chrono::milliseconds limit_;

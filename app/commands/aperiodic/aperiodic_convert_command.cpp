@@ -66,7 +66,6 @@ void write_corners(const std::filesystem::path& file, const std::string& name, c
         write_whole_file(file, tile_list_text(step.corners.list));
         return;
     }
-    check_picture_file("aperiodic convert", file);
     const std::size_t count = step.corners.list.tiles.size();
     if (count > most_drawn_tiles)
         throw InputError(fmt::format("aperiodic convert: --out {}: {} tiles cannot be drawn (at most {})",
@@ -80,9 +79,12 @@ void write_corners(const std::filesystem::path& file, const std::string& name, c
 void convert(const AskedTiles& options)
 {
     const CornerConstruction construction = chosen_construction("aperiodic convert", options.construction);
+    std::filesystem::path out;
+    if (!options.out.empty())
+        out = checked_output("aperiodic convert", "--out", options.out, {{".svg", ".png", ".txt"}, false, true});
     const ChosenTiles chosen = chosen_set("aperiodic convert", options.set);
     const auto steps = repeat_construction(chosen.wang, construction, options.repeat);
-    if (!options.out.empty()) write_corners(options.out, chosen.name, steps.back());
+    if (!out.empty()) write_corners(out, chosen.name, steps.back());
     if (options.as_json)
         print_steps_json(steps, construction);
     else
@@ -102,7 +104,8 @@ Command aperiodic_convert_command()
           required},
          allowing({"--repeat", &o->repeat, "How often, each time on the Wang tiles of the last one; default: 1", "K"},
                   Integers{1, most_repetitions}),
-         {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles", "FILE"},
+         {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles (.txt)",
+          "FILE"},
          json_option(o->as_json)},
         aperiodic_convert_notes,
         action_on(o, convert)};

@@ -149,11 +149,13 @@ void tile(const AperiodicTileOptions& options)
     const TilingMethod method = checked_method(options);
     const TileWindow window = checked_tile_window(options, method);
     options.work.engine("aperiodic tile"); // throws for one that there is not
-    if (!options.out.empty()) check_picture_file("aperiodic tile", options.out);
+    const bool is_drawn = !options.out.empty();
+    std::filesystem::path out;
+    if (is_drawn) out = checked_output("aperiodic tile", "--out", options.out, picture_formats());
     const MadeTiling made = made_tiling(options, method, window);
     const auto width = static_cast<std::size_t>(window.width);
-    if (!options.out.empty()) {
-        write_tile_picture(options.out, made.chosen, made.tiles, width, false);
+    if (is_drawn) {
+        write_tile_picture(out, made.chosen, made.tiles, width, false);
         return;
     }
     TileRows rows(options.as_json);

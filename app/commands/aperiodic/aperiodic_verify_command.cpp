@@ -118,7 +118,8 @@ PeriodSearch searched(const WangList& list, const AperiodicVerifyOptions& option
 
 void verify_aperiodic(const AperiodicVerifyOptions& options)
 {
-    if (!options.out.empty()) check_picture_file("aperiodic verify", options.out);
+    std::filesystem::path out;
+    if (!options.out.empty()) out = checked_output("aperiodic verify", "--out", options.out, picture_formats());
     const ChosenTiles chosen = constructed_tiles("aperiodic verify", options);
     if (!options.as_json) {
         if (chosen.corners)
@@ -130,7 +131,7 @@ void verify_aperiodic(const AperiodicVerifyOptions& options)
         fmt::print("circumference      rows   columns\n");
     }
     const PeriodSearch search = searched(chosen.wang, options);
-    if (search.period && !options.out.empty()) draw_period(options.out, chosen, *search.period);
+    if (search.period && !out.empty()) draw_period(out, chosen, *search.period);
     if (options.as_json)
         print_outcome_json(search, chosen.name, options.width);
     else

@@ -2,6 +2,7 @@
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "reports/drawings/tilings/isohedral_image.hpp"
 
@@ -68,7 +69,8 @@ PlaneCurve curve_of(const std::string& text)
 {
     const std::vector<double> numbers = numbers_of("--curve", text);
     if (numbers.size() % 2 != 0)
-        throw InputError(fmt::format("isohedral draw: --curve {}: must be points, two numbers each", shortened(text)));
+        throw InputError(fmt::format("isohedral draw: --curve {}: must be points, two numbers each{}", shortened(text),
+                                     decimal_comma_words(text)));
     PlaneCurve curve{{0, 0}};
     for (std::size_t i = 0; i < numbers.size(); i += 2) curve.push_back({numbers[i], numbers[i + 1]});
     curve.push_back({1, 0});
@@ -83,8 +85,8 @@ IsohedralTile chosen_tile(const IsohedralDrawOptions& o, const IsohedralType& ty
     IsohedralParameters parameters{numbers_of("--parameters", o.parameters), {}};
     const std::size_t given = parameters.deformations.size(), needed = type.shape.parameters();
     if (given > 0 && given != needed)
-        throw InputError(fmt::format("isohedral draw: --parameters {}: must be as many as IH{} has: {}",
-                                     shortened(o.parameters), type.number, needed));
+        throw InputError(fmt::format("isohedral draw: --parameters {}: must be as many as IH{} has: {}{}",
+                                     shortened(o.parameters), type.number, needed, decimal_comma_words(o.parameters)));
     for (const std::string& text : o.curves) parameters.curves.push_back(curve_of(text));
     if (parameters.curves.size() > type.shape.curve_shapes.size())
         throw InputError(fmt::format("isohedral draw: --curve: IH{} has {} curves, not {}", type.number,
@@ -127,8 +129,8 @@ Drawing chosen_drawing(const IsohedralDrawOptions& o)
 
 void draw_isohedral(const IsohedralDrawOptions& options)
 {
-    check_picture_file("isohedral draw", options.out);
-    write_picture_file(options.out, chosen_drawing(options));
+    const std::filesystem::path out = checked_output("isohedral draw", "--out", options.out, picture_formats());
+    write_picture_file(out, chosen_drawing(options));
 }
 
 }

@@ -37,7 +37,7 @@ radially averaged power of each class and of all, and cross power of pairs: with
 struct ClassOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    OutputFiles outs{{".csv", ".ply", ".npy", ".svg", ".png"}};
+    OutputFiles outs{{{".csv", ".ply", ".npy", ".svg", ".png"}}};
     std::string spectra;
 };
 
@@ -55,18 +55,18 @@ void throw_class_points(const ClassOptions& o)
     o.outs.check(o.command());
     if (o.spectra.empty() && settings.sets > 1)
         throw InputError(fmt::format("--sets {}: goes with --spectra", settings.sets));
+    std::filesystem::path spectra;
     if (!o.spectra.empty()) {
         if (settings.dimension != 2) throw InputError("--spectra: is for points of the plane, --dimension 2");
-        OutputFiles{{".csv"}, false, {o.spectra}}.check(o.command());
+        spectra = checked_output(o.command(), "--spectra", o.spectra, {{".csv"}});
     }
     const ClassSet set = throw_classes(settings, o.seed(), o.place());
     const std::string what = fmt::format("{} points of {} classes: {}", set.points.points.size(),
                                          set.points.is_full.size(), fmt::join(set.points.counts(), ", "));
     o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
     const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
-    for (const std::string& out : o.outs.names) write_class_output(out, set, comment);
-    if (!o.spectra.empty())
-        write_whole_file(o.spectra, spectra_csv(averaged_spectra(settings, o.seed(), o.place(), set)));
+    for (const std::filesystem::path& out : o.outs.files()) write_class_output(out, set, comment);
+    if (!spectra.empty()) write_whole_file(spectra, spectra_csv(averaged_spectra(settings, o.seed(), o.place(), set)));
     if (o.prints_json()) print_numbers(class_numbers(set));
 }
 

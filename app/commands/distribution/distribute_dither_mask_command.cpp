@@ -29,8 +29,8 @@ void make_thresholds(const KindOptions& o)
 {
     const auto settings = o.read<DitherMaskSettings>();
     const bool has_tiles = settings.method == DitherMethod::tiles;
-    const auto is_tile_set = [](const std::string& name) { return name.ends_with(".ptiles"); };
-    if (!has_tiles && std::ranges::any_of(o.outs.names, is_tile_set))
+    const auto is_tile_set = [](const std::filesystem::path& file) { return file.extension() == ".ptiles"; };
+    if (!has_tiles && std::ranges::any_of(o.outs.files(), is_tile_set))
         throw InputError("--out: .ptiles goes with --by tiles");
     const DistributionPlace place = o.place();
     const OnPart tell = [&](double part) {
@@ -40,7 +40,7 @@ void make_thresholds(const KindOptions& o)
     if (has_tiles) tiles = dither_tiles(settings, o.seed(), tell);
     const DitherMask mask = has_tiles ? mask_of_tiles(tiles, settings.size / settings.tile_pixels, o.seed())
                                       : dither_mask(settings, o.seed(), tell);
-    for (const std::string& out : o.outs.names) {
+    for (const std::filesystem::path& out : o.outs.files()) {
         if (is_tile_set(out))
             write_tile_set(out, tiles);
         else
@@ -56,7 +56,7 @@ void make_thresholds(const KindOptions& o)
 
 Command distribute_dither_mask_command()
 {
-    return kind_command(*find_kind("distribution", "dither-mask"), {{".png", ".npy", ".ptiles"}},
+    return kind_command(*find_kind("distribution", "dither-mask"), {{{".png", ".npy", ".ptiles"}}},
                         distribute_dither_mask_notes, make_thresholds);
 }
 

@@ -40,7 +40,7 @@ void draw_icons(const KindOptions& o)
     const SquarePoints points = even_points(chosen_method(settings.method), settings.points, field.u.width,
                                             field.u.height, o.seed(), o.place());
     const Icons icons = icons_at(points, field, settings.have_one_length);
-    for (const std::string& out : o.outs.names) write_icons(out, icons, field, static_cast<int>(o.pixels));
+    for (const std::filesystem::path& out : o.outs.files()) write_icons(out, icons, field, static_cast<int>(o.pixels));
     if (o.prints_json()) print_numbers(icon_numbers(icons, field, points.size() / 2));
 }
 
@@ -48,7 +48,7 @@ void draw_icons(const KindOptions& o)
 
 Command distribute_icons_command()
 {
-    return kind_command(*find_kind("distribution", "icons"), {{".svg", ".png", ".csv"}}, distribute_icons_notes,
+    return kind_command(*find_kind("distribution", "icons"), {{{".svg", ".png", ".csv"}}}, distribute_icons_notes,
                         draw_icons, "", {most_icon_pixels, "1024", 1024});
 }
 

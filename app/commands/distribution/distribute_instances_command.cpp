@@ -49,7 +49,7 @@ void place_instances(const KindOptions& o)
     const PoissonTiling tiling{stream_key(o.seed(), Purpose::tile_choice, 0)[0], 0};
     const std::vector<Instance> instances = instances_in(tiles, tiling, settings, place);
     const double radius = instance_radius(tiles, settings);
-    for (const std::string& out : o.outs.names) write_instances(out, instances, settings, radius);
+    for (const std::filesystem::path& out : o.outs.files()) write_instances(out, instances, settings, radius);
     if (o.prints_json())
         print_numbers(instance_numbers(instances.size(), settings, radius));
     else if (!o.is_quiet())
@@ -61,7 +61,7 @@ void place_instances(const KindOptions& o)
 
 Command distribute_instances_command()
 {
-    return kind_command(*find_kind("distribution", "instances"), {{".csv", ".ply", ".usda", ".png"}},
+    return kind_command(*find_kind("distribution", "instances"), {{{".csv", ".ply", ".usda", ".png"}}},
                         distribute_instances_notes, place_instances, "scene");
 }
 

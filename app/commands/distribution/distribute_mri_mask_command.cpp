@@ -27,7 +27,7 @@ void choose_samples(const KindOptions& o)
     const auto settings = o.read<SamplingMaskSettings>();
     const MaskField field = mask_field(settings);
     const SamplingMask mask = sampling_mask(field, asked_samples(settings, field), o.seed());
-    for (const std::string& out : o.outs.names) write_mask(out, mask);
+    for (const std::filesystem::path& out : o.outs.files()) write_mask(out, mask);
     if (o.prints_json())
         print_numbers(mask_numbers(field, mask));
     else if (!o.is_quiet())
@@ -40,8 +40,8 @@ void choose_samples(const KindOptions& o)
 
 Command distribute_mri_mask_command()
 {
-    return kind_command(*find_kind("distribution", "mri-mask"), {{".npy", ".cfl", ".png"}}, distribute_mri_mask_notes,
-                        choose_samples);
+    return kind_command(*find_kind("distribution", "mri-mask"), {{{".npy", ".cfl", ".png"}, false, false, ".cfl"}},
+                        distribute_mri_mask_notes, choose_samples);
 }
 
 }

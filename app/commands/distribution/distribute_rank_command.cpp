@@ -29,7 +29,7 @@ void rank(const KindOptions& o)
     const auto ranked =
         ranked_points(self_similar_points({settings.tile.x, settings.tile.y}, settings.tile.points), first);
     const PixelPlaces places = places_of(subdivided_points(ranked, density, static_cast<double>(settings.points)));
-    for (const std::string& out : o.outs.names)
+    for (const std::filesystem::path& out : o.outs.files())
         write_places(out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
                      fmt::format("poissonlab distribute rank --density {} --points {} --seed {}: {} points in units of "
                                  "the longest side of {} x {} pixels, y upwards",
@@ -42,7 +42,7 @@ void rank(const KindOptions& o)
 
 Command distribute_rank_command()
 {
-    return kind_command(*find_kind("distribution", "ranks"), {{}, true}, distribute_rank_notes, rank);
+    return kind_command(*find_kind("distribution", "ranks"), {point_formats()}, distribute_rank_notes, rank);
 }
 
 }

@@ -61,7 +61,7 @@ std::array<int, 2> png_size(const KindOptions& o, const InkPicture& picture)
 void write_marks(const KindOptions& o, const std::string& image, const InkPicture& picture, const Stippling& stippling)
 {
     const auto [wide, high] = png_size(o, picture);
-    for (const std::filesystem::path file : o.outs.names) {
+    for (const std::filesystem::path& file : o.outs.files()) {
         if (file.extension() == ".svg")
             write_whole_file(file, drawing_svg(draw_marks(mark_picture(picture, stippling), {})));
         else if (file.extension() == ".png")
@@ -108,7 +108,7 @@ void stipple_picture(const KindOptions& o)
 
 Command mark_command(const char* word, const char* notes)
 {
-    return kind_command(*find_kind("distribution", word), {{".svg", ".png"}, true}, notes, stipple_picture, "",
+    return kind_command(*find_kind("distribution", word), {{{".svg", ".png"}, true}}, notes, stipple_picture, "",
                         {max_drawing_pixels, "the picture's"});
 }
 

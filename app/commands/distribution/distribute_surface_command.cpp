@@ -49,7 +49,7 @@ void place_on_surface(const KindOptions& o)
         what += fmt::format("; {}at least {:.17g} apart", set.angle < 180 ? "those that see each other " : "",
                             set.min_distance);
     o.say_note(what);
-    for (const std::string& out : o.outs.names)
+    for (const std::filesystem::path& out : o.outs.files())
         write_surface_output(out, set, static_cast<int>(o.pixels),
                              fmt::format("poissonlab distribute surface --seed {}: {}", o.seed(), what));
     if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
@@ -59,7 +59,7 @@ void place_on_surface(const KindOptions& o)
 
 Command distribute_surface_command()
 {
-    return kind_command(*find_kind("distribution", "surface"), {{".png"}, true}, distribute_surface_notes,
+    return kind_command(*find_kind("distribution", "surface"), {{{".png"}, true}}, distribute_surface_notes,
                         place_on_surface, "mesh", {16384, std::to_string(default_view_pixels), default_view_pixels});
 }
 

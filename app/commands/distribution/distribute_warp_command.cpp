@@ -44,6 +44,8 @@ void warp(const WarpOptions& o)
 {
     const auto settings = o.read<WarpSettings>();
     if (!settings.is_environment && !o.lights.empty()) throw InputError("--lights: goes with --environment");
+    std::filesystem::path lights;
+    if (!o.lights.empty()) lights = checked_output(o.command(), "--lights", o.lights, {{".csv", ".txt"}, false, true});
     std::optional<LinearPicture> map;
     if (settings.is_environment) map = sky_map(settings.density.text);
     const Density density = map ? sky_density(*map, settings.density.text) : chosen_density(settings.density);
@@ -51,8 +53,8 @@ void warp(const WarpOptions& o)
     const SquarePoints points = even_points(chosen_method(settings.method), settings.points, density.width,
                                             density.height, o.seed(), o.place(), map ? Seam::closed : Seam::open);
     const PixelPlaces places = warp_points(density, points, o.place());
-    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places, settings.seen_from)));
-    for (const std::string& out : o.outs.names)
+    if (!lights.empty()) write_whole_file(lights, lights_text(sky_lights(*map, places, settings.seen_from)));
+    for (const std::filesystem::path& out : o.outs.files())
         write_places(out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
                      fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of "
                                  "the longest side of {} x {} pixels, y upwards",
@@ -65,7 +67,7 @@ void warp(const WarpOptions& o)
 
 Command distribute_warp_command()
 {
-    const auto o = std::make_shared<WarpOptions>(*find_kind("distribution", "warp"), OutputFiles{{}, true});
+    const auto o = std::make_shared<WarpOptions>(*find_kind("distribution", "warp"), OutputFiles{point_formats()});
     return kind_command(
         o, {o->outs.option(), {"--lights", &o->lights, "With --environment: lights, directions and powers", "FILE"}},
         distribute_warp_notes, warp);

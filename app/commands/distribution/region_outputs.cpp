@@ -12,6 +12,11 @@
 #include <algorithm>
 
 namespace poissonlab {
+namespace {
+
+OutputFormats distance_formats() { return {{".npy"}}; }
+
+}
 
 std::vector<Option> RegionOutputs::options()
 {
@@ -25,18 +30,19 @@ void RegionOutputs::check(const std::string& command, bool varies) const
     files.check(command);
     if (distances.empty()) return;
     if (!varies) throw InputError("--distances: goes with a --min-distance that varies");
-    OutputFiles{{".npy"}, false, {distances}}.check(command);
+    checked_output(command, "--distances", distances, distance_formats());
 }
 
 void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) const
 {
-    for (const std::filesystem::path out : files.names) {
-        if (std::ranges::find(files.kinds, out.extension().string()) != files.kinds.end())
+    for (const std::filesystem::path& out : files.files()) {
+        const auto& pictures = files.formats.endings;
+        if (std::ranges::find(pictures, out.extension().string()) != pictures.end())
             write_picture_file(out, draw_marks(dart_picture(darts), {}));
         else
             write_points(out, darts.points, comment);
     }
-    if (!distances.empty()) write_distances(distances, *darts.varied);
+    if (!distances.empty()) write_distances(output_name(distances, distance_formats()), *darts.varied);
 }
 
 std::string words_of(const RegionDarts& darts)

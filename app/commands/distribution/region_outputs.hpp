@@ -12,7 +12,7 @@ namespace poissonlab {
 /// --out, point files and pictures, and --distances.
 struct RegionOutputs
 {
-    OutputFiles files{{".svg", ".png"}, true};
+    OutputFiles files{{{".svg", ".png"}, true}};
     std::string distances;
 
     std::vector<Option> options();

@@ -2,6 +2,7 @@
 
 #include "app/commands/points/dart_runs.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/output_place.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/relative_radius.hpp"
@@ -197,7 +198,7 @@ std::uint64_t write_darts_of(const std::filesystem::path& path, PointFileHead he
         if (!crew.leads()) return;
         head.points = set.expected_points;
         check_room(path, head, sizeof(OrderedDart<D>));
-        scratch.emplace(std::filesystem::absolute(path));
+        scratch.emplace(std::filesystem::absolute(output_place(path).file));
     });
     if (!has_room) return 0;
     LargeThrowing<D> throwing(set, place, crew.from_leader(scratch ? scratch->path().string() : ""), crew);

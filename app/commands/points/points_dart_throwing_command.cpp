@@ -1,6 +1,5 @@
 // poissonlab points dart-throwing: one set of any size, thrown block by block, as a point file.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/point_target.hpp"
 #include "app/commands/points/large_darts.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
@@ -113,7 +112,7 @@ void throw_large_darts(const KindOptions& o)
     PointFileHead head;
     const bool is_ready = crew->together([&] {
         const auto asked = o.read<AskedDarts>();
-        check_point_target(o.command(), o.out);
+        checked_output(o.command(), "--out", o.out, point_formats());
         set = set_of(asked, o.seed());
         head.dimension = set.darts.dimension;
         head.points = set.expected_points;

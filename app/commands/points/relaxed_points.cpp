@@ -1,6 +1,5 @@
 #include "app/commands/points/relaxed_points.hpp"
 
-#include "app/commands/point_target.hpp"
 #include "app/commands/points/scattered_points.hpp"
 #include "app/commands/points/slab_plan.hpp"
 #include "app/commands/points/slab_relaxation.hpp"
@@ -86,7 +85,7 @@ public:
     {
         const bool is_planned = crew_.together([&] {
             asked_ = options_.read<AskedRelaxation>();
-            check_point_target(options_.command(), options_.out);
+            checked_output(options_.command(), "--out", options_.out, point_formats());
             place_.emplace(options_.place(!crew_.leads()));
             request_ = request_of(asked_, options_.seed());
             head_ = {.dimension = asked_.dimension, .points = request_.points};

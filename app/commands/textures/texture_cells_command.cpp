@@ -43,7 +43,7 @@ void draw_cells(const TextureCellsOptions& o)
     o.outs.check(o.command());
     check_pictures(o.outs.names);
     const DrawnCells drawn = drawn_cells(read.as<CellSettings>(), o.seed());
-    for (const std::filesystem::path file : o.outs.names) {
+    for (const std::filesystem::path& file : o.outs.files()) {
         if (file.extension() == ".png") write_cell_map(file, drawn.alphabet, drawn.map);
         if (file.extension() == ".csv") write_whole_file(file, cell_numbers(drawn.alphabet, drawn.map));
         if (file.extension() != ".tmx") continue;
@@ -58,8 +58,8 @@ void draw_cells(const TextureCellsOptions& o)
 
 Command texture_cells_command()
 {
-    const auto o = std::make_shared<TextureCellsOptions>(*find_kind("distribution", "cells"),
-                                                         OutputFiles{{".png", ".tmx", ".csv"}}, "alphabet");
+    const auto o = std::make_shared<TextureCellsOptions>(
+        *find_kind("distribution", "cells"), OutputFiles{{{".png", ".tmx", ".csv"}, false, false, ".tmx"}}, "alphabet");
     return kind_command(o, {o->outs.option()}, texture_cells_notes, draw_cells);
 }
 

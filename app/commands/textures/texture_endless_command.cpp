@@ -33,9 +33,9 @@ struct TextureEndlessOptions : KindOptions
 void draw_endless_texture(const TextureEndlessOptions& o)
 {
     const KindSettings read = o.settings();
-    if (o.out.extension() != ".png") throw InputError(fmt::format("--out {}: must be a .png", o.out.string()));
+    const std::filesystem::path out = checked_output("texture endless", "--out", o.out, {{".png"}});
     const PngPixels pixels = endless_picture(read.as<EndlessSettings>(), o.seed(), o.place());
-    write_png(o.out, pixels);
+    write_png(out, pixels);
     if (!o.prints_json()) return;
     const nlohmann::ordered_json json{{"file", printable(o.out.string())},
                                       {"width", pixels.width},

@@ -5,6 +5,7 @@
 #include "experiment/run/progress.hpp"
 #include "reports/engine/look_up_texts.hpp"
 #include "reports/engine/plane_page.hpp"
+#include "results/own_files.hpp"
 #include "tiles/texture/engine/engine_texture.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,8 @@ constexpr WordTable<EngineFiles, 8> engine_files{{{{EngineFiles::dds, "dds"},
                                                    {EngineFiles::page, "page"}}}};
 
 constexpr double usual_relief = 8;
+
+constexpr auto page_name = "plane.html";
 
 struct TextureExportOptions
 {
@@ -133,7 +136,7 @@ struct EngineExport
             const PngPixels atlas = atlas_of(set);
             write_png(place("atlas.png"), atlas);
         }
-        if (wants(EngineFiles::page)) write_whole_file(place("plane.html"), render_plane_page(set, set_name(options)));
+        if (wants(EngineFiles::page)) write_whole_file(place(page_name), render_plane_page(set, set_name(options)));
     }
 
     static void make_folder(const std::filesystem::path& folder)
@@ -180,6 +183,8 @@ void check_export(const TextureExportOptions& o)
     std::error_code unknown;
     if (std::filesystem::exists(o.out, unknown) && !std::filesystem::is_directory(o.out, unknown))
         throw InputError(fmt::format("texture export: --out {}: is no folder", o.out.string()));
+    const bool has_page = o.formats.empty() || std::ranges::find(o.formats, "page") != o.formats.end();
+    if (has_page) check_own_page(o.out / page_name);
 }
 
 /// Throws InputError where texts are asked for that a set without places has not.

@@ -1,6 +1,7 @@
 // poissonlab texture map: an endless plane with texture tiles, or with another endless texture, in perspective.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/output_place.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
 #include "host/distribution/textures/endless_run.hpp"
@@ -241,11 +242,12 @@ MappedPlane plane_of_set(const TextureMapOptions& o, const EndlessRequest& reque
     return plane_of(texture_pyramid(set, o.seed()), lookup, place);
 }
 
-std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame)
+/// One of so many pictures: "fly-00007.png" of "fly.png".
+std::filesystem::path frame_file(const std::filesystem::path& out, std::uint32_t frame, std::uint32_t frames)
 {
-    if (o.frames == 1) return o.out;
-    std::filesystem::path file = o.out;
-    file.replace_filename(fmt::format("{}-{:05}{}", o.out.stem().string(), frame, o.out.extension().string()));
+    if (frames == 1) return out;
+    std::filesystem::path file = out;
+    file.replace_filename(fmt::format("{}-{:05}{}", out.stem().string(), frame, out.extension().string()));
     return file;
 }
 
@@ -256,8 +258,10 @@ void map_texture_plane(const TextureMapOptions& o)
     const int laid_root = checked_laid_root(o);
     const EndlessRequest request = o.settings().as<EndlessRequest>();
     const DistributionPlace place = o.place();
-    if (o.out.extension() != ".png")
-        throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
+    if (o.frames > 1 && names_standard_output(o.out))
+        throw InputError(
+            fmt::format("texture map: --out {}: standard output takes one frame, not {}", o.out.string(), o.frames));
+    const std::filesystem::path out = checked_output("texture map", "--out", o.out, {{".png"}});
     const MappedPlane plane = [&] {
         try {
             std::error_code unknown;
@@ -276,11 +280,11 @@ void map_texture_plane(const TextureMapOptions& o)
         camera.forward = o.advance * frame / o.frames;
         const PngPixels pixels =
             encoded_pixels(plane.picture(view_of(camera)), camera.width, camera.height, plane.channels);
-        write_png(frame_file(o, frame), pixels);
+        write_png(frame_file(out, frame, o.frames), pixels);
         if (place.on_step) place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
     }
     if (!o.prints_json()) return;
-    const nlohmann::ordered_json json{{"file", printable(frame_file(o, 0).string())},
+    const nlohmann::ordered_json json{{"file", printable(frame_file(out, 0, o.frames).string())},
                                       {"frames", o.frames},
                                       {"width", camera.width},
                                       {"height", camera.height},

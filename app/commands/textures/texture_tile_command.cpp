@@ -1,5 +1,6 @@
 // poissonlab texture tile: the picture of a window of a tiling with texture tiles.
 #include "app/commands/command.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "host/texture/exemplar.hpp"
 #include "tiles/texture/texture_tiling.hpp"
@@ -36,8 +37,7 @@ TileWindow checked_texture_window(const std::vector<std::int64_t>& numbers)
 void tile_texture(const TextureTileOptions& options)
 {
     const TileWindow window = checked_texture_window(options.window);
-    if (options.out.extension() != ".png")
-        throw InputError(fmt::format("texture tile: --out {}: must be a .png", options.out.string()));
+    const std::filesystem::path out = checked_output("texture tile", "--out", options.out, {{".png"}});
     const TextureSet set = read_texture_set(options.folder);
     try {
         const TextureWindow shown =
@@ -45,7 +45,7 @@ void tile_texture(const TextureTileOptions& options)
                 ? texture_window(set, window, options.seed)
                 : marked_texture_window(set, window, options.seed,
                                         corner_marks(read_exemplar(options.marks), window.width, window.height));
-        write_texture_window(options.out, set, shown);
+        write_texture_window(out, set, shown);
     } catch (const InputError& error) {
         throw error.moved_to({"texture tile"});
     }

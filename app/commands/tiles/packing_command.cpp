@@ -35,6 +35,8 @@ Prints tile indices, a row of tiles a line, north first, as `tiling` does.
   poissonlab packing corner --colors 3
   poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2)";
 
+const OutputFormats packing_formats{{".png", ".svg"}}, puzzle_formats{{".svg"}};
+
 struct PackingOptions : KindOptions
 {
     using KindOptions::KindOptions;
@@ -106,13 +108,11 @@ void check_packing_options(const PackingOptions& options, const PackingSettings&
 {
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
     if (is_drawn) check_drawn_colors(asked.colors);
-    if (!options.out.empty() && options.out.extension() != ".png" && options.out.extension() != ".svg")
-        throw InputError(fmt::format("packing: --out {}: must be a .png or .svg", options.out.string()));
-    if (!options.puzzle.empty() && options.puzzle.extension() != ".svg")
-        throw InputError(fmt::format("packing: --puzzle {}: must be an .svg", options.puzzle.string()));
     if (options.all && (is_drawn || !options.verified.empty()))
         throw InputError("packing: --all prints only: not with --verify, --out or --puzzle");
     check_cut(options);
+    if (!options.out.empty()) checked_output("packing", "--out", options.out, packing_formats);
+    if (!options.puzzle.empty()) checked_output("packing", "--puzzle", options.puzzle, puzzle_formats);
 }
 
 /// A table of a file, which is a packing.
@@ -130,8 +130,9 @@ TilePacking verified_packing(const PackingOptions& options, const PackingSetting
 
 void draw_packing(const PackingOptions& options, const TilePacking& packing)
 {
-    if (!options.out.empty()) write_packing_picture(packing, options.out);
-    if (!options.puzzle.empty()) write_whole_file(options.puzzle, drawing_svg(draw_puzzle(packing, options.cut)));
+    if (!options.out.empty()) write_packing_picture(packing, output_name(options.out, packing_formats));
+    if (!options.puzzle.empty())
+        write_whole_file(output_name(options.puzzle, puzzle_formats), drawing_svg(draw_puzzle(packing, options.cut)));
 }
 
 void say_verified(const PackingOptions& options, const PackingSettings& asked)

@@ -1,6 +1,6 @@
 #include "app/commands/tiles/tile_points_work.hpp"
 
-#include "app/commands/point_target.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/hdf5_points.hpp"
 #include "base/regions/region_text.hpp"
@@ -83,9 +83,12 @@ void check_particles(const TilesPointsOptions& options, const TileBlock& block, 
 }
 
 /// Files of points with classes have formats of their own.
+OutputFormats class_formats() { return {class_file_ends()}; }
+
 void check_class_target(const std::filesystem::path& out)
 {
-    if (std::ranges::find(class_file_ends(), out.extension().string()) == class_file_ends().end())
+    const std::string ending = output_name(out, class_formats()).extension();
+    if (std::ranges::find(class_file_ends(), ending) == class_file_ends().end())
         throw InputError(fmt::format("tiles points: --out {}: the points of these tiles have classes: must end in {}",
                                      printable(out.string()), fmt::join(class_file_ends(), ", ")));
 }
@@ -110,9 +113,9 @@ TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(opt
 {
     const int places = !options.window.empty() + (options.torus > 0) + !options.region.empty();
     if (places != 1) throw InputError("tiles points: needs one of --window, --torus and --region");
-    check_point_target("tiles points", options.out);
     tiles_ = read_tile_set(options.file);
     if (has_classes()) check_class_target(options.out);
+    out = checked_output("tiles points", "--out", options.out, has_classes() ? class_formats() : point_formats());
     head.dimension = tiles_.parameters.dimension;
     region_ = checked_region(options, head.dimension);
     if (region_)
@@ -144,7 +147,7 @@ void TilePointsWork::set_up_region()
     set_density({box.low, {box.width(), box.height()}});
     head.side = 0;
     head.unit = "units of the region";
-    check_head(options_.out, head);
+    check_head(out, head);
     try {
         const double width = tile_width_for(options_.points > 0 ? 1 : options_.min_distance, tiles_, box);
         if (options_.points == 0) {

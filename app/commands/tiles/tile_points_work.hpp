@@ -46,6 +46,7 @@ public:
     /// That of points in the region, in its units.
     double min_distance() const;
 
+    std::filesystem::path out;           ///< the file, as its writer needs it
     PointFileHead head{.unit = "tiles"}; ///< without the number of points
     std::optional<WindowPoints> points;
 

@@ -1,8 +1,6 @@
 // poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and
 // writes it.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/point_target.hpp"
-#include "base/errors/errors.hpp"
 #include "experiment/run/progress.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/tile_set_keys.hpp"
@@ -12,11 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
 #include <chrono>
-#include <system_error>
-
-#include <unistd.h>
 
 namespace poissonlab {
 namespace {
@@ -27,16 +21,6 @@ for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is des
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
   poissonlab tiles build corner --colors 4 --points 64 --border chain --out seamless.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
-
-/// Building takes up to minutes, which a file that cannot be written would waste.
-void check_target(const std::filesystem::path& file)
-{
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    check_target_folder("tiles build", file);
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        throw StorageError(fmt::format("tiles build: --out {}: cannot be written: {}", file.string(),
-                                       std::generic_category().message(errno)));
-}
 
 ConstructedTileSet built_tiles(const KindOptions& o, const PoissonTileParameters& parameters)
 {
@@ -79,7 +63,7 @@ void print_built_tiles(const KindOptions& o, const PoissonTileParameters& parame
 void build_tiles(const KindOptions& o)
 {
     const PoissonTileParameters parameters = o.settings().as<AskedTileSet>().parameters(o.seed());
-    check_target(o.out);
+    checked_output("tiles build", "--out", o.out, {{".ptiles", ".json"}, false, true});
     const auto begin = std::chrono::steady_clock::now();
     const ConstructedTileSet built = built_tiles(o, parameters);
     write_tile_set(o.out, built.set);

@@ -1,5 +1,6 @@
 // poissonlab tiles page: a page that shows the endless tiling of a tile set.
 #include "app/commands/command.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/pages/page_endless.hpp"
 
@@ -18,7 +19,8 @@ struct TilesPageOptions
 
 void write_tiles_page(const TilesPageOptions& options)
 {
-    write_whole_file(options.out, render_endless_page(read_whole_file(options.file), options.file.filename().string()));
+    const std::filesystem::path out = checked_output("tiles page", "--out", options.out, {{".html"}});
+    write_whole_file(out, render_endless_page(read_whole_file(options.file), options.file.filename().string()));
 }
 
 }

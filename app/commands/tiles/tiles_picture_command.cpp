@@ -1,6 +1,7 @@
 // poissonlab tiles picture: the points of a toroidal tiling as a picture, a pixel a point, in an order.
 #include "analysis/measures/distance_statistics.hpp"
 #include "app/commands/command.hpp"
+#include "app/commands/output_file.hpp"
 #include "app/commands/tiles/point_picture.hpp"
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
@@ -59,8 +60,7 @@ void print_picture_json(const TilesPictureOptions& options, const PngPixels& pic
 
 void write_tiles_picture(const TilesPictureOptions& options)
 {
-    if (options.out.extension() != ".png")
-        throw InputError(fmt::format("tiles picture: --out {}: must be a .png", printable(options.out.string())));
+    const std::filesystem::path out = checked_output("tiles picture", "--out", options.out, {{".png"}});
     const PoissonTileSet tiles = read_tile_set(options.file);
     PngPixels picture;
     try {
@@ -70,8 +70,7 @@ void write_tiles_picture(const TilesPictureOptions& options)
         throw InputError(fmt::format("tiles picture: {}: {}", printable(options.file.string()), error.what()));
     }
     // Colours that are not multiplied by alpha: write_png() would divide them by it.
-    write_raw_picture(options.out,
-                      {picture.width, picture.height, SampleType::byte, {"R", "G", "B", "A"}, picture.values});
+    write_raw_picture(out, {picture.width, picture.height, SampleType::byte, {"R", "G", "B", "A"}, picture.values});
     if (options.as_json) print_picture_json(options, picture);
 }
 

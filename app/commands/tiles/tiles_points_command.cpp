@@ -59,8 +59,8 @@ void write_tile_points(const TilesPointsOptions& options)
     if (!crew->leads()) say_nothing_when_interrupted();
     std::optional<TilePointsWork> work;
     if (!crew->together([&] { work.emplace(options); })) return;
-    const std::uint64_t count = work->has_classes() ? write_class_window(options.out, work->head, *work->points, *crew)
-                                                    : write_window(options.out, work->head, *work->points, *crew);
+    const std::uint64_t count = work->has_classes() ? write_class_window(work->out, work->head, *work->points, *crew)
+                                                    : write_window(work->out, work->head, *work->points, *crew);
     if (!crew->leads()) return;
     if (options.points > 0 && count != options.points && !options.work.is_quiet())
         fmt::print(stderr, "poissonlab: note: {} points: no width of tiles has exactly {}\n", count, options.points);

@@ -2,24 +2,15 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
+#include "base/densities/plane_formula.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace poissonlab {
 namespace {
 
 constexpr auto option = "tiles points: --density";
-
-std::optional<double> number_in(const std::string& text)
-{
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return number;
-}
 
 }
 
@@ -30,7 +21,7 @@ WindowDensity::WindowDensity(const std::string& text, const std::string& from, c
     if (from != "light" && !is_file_name(text))
         throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
                                      printable(from), shortened(text)));
-    if (const auto number = number_in(text)) {
+    if (const auto number = is_file_name(text) ? std::nullopt : constant_of(text)) {
         if (!(*number > 0 && *number <= 1))
             throw InputError(fmt::format("{} {}: must be a number greater than 0 and at most 1, a picture or a formula",
                                          option, text));

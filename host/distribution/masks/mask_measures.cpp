@@ -27,6 +27,7 @@ MaskDistances mask_distances(const MaskField& field, const SamplingMask& mask)
                 const auto squared = static_cast<double>((x - column) * (x - column) + (y - row) * (y - row));
                 found.least = std::min(found.least, std::sqrt(squared));
                 const auto cost = static_cast<double>(std::max(field.costs[sample], field.costs[other]));
+                if (unit * cost == 0) continue; // any pixels are far enough apart
                 const auto offsets = static_cast<double>(mask.offset(sample) + mask.offset(other)) * 0x1p-32;
                 if (const double asked = unit * cost + offsets; asked > 0)
                     found.least_part = std::min(found.least_part, std::sqrt(squared / asked));

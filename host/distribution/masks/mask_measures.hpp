@@ -10,7 +10,8 @@
 namespace poissonlab {
 
 /// The least distance of two samples that are not in the calibration area both, in pixels, and the least one in parts
-/// of what they are to have at least; infinite where there is no such pair near enough to matter.
+/// of what they are to have at least; infinite where there is no such pair near enough to matter, or where no distance
+/// is asked for.
 struct MaskDistances
 {
     double least = 0;

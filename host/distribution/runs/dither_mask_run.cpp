@@ -22,9 +22,10 @@ void dither_mask_keys(Keys& keys, DitherMaskSettings& s)
         .only_if(has_tiles, when);
     if (!keys.is_read() || !has_tiles) return;
     if ((s.tile_pixels & (s.tile_pixels - 1)) != 0) throw keys.invalid("tile_pixels", "must be a power of two");
-    if (s.size % s.tile_pixels != 0)
-        throw keys.invalid(keys.is_given("tile_pixels") ? "tile_pixels" : "size",
-                           fmt::format("must be a multiple of the side of a tile, {} pixels", s.tile_pixels));
+    if (s.size % s.tile_pixels == 0) return;
+    if (keys.is_given("size"))
+        throw keys.invalid("size", fmt::format("must be a multiple of the side of a tile, {} pixels", s.tile_pixels));
+    throw keys.invalid("tile_pixels", fmt::format("must divide the side of the mask, {} pixels", s.size));
 }
 
 std::string dither_mask_label(const DitherMaskSettings& s)

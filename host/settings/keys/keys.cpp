@@ -2,9 +2,11 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
+#include "base/densities/plane_formula.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_text.hpp"
+#include "host/settings/comma_words.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -406,12 +408,15 @@ Keys::Said Keys::number_over_region(const std::string& key, std::optional<double
         fmt::format("a number from {} to {}, or a formula or a picture's file in quotes", range.low, range.high);
     if (const ConfigNode* node = given(key)) {
         const auto* words = node->get_if<std::string>();
-        value = words ? std::nullopt : number_within(*node, range);
-        if (!words && !value) throw invalid(key, "must be " + allowed);
         if (words) {
             check_text(key, *words);
             text = named_file(key, *words);
         }
+        // A formula without x and y is a number: points have one distance, and none that varies.
+        const auto constant = words && !is_file_name(text) ? constant_of(text) : std::nullopt;
+        value = constant ? number_within({*constant, node->location, node->text}, range) : number_within(*node, range);
+        if (constant) text.clear();
+        if (!value && text.empty()) throw invalid(key, "must be " + allowed);
     }
     resolve(key, value ? fmt::format("{}", *value) : text.empty() ? "none" : text);
     const Said said = describe({.value = {.key = key, .help = std::move(help)}, .is_formula = true, .own = allowed});
@@ -481,7 +486,7 @@ InputError Keys::invalid(const std::string& key, const std::string& allowed) con
     const ConfigNode& node = *given(key);
     if (!where_.is_argument) return invalid_node(key, node, allowed);
     // Its place is the option, and its text what was typed.
-    return InputError(fmt::format("{} {}: {}", node.location.file, node.text, allowed));
+    return InputError(fmt::format("{} {}: {}{}", node.location.file, node.text, allowed, comma_words(node)));
 }
 
 InputError Keys::problem(const std::string& what) const

@@ -86,11 +86,14 @@ void make_moments_equal(const PoissonTileParameters& p, const EvenableTiles& til
     } while (tiles.give_way(failed));
     std::uint32_t most = p.equal_moments - 1;
     while (most > 0 && !making.without(failed, most, false).empty()) --most;
+    // Tiles that fail at an order between may have it where all of them are made for it from the beginning.
+    const std::string allowed = most + 1 == p.equal_moments
+                                    ? fmt::format("must be at most {}", most)
+                                    : fmt::format("must be less than {}, where {} can be had,", p.equal_moments, most);
     throw invalid_value(
         {}, "equal_moments", fmt::format("{}", p.equal_moments),
-        fmt::format("must be at most {} with these parameters: {} of {} tiles cannot have equal moments "
-                    "up to this order",
-                    most, failed.size(), p.tiles));
+        fmt::format("{} with these parameters: {} of {} tiles cannot have equal moments up to this order", allowed,
+                    failed.size(), p.tiles));
 }
 
 }

@@ -119,10 +119,24 @@ public:
             throw InputError(fmt::format("isohedral-tiles: {} of {} points a tile fit at that radius; fewer, or a "
                                          "smaller relative_radius, may do",
                                          repeated.size(), points_per_tile_));
+        PointSet set;
+        // A window smaller than the room of a point may lie between points: then it lies elsewhere.
+        for (std::uint32_t attempt = 0; set.size() == 0; ++attempt)
+            set = window(repeated,
+                         fractions(stream_key(request_.seed, Purpose::isohedral_points, realization, 1), attempt, 0));
+        return set;
+    }
+
+    SetTraits traits() const override { return {.sizes_vary = true, .is_window = true}; }
+
+private:
+    /// The points in a square whose lowest corner is at these parts of both translations.
+    PointSet window(const std::vector<PlanePoint>& repeated, const std::array<double, 2>& at) const
+    {
         const double side =
             std::sqrt(static_cast<double>(request_.points) * area_ / static_cast<double>(points_per_tile_));
         const auto& [t1, t2] = tile_.translations();
-        const auto [u, v] = fractions(stream_key(request_.seed, Purpose::isohedral_points, realization, 1), 0, 0);
+        const auto [u, v] = at;
         const PlanePoint low{u * t1[0] + v * t2[0], u * t1[1] + v * t2[1]};
         PointSet set;
         for (const TilePlace& place : tile_.tiles_near(low, {low[0] + side, low[1] + side})) {
@@ -136,9 +150,6 @@ public:
         return set;
     }
 
-    SetTraits traits() const override { return {.sizes_vary = true, .is_window = true}; }
-
-private:
     IsohedralTile tile_;
     std::size_t points_per_tile_;
     SampleRequest request_;

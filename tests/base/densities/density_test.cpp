@@ -1,5 +1,6 @@
 // Densities against their definition: exact weights, the same way up as coordinates, refusals by pixel.
 #include "base/densities/density_formula.hpp"
+#include "base/densities/plane_formula.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/float_image.hpp"
 #include "base/images/png_file.hpp"
@@ -178,7 +179,34 @@ TEST(DensityFormula, IsRefusedInOneLine)
     EXPECT_THAT(refusal_of([] { density_of_formula("1/(x*0)", 1, 1); }), HasSubstr("must be a number"));
     EXPECT_THAT(refusal_of([] { density_of_formula("0", 1, 1); }), HasSubstr("is 0 everywhere"));
     EXPECT_EQ(refusal_of([] { density_of_formula("x=3", 1, 1); }), "formula \"x=3\": has an assignment; == compares");
+    EXPECT_EQ(
+        refusal_of([] { density_of_formula("0,5+0*x, x>0", 1, 1); }),
+        "formula \"0,5+0*x, x>0\": is 3 formulas with commas between them: must be one; the comma of \"0,5\" is no "
+        "decimal point: must be 0.5");
+    EXPECT_EQ(refusal_of([] { density_of_formula("x+2, y+2", 1, 1); }),
+              "formula \"x+2, y+2\": is 2 formulas with commas between them: must be one");
+    EXPECT_THAT(
+        refusal_of([] { density_of_formula("exp(-0,5*x)", 1, 1); }),
+        AllOf(HasSubstr("Too many parameters"), HasSubstr("the comma of \"0,5\" is no decimal point: must be 0.5")));
+    EXPECT_EQ(refusal_of([] { density_of_formula("max(0, 0.5-x)+min(1,2)", 1, 1); }), "accepted");
     EXPECT_EQ(refusal_of([] { density_of_formula("x<=0 ? 1 : y==y ? 2 : 3", 1, 1); }), "accepted");
+}
+
+TEST(Constants, AreFormulasWithoutCoordinates)
+{
+    for (const auto& [text, value] : {std::pair{"0.5", 0.5},
+                                      {".5", 0.5},
+                                      {"+0.5", 0.5},
+                                      {"5.", 5.0},
+                                      {"1e3", 1000.0},
+                                      {" 0.5 ", 0.5},
+                                      {"1/2", 0.5},
+                                      {"-2", -2.0},
+                                      {"sqrt(4)", 2.0},
+                                      {"max(1,2)", 2.0}})
+        EXPECT_EQ(constant_of(text), std::optional(value)) << text;
+    for (const char* text : {"", "x", "0*x+1", "y>0", "0,5", "0x10", "nan", "inf", "0.5 mm", "1 2", "a.png", "x=3"})
+        EXPECT_EQ(constant_of(text), std::nullopt) << text;
 }
 
 }

@@ -7,6 +7,7 @@ namespace poissonlab {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<PointSet> read_text(std::string_view content)
@@ -118,6 +119,25 @@ TEST(PointFileText, RefusesBinaryFilesInPrintableWords)
               "points.dat:1: 0.1???: not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
     EXPECT_THAT(input_error_of("points.dat", std::string(100000, 'a')),
                 StartsWith("points.dat:1: " + std::string(40, 'a') + "...: must be"));
+}
+
+/// Many languages write decimals so: one number would be two.
+TEST(PointFileText, NamesDecimalCommas)
+{
+    const std::string words = "the comma of \"0,5\" is no decimal point: must be 0.5";
+    for (const char* content : {"0,5 0,25\n", "0,5;0,25\n", "0,5\t0,25\n", "0,5 0\n", "0.1 0.2\n0.2 0.3\n0,5 0,25\n"})
+        EXPECT_THAT(input_error_of("points.dat", content), HasSubstr(words)) << content;
+    const TemporaryFolder folder;
+    EXPECT_THAT(refusal_of([&] {
+                    read_points(folder.write("a.txt", "12,5 7\n"), CoordinateRange{0, 100});
+                }),
+                HasSubstr("the comma of \"12,5\" is no decimal point: must be 12.5"));
+    for (const char* content : {"0,0\n0.5,0.5\n", "0, 0\n0 ,0\n", "0 , 0\n", "0.1,0.2\n"})
+        EXPECT_NO_THROW(read_points(folder.write("good.txt", content))) << content;
+    EXPECT_THAT(input_error_of("points.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                               "y\nproperty float z\nend_header\n0,5 0\n"),
+                HasSubstr("blanks separate the numbers of PLY; " + words));
 }
 
 TEST(PointFileText, RefusesFoldersAndMissingFiles)

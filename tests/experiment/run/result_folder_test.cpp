@@ -60,6 +60,9 @@ TEST(ResultFolder, RemovesWhatAKilledProcessLeft)
               (Files{{"results.json", listing("s")}, {"s/realization-000.dat", "points"}}));
 }
 
+/// A page of an earlier report.
+constexpr auto own_page = R"(<meta name="generator" content="poissonlab"/>)";
+
 TEST(ResultFolder, LinksFilesWhereItCan)
 {
     const TemporaryFolder temporary;
@@ -76,7 +79,7 @@ TEST(ResultFolder, KeepsThePreviousResultUntilPublish)
 {
     const TemporaryFolder temporary;
     publish(temporary.path(), "old", "old points");
-    write(temporary.path() / "index.html", "old report");
+    write(temporary.path() / "index.html", own_page);
     write(temporary.path() / "notes.txt", "mine");
     const Files before = files_below(temporary.path());
     {
@@ -91,7 +94,7 @@ TEST(ResultFolder, ReplacesThePreviousResultAndKeepsForeignFiles)
 {
     const TemporaryFolder temporary;
     publish(temporary.path(), "old", "old points");
-    write(temporary.path() / "index.html", "old report");
+    write(temporary.path() / "index.html", own_page);
     write(temporary.path() / "notes.txt", "mine");
     publish(temporary.path(), "new", "new points");
     EXPECT_EQ(
@@ -119,6 +122,15 @@ TEST(ResultFolder, RefusesFoldersOfOthers)
     write(temporary.path() / "results.json", R"({"series": [{"name": "random"}]})");
     message_of([&] { ResultFolder(temporary.path(), {"random"}); });
     EXPECT_EQ(content_of(temporary.path() / "random/thesis.tex"), "mine");
+
+    // It stays, and so does a page.
+    for (const char* file : {"results.json", "index.html"}) {
+        const TemporaryFolder other;
+        write(other.path() / file, "[]");
+        EXPECT_THAT(message_of([&] { ResultFolder(other.path(), {"random"}); }),
+                    testing::HasSubstr(std::string(file) + " that poissonlab did not write; choose another folder"));
+        EXPECT_EQ(content_of(other.path() / file), "[]");
+    }
 }
 
 TEST(ResultFolder, NamesThatLeadElsewhereAreNotRemoved)

@@ -91,6 +91,26 @@ TEST(SamplingMasks, KeepDistancesOfAllPairs)
     }
 }
 
+/// Where all pixels are samples no distance is asked for, nor where costs are 0: no part of one is told.
+TEST(SamplingMasks, TellNoPartOfADistanceThatIsNotAskedFor)
+{
+    for (const std::array<std::uint32_t, 2> shape : {std::array<std::uint32_t, 2>{33, 47}, {8, 8}, {5, 40}})
+        for (const double acceleration : {1.0, 1.02, 1.3, 2.0, 4.0})
+            for (const double power : {0.0, 0.5, 1.0, 4.0, 12.0}) {
+                SamplingMaskSettings settings;
+                settings.shape = shape;
+                settings.acceleration = acceleration;
+                settings.power = power;
+                settings.has_corners = true;
+                const MaskField field = mask_field(settings);
+                const SamplingMask mask = sampling_mask(field, asked_samples(settings, field), 3);
+                EXPECT_GE(mask_distances(field, mask).least_part, 1) << acceleration << " " << power;
+                if (mask.scale == 0) {
+                    EXPECT_EQ(mask_distances(field, mask).least_part, INFINITY);
+                }
+            }
+}
+
 TEST(SamplingMasks, TakeTheCalibrationAreaAndNoCorners)
 {
     const MaskCase c = mask_cases()[0];

@@ -84,6 +84,17 @@ TEST(IsohedralTiles, HaveAboutAsManyPointsAsAreAskedFor)
         }
 }
 
+/// A window of one point's room is between points as often as not: no set is without points.
+TEST(IsohedralTiles, OfFewPointsAreNotEmpty)
+{
+    const SamplerSpec& spec = *find_sampler("isohedral-tiles");
+    for (const std::size_t points : {1, 2, 3}) {
+        const auto sampler = spec.create(Parameters(spec.parameters), {points, 2, 9}, Engine::reference, {});
+        for (std::uint32_t realization = 0; realization < 60; ++realization)
+            EXPECT_GE(sampler->sample(realization).size(), 1U) << points << ", " << realization;
+    }
+}
+
 TEST(IsohedralTiles, HavePeaksAtTheLatticeOfTheirTranslations)
 {
     const std::size_t asked = 4096;

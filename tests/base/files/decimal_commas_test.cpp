@@ -1,0 +1,36 @@
+// Numbers with decimal commas, which look like two.
+#include "base/files/decimal_commas.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+TEST(DecimalCommas, AreBetweenWholeNumbers)
+{
+    EXPECT_EQ(decimal_comma_in("0,5"), "0,5");
+    EXPECT_EQ(decimal_comma_in("min(x,2)*-12,75"), "12,75");
+    EXPECT_EQ(decimal_comma_in("12,5 7"), "12,5");
+    for (const char* text : {"", ",", "5,", ",5", "0.1,0.2", "0, 5", "x,5", "5,x", "a1,2", "1,2e", "1,2.5", "1.0,5"})
+        EXPECT_EQ(decimal_comma_in(text), "") << text;
+}
+
+TEST(DecimalCommas, AreNamedWithThePointThatIsMeant)
+{
+    EXPECT_EQ(decimal_comma_words("0,5+x"), "; the comma of \"0,5\" is no decimal point: must be 0.5");
+    EXPECT_EQ(decimal_comma_words("min(x, y)"), "");
+}
+
+TEST(Separators, AreMixedWhereACommaStandsAmongBlanks)
+{
+    for (const char* text : {"0 0 1,5 2", "0,5 0 2 2", "0 0 1 2,5", "0 0 1 1,5"})
+        EXPECT_TRUE(mixes_separators(text, 4, 2)) << text;
+    for (const char* text :
+         {"0 0 1 2", "0,0,1,2", "0, 0, 1, 2", "0,0 1,2", "0,0 1,2 x", "0 , 0 , 1 , 2", "0 0 1 2 min(x,y)", "0,0,1,2,x"})
+        EXPECT_FALSE(mixes_separators(text, 4, 2)) << text;
+    EXPECT_TRUE(mixes_separators("0 0 0 1 1 1,5 x", 6, 3));
+    EXPECT_FALSE(mixes_separators("0,0,0 1,1,1 x", 6, 3));
+}
+
+}
+}
