@@ -270,11 +270,11 @@ std::vector<Measure> spectral_measures()
         detail(number("near_lattice_peaks", "mean lattice peak up to the first ring", "power over that around",
                       Better::lower, MeasureKind::estimate, significant(3),
                       "The mean of those peaks only that are where a good distribution has no power or its first "
-                      "{ring|shell}, and seen most, with its standard error.")),
+                      "{ring|shell}, and seen most.")),
         detail(number("lattice_excess", "power in lattice peaks", "of all up to the first {ring|shell}", Better::lower,
                       MeasureKind::estimate, significant(2),
-                      "What these peaks have above the power around them, of all power up to there, with its standard "
-                      "error: near 0 where tiles leave no trace.")),
+                      "What these peaks have above the power around them, of all power up to there: near 0 where tiles "
+                      "leave no trace.")),
         detail(number("lattice_share", "power on the lattice", "of all", Better::lower, MeasureKind::estimate,
                       significant(2),
                       "The part of all power, up to the end of the spectrum, at the frequencies at which tiles repeat, "

@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace poissonlab {
 
@@ -54,14 +53,6 @@ struct NearLatticePeaks
 
 /// The result is empty where no multiple of `tiles` is as low.
 std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles);
-
-/// What these measures are made of: all power up to there, then for each peak its own and the mean power of its ring.
-/// It is linear in periodograms, so that the measures of an average of spectra follow from that of such lists, and
-/// their errors from how lists differ. Sets of a series have lists of one length for one number of `points`.
-std::vector<double> near_lattice_powers(const HalfSpectrum& periodogram, std::size_t points, int tiles);
-
-/// The measures of such a list, or of an average of lists.
-std::optional<NearLatticePeaks> near_lattice_peaks(const std::vector<double>& powers, std::size_t points);
 
 /// The lattice peaks of the periodogram of a set of so many points.
 ///

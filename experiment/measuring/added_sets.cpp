@@ -4,6 +4,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
+#include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/tilings/distance_within_tiles.hpp"
 #include "analysis/tilings/lattice_share.hpp"
 #include "base/geometry/relative_radius.hpp"

@@ -163,13 +163,13 @@ private:
         double min_distance = 0; ///< unit lengths; infinite for a set of one point
         double relative_radius = 0;
         double covered_fraction = 0;
-        double mean_lattice_peak = 0;     ///< of tiled sets; not a number where it has no meaning
-        double lattice_share = 0;         ///< of tiled sets
-        double mean_nearest = 0;          ///< of the largest possible minimum distance; infinite for a set of one point
-        double prefix_radius = 0;         ///< of sets in progressive order
-        double radius_within = 0;         ///< within tiles, of tiled sets; infinite where no tile has two points
-        std::vector<double> near_lattice; ///< near_lattice_powers() of tiled sets
-        std::vector<double> low_powers;   ///< of the shells of the hyperuniformity exponent, where there are tile sets
+        double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
+        double lattice_share = 0;     ///< of tiled sets
+        double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
+        double prefix_radius = 0;     ///< of sets in progressive order
+        double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
+        std::vector<double> near_lattice = {}; ///< near_lattice_powers() of tiled sets
+        std::vector<double> low_powers = {};   ///< of the shells of the exponent, where there are tile sets
 
         template <class Archive>
         void serialize(Archive& archive)

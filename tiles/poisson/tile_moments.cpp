@@ -64,9 +64,7 @@ MomentOrder moments_of_order(const PoissonTileParameters& p, const std::vector<M
     constexpr std::array factorials{1.0, 1.0, 2.0, 6.0};
     const double step = std::pow(2 * std::numbers::pi, order) / factorials[order];
     result.largest_difference = static_cast<double>(result.difference) * unit;
-    if (result.are_equal) return result;
-    result.spread = std::sqrt(squares);
-    result.power = step * step * squares * dependent_tiles(p) / p.points_per_tile;
+    result.power = result.are_equal ? 0 : step * step * squares * dependent_tiles(p) / p.points_per_tile;
     return result;
 }
 

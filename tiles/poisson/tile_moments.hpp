@@ -43,10 +43,6 @@ struct MomentOrder
     std::int64_t difference = 0;   ///< the largest between two tiles, in stored numbers to the power of the order
     double largest_difference = 0; ///< the same in tiles to the power of the order
 
-    /// How far tiles are from the mean of all, in the root mean square over tiles, in tiles to the power of the order:
-    /// e of docs/chain-tiles.md, the root of the sum of the variances of all products of so many coordinates.
-    double spread = 0;
-
     /// What these moments alone leave of power at a frequency of k cycles a tile, between the lattice's peaks: at most
     /// this times k to the power of twice the order.
     double power = 0;

@@ -98,10 +98,8 @@ std::string described_moments(const TileMoments& moments)
 /// What moments that were asked for, and are equal but for rounding, leave of power.
 std::string described_residual(const MomentOrder& moments, std::uint32_t order)
 {
-    return fmt::format(
-        "differ by {:.2g} tiles^{} at most, from their mean by {:.2g} in the root mean square, a power of "
-        "at most {:.2g} frequency^{}, in cycles a tile",
-        moments.largest_difference, order, moments.spread, moments.power, 2 * order);
+    return fmt::format("differ by {:.2g} tiles^{}, a power of at most {:.2g} frequency^{}, in cycles a tile",
+                       moments.largest_difference, order, moments.power, 2 * order);
 }
 
 std::string place_of(const UnitPosition& at) { return fmt::format("({}, {})", at[0], at[1]); }
@@ -219,7 +217,6 @@ void print_json(const Verification& v)
         json["moments"].push_back({{"order", i + 1},
                                    {"equal", moments.are_equal},
                                    {"largest_difference", moments.largest_difference},
-                                   {"spread", moments.spread},
                                    {"power", moments.power}});
     }
     for (int i = 0; i <= p.dimension; ++i) {
