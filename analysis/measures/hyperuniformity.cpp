@@ -1,5 +1,6 @@
 #include "analysis/measures/hyperuniformity.hpp"
 
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/random/random_words.hpp"
 
 #include <algorithm>
@@ -16,19 +17,38 @@ constexpr double most_tested_2d = 16, most_tested_3d = 6;
 constexpr std::size_t least_shells = 3;
 constexpr int draws = 9999;
 
-/// Calls visit(|f|^2, power) for one of each two opposite frequencies with |f| <= reach.
+/// Calls visit(f) for one of each two opposite frequencies along x, y and z of at most `reach` each.
 template <class Visit>
-void for_each_pair(const Spectrum& spectrum, std::int64_t reach, const Visit& visit)
+void for_each_pair(int dimension, int reach, const Visit& visit)
 {
-    const std::int64_t m = spectrum.size, half = m / 2;
-    const std::int64_t slices = spectrum.dimension == 3 ? reach : 0;
-    for (std::int64_t w = 0; w <= slices; ++w)
-        for (std::int64_t v = w > 0 ? -reach : 0; v <= reach; ++v)
-            for (std::int64_t u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) {
-                const std::int64_t slice = spectrum.dimension == 3 ? w + half : 0;
-                visit(u * u + v * v + w * w,
-                      spectrum.power[static_cast<std::size_t>((slice * m + v + half) * m + u + half)]);
-            }
+    const int slices = dimension == 3 ? reach : 0;
+    for (int w = 0; w <= slices; ++w)
+        for (int v = w > 0 ? -reach : 0; v <= reach; ++v)
+            for (int u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) visit(std::array{u, v, w});
+}
+
+/// The shells of a spectrum, or of a half of one.
+std::vector<PowerShell> shells_in(const auto& spectrum, const FrequencyRange& range)
+{
+    const double end = std::min(range.end, spectrum.size / 2 - 1.0);
+    if (end < 1) return {};
+    const auto most = static_cast<std::size_t>(end * end);
+    std::vector<PowerShell> all(most + 1);
+    for_each_pair(spectrum.dimension, static_cast<int>(end), [&](const std::array<int, 3>& f) {
+        const auto squared =
+            static_cast<std::size_t>(std::int64_t{f[0]} * f[0] + std::int64_t{f[1]} * f[1] + std::int64_t{f[2]} * f[2]);
+        if (squared > most) return;
+        all[squared].power += frequency_power(spectrum, f);
+        ++all[squared].pairs;
+    });
+    std::vector<PowerShell> shells;
+    for (std::size_t squared = 1; squared <= most; ++squared) {
+        const double frequency = std::sqrt(static_cast<double>(squared));
+        const PowerShell& shell = all[squared];
+        if (shell.pairs > 0 && frequency >= range.begin)
+            shells.push_back({frequency, shell.power / static_cast<double>(shell.pairs), shell.pairs});
+    }
+    return shells;
 }
 
 /// The same shells with no power below `least`; empty where there is nothing to measure.
@@ -226,24 +246,12 @@ std::vector<double> powers_of(const std::vector<PowerShell>& shells)
 
 std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range)
 {
-    const double end = std::min(range.end, spectrum.size / 2 - 1.0);
-    if (end < 1) return {};
-    const auto most = static_cast<std::size_t>(end * end);
-    std::vector<PowerShell> all(most + 1);
-    for_each_pair(spectrum, static_cast<std::int64_t>(end), [&](std::int64_t squared, double power) {
-        if (static_cast<std::size_t>(squared) > most) return;
-        PowerShell& shell = all[static_cast<std::size_t>(squared)];
-        shell.power += power;
-        ++shell.pairs;
-    });
-    std::vector<PowerShell> shells;
-    for (std::size_t squared = 1; squared <= most; ++squared) {
-        const double frequency = std::sqrt(static_cast<double>(squared));
-        const PowerShell& shell = all[squared];
-        if (shell.pairs > 0 && frequency >= range.begin)
-            shells.push_back({frequency, shell.power / static_cast<double>(shell.pairs), shell.pairs});
-    }
-    return shells;
+    return shells_in(spectrum, range);
+}
+
+std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range)
+{
+    return shells_in(periodogram, range);
 }
 
 FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles)

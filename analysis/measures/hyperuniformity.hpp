@@ -21,6 +21,7 @@
 #pragma once
 
 #include "analysis/measures/low_frequency_power.hpp"
+#include "analysis/spectra/half_spectrum.hpp"
 #include "analysis/spectra/spectrum.hpp"
 
 #include <cstddef>
@@ -39,6 +40,7 @@ struct PowerShell
 
 /// The shells of all integer frequencies of a range. Those that the spectrum does not hold are left out.
 std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range);
+std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range);
 
 /// The range of the exponent: low_frequency_range(), and of sets of `tiles` tiles along each axis no more than 0.4 of
 /// the frequency at which they repeat. The lattice of the tiles and what they are inside begin above; 0: no tiles.

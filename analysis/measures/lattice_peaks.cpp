@@ -1,5 +1,7 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
+#include "analysis/measures/near_lattice_powers.hpp"
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 
@@ -13,6 +15,9 @@ namespace {
 
 using Frequency = std::array<int, 3>;
 
+/// Where the rounding of periodograms ends.
+double least_power(std::size_t points) { return 1e-22 * static_cast<double>(points); }
+
 /// Powers around frequencies; power(f) gives that of a frequency.
 template <class Power>
 class Rings
@@ -20,7 +25,7 @@ class Rings
 public:
     Rings(int dimension, int size, std::size_t points, int tiles, const Power& power)
         : power_(power), dimension_(dimension), half_(size / 2), width_(std::min(3, tiles - 1)),
-          least_power_(1e-22 * static_cast<double>(points))
+          least_power_(least_power(points))
     {}
 
     bool is_empty(double around) const { return around < 1e10 * least_power_; }
@@ -86,64 +91,72 @@ LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, co
     return result;
 }
 
-/// The power at a frequency.
-auto power_of(const Spectrum& spectrum)
+/// The power at frequencies of a spectrum or a half of one.
+auto powers_of_frequencies(const auto& spectrum)
 {
-    return [&spectrum](const Frequency& f) {
-        const auto m = static_cast<std::size_t>(spectrum.size);
-        const auto index = [&](int along) { return static_cast<std::size_t>(along + spectrum.size / 2); };
-        const std::size_t slice = spectrum.dimension == 3 ? index(f[2]) : 0;
-        return spectrum.power[(slice * m + index(f[1])) * m + index(f[0])];
-    };
+    return [&spectrum](const Frequency& f) { return frequency_power(spectrum, f); };
 }
 
 /// Peaks are near up to a little beyond the principal frequency, in parts of it.
 constexpr double near_end = 1.05;
 
-}
-
-LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles)
-{
-    return peaks_of(spectrum.dimension, spectrum.size, spectrum.points, tiles, power_of(spectrum));
-}
-
-std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles)
+template <class Power>
+std::vector<double> near_powers(int dimension, int size, std::size_t points, int tiles, const Power& power)
 {
     if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
-    const auto power = power_of(spectrum);
-    const Rings rings(spectrum.dimension, spectrum.size, spectrum.points, tiles, power);
-    const double limit = near_end * principal_frequency(spectrum.points, spectrum.dimension);
-    const auto reach = std::min(static_cast<int>(limit), spectrum.size / 2 - 1);
-    const int slices = spectrum.dimension == 3 ? reach : 0;
-    double ratios = 0, excess = 0, all = 0;
-    int peaks = 0;
+    const Rings rings(dimension, size, points, tiles, power);
+    const double limit = near_end * principal_frequency(points, dimension);
+    const auto reach = std::min(static_cast<int>(limit), size / 2 - 1);
+    const int slices = dimension == 3 ? reach : 0;
+    std::vector<double> powers{0};
     for (int z = -slices; z <= slices; ++z)
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x) {
                 const Frequency f{x, y, z};
                 if (x * x + y * y + z * z > limit * limit || (x == 0 && y == 0 && z == 0)) continue;
-                all += power(f);
+                powers[0] += power(f);
                 if (x % tiles != 0 || y % tiles != 0 || z % tiles != 0) continue;
                 if (!rings.fits(x) || !rings.fits(y) || (slices > 0 && !rings.fits(z))) continue;
-                const double around = rings.around(f);
-                ratios += rings.ratio(f, around);
-                excess += power(f) - around;
-                ++peaks;
+                powers.insert(powers.end(), {power(f), rings.around(f)});
             }
-    if (peaks == 0 || !(all > 0)) return std::nullopt;
-    return NearLatticePeaks{ratios / peaks, excess / all};
+    return powers;
+}
+
+}
+
+LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles)
+{
+    return peaks_of(spectrum.dimension, spectrum.size, spectrum.points, tiles, powers_of_frequencies(spectrum));
+}
+
+std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles)
+{
+    return near_lattice_peaks(
+        near_powers(spectrum.dimension, spectrum.size, spectrum.points, tiles, powers_of_frequencies(spectrum)),
+        spectrum.points);
+}
+
+std::vector<double> near_lattice_powers(const HalfSpectrum& periodogram, std::size_t points, int tiles)
+{
+    return near_powers(periodogram.dimension, periodogram.size, points, tiles, powers_of_frequencies(periodogram));
+}
+
+std::optional<NearLatticePeaks> near_lattice_peaks(const std::vector<double>& powers, std::size_t points)
+{
+    const std::size_t peaks = powers.size() / 2;
+    if (peaks == 0 || !(powers[0] > 0)) return std::nullopt;
+    double ratios = 0, excess = 0;
+    for (std::size_t i = 0; i < peaks; ++i) {
+        const double power = powers[2 * i + 1], around = powers[2 * i + 2];
+        ratios += power / std::max(around, least_power(points));
+        excess += power - around;
+    }
+    return NearLatticePeaks{ratios / static_cast<double>(peaks), excess / powers[0]};
 }
 
 LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles)
 {
-    const auto index = [&](int along) { return static_cast<std::size_t>(along + periodogram.size / 2); };
-    return peaks_of(periodogram.dimension, periodogram.size, points, tiles, [&](const Frequency& f) {
-        const int sign = f[0] < 0 ? -1 : 1; // of f and -f, the one that is stored
-        const auto u = static_cast<std::size_t>(sign * f[0]);
-        const std::size_t y = index(sign * f[1]);
-        if (periodogram.dimension == 2) return periodogram.power[u * periodogram.rows() + y];
-        return periodogram.power[(u * periodogram.lines() + y) * periodogram.rows() + index(sign * f[2])];
-    });
+    return peaks_of(periodogram.dimension, periodogram.size, points, tiles, powers_of_frequencies(periodogram));
 }
 
 }

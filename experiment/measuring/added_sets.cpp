@@ -2,7 +2,9 @@
 #include "experiment/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
+#include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/tilings/distance_within_tiles.hpp"
 #include "analysis/tilings/lattice_share.hpp"
 #include "base/geometry/relative_radius.hpp"
@@ -137,7 +139,12 @@ bool SeriesAnalysis::add_set(const Points& points)
         if (options_.tiles > 0) {
             set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
             set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
+            set.near_lattice = near_lattice_powers(estimate_->last_periodogram(), begin_.points, options_.tiles);
         }
+        if (options_.tile_sets > 1 && !options_.region)
+            for (const PowerShell& shell : power_shells(estimate_->last_periodogram(),
+                                                        hyperuniform_range(begin_.points, dimension_, options_.tiles)))
+                set.low_powers.push_back(shell.power);
     }
     measure_order(points, set);
     sets_.push_back(set);

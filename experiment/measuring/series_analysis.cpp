@@ -1,6 +1,7 @@
 #include "experiment/measuring/series_analysis.hpp"
 
 #include "analysis/measures/hyperuniformity.hpp"
+#include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/regions/region_transform.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -174,6 +176,14 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     return mean;
 }
 
+/// A curve of each set; where there are tile sets, the mean one of each of these.
+std::vector<std::vector<double>> SeriesAnalysis::curves_of(std::vector<double> SetMeasures::*member) const
+{
+    std::vector<std::vector<double>> each;
+    for (const SetMeasures& set : sets_) each.push_back(set.*member);
+    return options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+}
+
 RegionResult SeriesAnalysis::region_result() const
 {
     const FramedRegion& region = *options_.region->region;
@@ -257,6 +267,7 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     measures_.low_frequency_power = low_frequency_power(radial, low);
     if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
     if (!options_.region) measure_hyperuniformity(mean);
+    if (!options_.region && options_.tile_sets > 1) measure_exponent_error(mean);
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -302,8 +313,37 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
         low->second.standard_error = error_of([&](const std::vector<RadialBin>& curve) {
             return mean_power_in(curve, low_frequency_range(n, dimension)).value();
         });
-    if (!measures_.lattice_peaks) return;
+    if (measures_.lattice_peaks) measure_lattice_errors();
+}
+
+void SeriesAnalysis::measure_lattice_errors()
+{
     measures_.lattice_peaks->mean_ratio_standard_error = mean_of(&SetMeasures::mean_lattice_peak).standard_error;
+    if (!measures_.numbers.contains("near_lattice_peaks")) return;
+    const auto powers = curves_of(&SetMeasures::near_lattice);
+    const auto error_of = [&](double NearLatticePeaks::*member) {
+        return jackknife_error(powers, [&](const std::vector<double>& mean) {
+            return near_lattice_peaks(mean, sets_.front().points).value_or(NearLatticePeaks{}).*member;
+        });
+    };
+    measures_.numbers["near_lattice_peaks"].standard_error = error_of(&NearLatticePeaks::mean_ratio);
+    measures_.numbers["lattice_excess"].standard_error = error_of(&NearLatticePeaks::excess_share);
+}
+
+/// Where there are tile sets, their exponents differ by more than the scatter around one fit tells.
+void SeriesAnalysis::measure_exponent_error(const Spectrum& mean)
+{
+    const auto powers = curves_of(&SetMeasures::low_powers);
+    const auto exponent = measures_.numbers.find("hyperuniformity_exponent");
+    if (exponent == measures_.numbers.end()) return;
+    if (powers.size() < 2) return exponent->second.standard_error.reset(); // all are of one tile set
+    auto shells = power_shells(mean, hyperuniform_range(sets_.front().points, mean.dimension, options_.tiles));
+    const double error = jackknife_error(powers, [&](const std::vector<double>& power) {
+        for (std::size_t i = 0; i < shells.size(); ++i) shells[i].power = power[i];
+        const auto without = hyperuniformity_exponent(shells, mean.realizations, zero_power(mean));
+        return without ? without->value : std::numeric_limits<double>::quiet_NaN();
+    });
+    exponent->second.standard_error = std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const

@@ -168,12 +168,14 @@ private:
         double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
         double prefix_radius = 0;     ///< of sets in progressive order
         double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
+        std::vector<double> near_lattice = {}; ///< near_lattice_powers() of tiled sets
+        std::vector<double> low_powers = {};   ///< of the shells of the exponent, where there are tile sets
 
         template <class Archive>
         void serialize(Archive& archive)
         {
             archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
-                    lattice_share, mean_nearest, prefix_radius, radius_within);
+                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice, low_powers);
         }
     };
 
@@ -192,6 +194,7 @@ private:
     std::size_t tapers() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
+    std::vector<std::vector<double>> curves_of(std::vector<double> SetMeasures::*member) const;
     double least_distance(const PointSet& points) const;
     double prefix_radius(const PointSet& points) const;
     void check(int dimension, std::size_t points, std::size_t realization) const;
@@ -204,6 +207,8 @@ private:
     void leave_out_pairs();
     void measure_hyperuniformity(const Spectrum& mean);
     void measure_errors(std::vector<RadialBin> radial, int dimension);
+    void measure_lattice_errors();
+    void measure_exponent_error(const Spectrum& mean);
 
     std::string label_;
     bool sizes_vary_;

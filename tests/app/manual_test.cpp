@@ -51,7 +51,8 @@ TEST(Manual, StoredResultsArePutInByName)
         {"a\n<!--= value random relative_radius 4 -->", "p.md:2: <!--= must be closed by <!--/-->"},
         {"<!--= value nobody relative_radius 4 --><!--/-->", "p.md:1: the gallery has no method nobody"},
         {"<!--= value random beauty 4 --><!--/-->", "p.md:1: random has no measure beauty"},
-        {"<!--= words --><!--/-->", "p.md:1: \"words\": must be measure, value, scale, seams, even, sizes or claims"}};
+        {"<!--= words --><!--/-->",
+         "p.md:1: \"words\": must be measure, value, scale, seams, even, averaged, sizes or claims"}};
     for (const auto& [page, problem] : wrong) {
         const auto fill = [&filled, &text = page] { filled(text); };
         EXPECT_THAT(fill, testing::ThrowsMessage<InputError>(HasSubstr(problem)));

@@ -17,6 +17,7 @@
 #include "tests/support/places.hpp"
 
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace poissonlab::bench {
@@ -41,10 +42,13 @@ std::string shipped_tiles(const std::string& name)
     return source_folder() + "/runtime/tile_sets/" + name + ".ptiles";
 }
 
-const RecursiveTileSet& recursive_tiles()
+/// The set of a seed: each seed has other tiles, whose distances differ.
+const RecursiveTileSet& recursive_tiles(std::uint32_t seed)
 {
-    static const RecursiveTileSet built = build_recursive_tiles(root_points, 1);
-    return built;
+    static std::map<std::uint32_t, RecursiveTileSet> built;
+    const auto found = built.find(seed);
+    return found != built.end() ? found->second
+                                : built.emplace(seed, build_recursive_tiles(root_points, seed)).first->second;
 }
 
 /// Points on the unit torus of `side` x `side` tiles with a density of 64 `part` points a tile, times that at the
@@ -65,7 +69,7 @@ PointSet distributed_points(const std::string& name, std::uint32_t seed, int sid
 
 PointSet recursive_points(std::uint32_t seed, std::uint32_t points_per_tile, const std::optional<Density>& density)
 {
-    const RecursiveTiling tiling(recursive_tiles(), root_tiles, stream_key(seed, Purpose::recursive_tilings, 0));
+    const RecursiveTiling tiling(recursive_tiles(seed), root_tiles, stream_key(seed, Purpose::recursive_tilings, 0));
     return tiling.torus_points({std::uint64_t{points_per_tile} * root_tiles * root_tiles, root_tiles, 0, density});
 }
 
@@ -163,7 +167,7 @@ void time_tiles(benchmark::State& state, const std::string& name, float part)
 void time_recursive(benchmark::State& state, std::uint32_t points_per_tile)
 {
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(1e6 / points_per_tile)));
-    const RecursiveTiling tiling(recursive_tiles(), side, stream_key(1, Purpose::recursive_tilings, 0));
+    const RecursiveTiling tiling(recursive_tiles(1), side, stream_key(1, Purpose::recursive_tilings, 0));
     const RecursiveDensity density(std::uint64_t{points_per_tile} * side * side, side, 0, std::nullopt);
     std::size_t points = 0;
     for (auto _ : state) {

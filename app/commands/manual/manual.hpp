@@ -27,8 +27,9 @@ std::string scale_table();
 
 /// The text of a page with what stands between `<!--= SOURCE -->` and `<!--/-->` put in anew from the tables that come
 /// with the program. Sources: `measure NAME KEY DECIMALS`, of a method of the gallery, with its error; `value NAME KEY
-/// DECIMALS`, without; the tables `scale`, `seams`, `sizes`, and `claims AGREEMENT`. Throws InputError with the line of
-/// a source that is not there, or of a marker that is not closed.
+/// DECIMALS`, without; the tables `scale`, `seams`, `even`, `averaged`, `sizes`, and `claims AGREEMENT`. Throws
+/// InputError with the line of a source that is not there, of a marker that is not closed, or of tiles without errors
+/// between sets.
 std::string with_stored_results(const std::string& page, const std::string& file);
 
 /// measures.md: every measure, what it means, and what is good and bad of it.

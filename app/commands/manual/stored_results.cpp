@@ -1,4 +1,5 @@
 // Numbers and tables of pages that are written by hand, put in from the tables that come with the program.
+#include "analysis/statistics/jackknife.hpp"
 #include "app/commands/manual/manual.hpp"
 #include "base/errors/errors.hpp"
 #include "reports/claims/claim_table.hpp"
@@ -12,8 +13,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -25,6 +29,15 @@ std::string with_error(const Estimate& estimate, int decimals)
     const std::string value = format_fixed(estimate.value, decimals);
     if (!estimate.standard_error) return value;
     return fmt::format("{} ± {}", value, format_fixed(*estimate.standard_error, decimals));
+}
+
+/// A value and its error with as many decimals as the first digit of the error has; one more where that digit is 1.
+std::string with_digits_of_error(double value, double error, const char* unit = "")
+{
+    const double leading = std::floor(std::log10(error));
+    const bool begins_with_one = error < 1.95 * std::pow(10, leading);
+    const int decimals = std::max(0, (begins_with_one ? 1 : 0) - static_cast<int>(leading));
+    return fmt::format("{} ± {}{}", format_fixed(value, decimals), format_fixed(error, decimals), unit);
 }
 
 /// An estimate of the gallery by the words "NAME KEY DECIMALS" of a source.
@@ -52,6 +65,15 @@ StoredMeasures stored_measures(const std::string& file)
     return measures;
 }
 
+/// A measure of a table beside the gallery's own: it is of several sets of tiles, with the error between them.
+Estimate measure_of_sets(const StoredMeasures& measures, const std::string& name, const std::string& key)
+{
+    const auto found = measures.find({name, key});
+    if (found == measures.end()) throw InputError(fmt::format("there is no {} of {}", key, name));
+    if (!found->second.standard_error) throw InputError(fmt::format("{} of {} has no error between sets", key, name));
+    return found->second;
+}
+
 std::string seam_table()
 {
     const StoredMeasures measures = stored_measures("seams.csv");
@@ -63,12 +85,31 @@ std::string seam_table()
             "| {} | {} |", colors,
             format_count(static_cast<std::uint64_t>(colors * colors) * static_cast<std::uint64_t>(colors * colors)));
         for (const char* border : {"repulsion", "repulsion-joint-20", "border-chain"}) {
-            const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-4", colors, border);
-            const double peak = measures.at({name, "near_lattice_peaks"}).value;
-            text += fmt::format(" {} | {} % |", format_significant(peak, peak < 100 ? 2 : 3),
-                                format_significant(100 * measures.at({name, "lattice_excess"}).value, 2));
+            const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-12", colors, border);
+            const Estimate peak = measure_of_sets(measures, name, "near_lattice_peaks"),
+                           share = measure_of_sets(measures, name, "lattice_excess");
+            text += fmt::format(" {} | {} |", with_digits_of_error(peak.value, *peak.standard_error),
+                                with_digits_of_error(100 * share.value, 100 * *share.standard_error, " %"));
         }
         text += "\n";
+    }
+    return text;
+}
+
+/// The relative radius of averaged tiles after so many moves, over the sets of configs/averaged-tiles.toml.
+std::string averaged_table()
+{
+    std::map<int, std::vector<double>> radii; // by moves
+    constexpr const char* file = "averaged.csv";
+    for (TableReader line(gallery_file(file), file, "realization,iteration,relative_radius"); line.next();)
+        radii[static_cast<int>(line.number(1))].push_back(line.number(2));
+    std::string text = "| moves | relative radius, mean of the sets | least | largest |\n| --- | --- | --- | --- |\n";
+    for (const auto& [moves, each] : radii) {
+        const auto [least, largest] = std::ranges::minmax(each);
+        const double mean = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
+        text += fmt::format("| {} | {} | {} | {} |\n", format_count(static_cast<std::uint64_t>(moves)),
+                            with_digits_of_error(mean, standard_error_of_mean(each)), format_fixed(least, 3),
+                            format_fixed(largest, 3));
     }
     return text;
 }
@@ -81,18 +122,20 @@ std::string even_table()
         const char *name, *title, *proven;
     };
     constexpr std::array rows{
-        Row{"corner-tiles-C-3-N-32-repulsion", "strips, as in the papers", "2"},
-        Row{"corner-tiles-C-3-N-32-border-chain-moments-0", "chains", "2"},
-        Row{"corner-tiles-C-3-N-32-border-chain-moments-1", "chains, equal first moments", "4"},
-        Row{"corner-tiles-C-3-N-32-border-chain-moments-2", "chains, equal first and second moments", "6"},
+        Row{"corner-tiles-C-3-N-32-repulsion-sets-6", "strips, as in the papers", "2"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-0-sets-6", "chains", "2"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-1-sets-6", "chains, equal first moments", "4"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-2-sets-6", "chains, equal first and second moments", "6"},
         Row{"lloyd-N-1000000-i-20", "Lloyd relaxation, no tiles", "none"},
         Row{"gaussian-blue-noise-N-1000000-i-50-levels-6", "Gaussian blue noise, no tiles", "none"},
     };
     const StoredMeasures measures = stored_measures("even.csv");
     std::string text = "| | proven exponent | measured |\n| --- | --- | --- |\n";
-    for (const Row& row : rows)
+    for (const Row& row : rows) {
+        const Estimate exponent = measure_of_sets(measures, row.name, "hyperuniformity_exponent");
         text += fmt::format("| {} | {} | {} |\n", row.title, row.proven,
-                            with_error(measures.at({row.name, "hyperuniformity_exponent"}), 2));
+                            with_digits_of_error(exponent.value, *exponent.standard_error));
+    }
     return text;
 }
 
@@ -122,9 +165,11 @@ std::string stored_result(const std::string& source)
     if (kind == "scale") return "\n" + scale_table();
     if (kind == "seams") return "\n" + seam_table();
     if (kind == "even") return "\n" + even_table();
+    if (kind == "averaged") return "\n" + averaged_table();
     if (kind == "sizes") return "\n" + size_table();
     if (kind == "claims" && words >> agreement) return "\n" + claim_table(agreement);
-    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams, even, sizes or claims", source));
+    throw InputError(
+        fmt::format("\"{}\": must be measure, value, scale, seams, even, averaged, sizes or claims", source));
 }
 
 }

@@ -6,12 +6,14 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_kernel.hpp"
 #include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
+#include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -21,6 +23,7 @@ constexpr WordTable<RecursiveDrawing, 2> recursive_drawings{
 
 constexpr const char* base_key = "base_tiles";
 constexpr const char* recursive_size_key = "points_per_tile";
+constexpr const char* sets_key = "sets";
 
 std::uint32_t small_parameter(const Parameters& given, const char* key)
 {
@@ -47,20 +50,30 @@ public:
     RecursiveSampler(const Parameters& given, const SampleRequest& request, Engine engine, const DeviceProvider& device)
         : DeviceSampler(engine, device), seed_(request.seed), side_(small_parameter(given, base_key)),
           roots_(side_, seed_), drawing_(*recursive_drawings.find(given.text("drawing"))),
-          density_(density_asked(given, request)), begin_(std::chrono::steady_clock::now()),
-          cached_(cached_recursive_tiles(small_parameter(given, recursive_size_key), request.seed, tile_cache_folder(),
-                                         request.on_step))
+          density_(density_asked(given, request))
     {
-        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin_;
-        preparation_seconds_ = all.count() - cached_.waiting_seconds;
-        if (device_ && is_faster_on(device_->info())) generator_.emplace(*device_, cached_.tiles, density_);
+        const auto begin = std::chrono::steady_clock::now();
+        double waiting_seconds = 0;
+        for (std::uint32_t i = 0; i < small_parameter(given, sets_key); ++i) {
+            CachedRecursiveTiles cached = cached_recursive_tiles(
+                small_parameter(given, recursive_size_key), request.seed + i, tile_cache_folder(), request.on_step);
+            sets_.push_back(std::move(cached.tiles));
+            if (i == 0) record_ = std::move(cached.record);
+            waiting_seconds += cached.waiting_seconds;
+        }
+        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
+        preparation_seconds_ = all.count() - waiting_seconds;
+        if (device_ && is_faster_on(device_->info()))
+            for (const RecursiveTileSet& tiles : sets_) generators_.emplace_back(*device_, tiles, density_);
     }
 
     PointSet sample(std::uint32_t realization) override
     {
+        const std::size_t set = realization % sets_.size();
         const StreamKey stream = stream_key(seed_, Purpose::recursive_tilings, realization);
-        const RecursiveTiling tiling(cached_.tiles, side_, stream, roots_.of(realization));
-        return generator_ ? generator_->torus_points(tiling, drawing_) : tiling.torus_points(density_, drawing_);
+        const RecursiveTiling tiling(sets_[set], side_, stream, roots_.of(realization));
+        return generators_.empty() ? tiling.torus_points(density_, drawing_)
+                                   : generators_[set].torus_points(tiling, drawing_);
     }
 
     SetTraits traits() const override
@@ -68,7 +81,8 @@ public:
         SetTraits traits;
         traits.sizes_vary = !density_.is_uniform(); // a density takes points or leaves them by where they lie
         traits.tiles_along_axis = side_;
-        traits.tile_set = cached_.record;
+        traits.tile_sets = static_cast<std::uint32_t>(sets_.size());
+        traits.tile_set = record_;
         traits.preparation_seconds = preparation_seconds_;
         return traits;
     }
@@ -79,10 +93,10 @@ private:
     RealizationRoots roots_;
     RecursiveDrawing drawing_;
     RecursiveDensity density_;
-    std::chrono::steady_clock::time_point begin_;
-    CachedRecursiveTiles cached_;
+    std::vector<RecursiveTileSet> sets_;
+    TileSetRecord record_; ///< of the first
     double preparation_seconds_ = 0;
-    std::optional<RecursiveGenerator> generator_; ///< nothing: the reference does the work
+    std::vector<RecursiveGenerator> generators_; ///< one a set; none: the reference does the work
 };
 
 std::vector<ParameterSpec> recursive_parameters()
@@ -111,6 +125,7 @@ std::vector<ParameterSpec> recursive_parameters()
          .otherwise = std::string(recursive_drawings[RecursiveDrawing::once])},
     };
     for (ParameterSpec& spec : density_parameters()) specs.push_back(std::move(spec));
+    specs.push_back(tile_sets_parameter());
     return specs;
 }
 
@@ -152,12 +167,17 @@ SamplerSpec recursive_wang_tile_sampler()
     spec.outside_input = density_hash;
     spec.most_points = most_recursive_points;
     // One tile can only lie beside itself.
-    spec.is_deterministic = [](const Parameters& given) { return given.integer(base_key) == 1; };
+    spec.is_deterministic = [](const Parameters& given) {
+        return given.integer(base_key) == 1 && given.integer(sets_key) == 1;
+    };
     spec.memory_growth = MemoryGrowth::fixed;
     spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo& device) {
-        if (!is_faster_on(device)) return DeviceMemory{};
-        return RecursiveGenerator::memory(small_parameter(given, recursive_size_key),
-                                          density_asked(given, request).bounds().weights.size());
+        DeviceMemory all;
+        if (!is_faster_on(device)) return all;
+        for (std::uint32_t i = 0; i < small_parameter(given, sets_key); ++i)
+            all = all + RecursiveGenerator::memory(small_parameter(given, recursive_size_key),
+                                                   density_asked(given, request).bounds().weights.size());
+        return all;
     };
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) {

@@ -78,8 +78,15 @@ TEST(PowerShells, AreMeansOfDirectSums)
     std::mt19937_64 random(1);
     for (const int dimension : {2, 3}) {
         const PointSet points = random_points(60, dimension, random);
-        const auto shells = power_shells(spectrum_of(points, 12), {1.2, 4.5});
+        const Spectrum spectrum = spectrum_of(points, 12);
+        const auto shells = power_shells(spectrum, {1.2, 4.5});
+        const auto of_half = power_shells(half_of(spectrum.power, dimension, 12), {1.2, 4.5});
         ASSERT_FALSE(shells.empty());
+        ASSERT_EQ(of_half.size(), shells.size());
+        for (std::size_t i = 0; i < shells.size(); ++i) {
+            EXPECT_EQ(of_half[i].pairs, shells[i].pairs);
+            EXPECT_NEAR(of_half[i].power, shells[i].power, 1e-9);
+        }
         EXPECT_EQ(shells.front().frequency, std::sqrt(2.0));
         EXPECT_LE(shells.back().frequency, 4.5);
         for (const PowerShell& shell : shells) {

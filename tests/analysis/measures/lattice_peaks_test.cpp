@@ -1,5 +1,6 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
+#include "analysis/measures/near_lattice_powers.hpp"
 #include "base/errors/errors.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/statistics.hpp"
@@ -147,6 +148,30 @@ TEST(LatticePeaks, OfAHalfSpectrumAreTheSame)
         EXPECT_NEAR(half.mean_ratio, whole.mean_ratio, 1e-9 * whole.mean_ratio);
         EXPECT_NEAR(half.max_ratio, whole.max_ratio, 1e-9 * whole.max_ratio);
     }
+}
+
+/// The list that near peaks are made of is linear: a mean of lists has the peaks of the mean spectrum.
+TEST(NearLatticePeaks, FollowFromListsOfPowersOfEachSet)
+{
+    for (const int d : {2, 3}) {
+        const int size = d == 2 ? 64 : 16, tiles = 4;
+        std::mt19937_64 random(4);
+        std::vector<double> sum, sum_of_lists;
+        for (int set = 0; set < 3; ++set) {
+            const std::vector<double> power = exact_periodogram(random_points(100, d, random), size);
+            const std::vector<double> list = near_lattice_powers(half_of(power, d, size), 100, tiles);
+            sum.resize(power.size());
+            sum_of_lists.resize(list.size());
+            for (std::size_t i = 0; i < power.size(); ++i) sum[i] += power[i] / 3;
+            for (std::size_t i = 0; i < list.size(); ++i) sum_of_lists[i] += list[i] / 3;
+        }
+        const auto whole = near_lattice_peaks(Spectrum{d, size, 100, 3, sum}, tiles),
+                   lists = near_lattice_peaks(sum_of_lists, 100);
+        ASSERT_TRUE(whole && lists);
+        EXPECT_NEAR(lists->mean_ratio, whole->mean_ratio, 1e-9 * whole->mean_ratio);
+        EXPECT_NEAR(lists->excess_share, whole->excess_share, 1e-9);
+    }
+    EXPECT_FALSE(near_lattice_peaks(std::vector<double>{3}, 100)) << "no peaks";
 }
 
 }

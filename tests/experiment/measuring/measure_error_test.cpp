@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 namespace poissonlab {
 namespace {
@@ -76,6 +77,59 @@ TEST(MeasureErrors, AgreeWithTheSpreadOfRandomSets)
     // The spectrum is flat but for noise: twice the variance, as jackknife.hpp says, (K / (K - 1)) a little more.
     EXPECT_NEAR(claimed_over_true(series, flatness, flatness_error), 2 * 8.0 / 7, 2 * 8.0 / 7 * tolerance);
     for (const Measures& measures : series) EXPECT_EQ(nyquist_error(measures), 0) << "0 for each";
+}
+
+/// A tiling of 8 x 8 tiles, each of which is one of four at random, of nine random points each.
+PointSet random_tiling(const std::vector<double>& tiles, std::mt19937_64& random)
+{
+    constexpr int side = 8;
+    constexpr std::size_t numbers = 18;
+    PointSet set{2, {}};
+    for (int place = 0; place < side * side; ++place) {
+        const std::size_t tile = random() % (tiles.size() / numbers);
+        for (std::size_t i = 0; i < numbers; i += 2) {
+            set.coordinates.push_back((place % side + tiles[numbers * tile + i]) / side);
+            set.coordinates.push_back((place / side + tiles[numbers * tile + i + 1]) / side);
+        }
+    }
+    return set;
+}
+
+/// The measures of many series of six tile sets, each with four tilings, analysed as such or as if all were
+/// independent.
+std::vector<Measures> measures_of_tilings(bool knows_sets)
+{
+    constexpr std::uint32_t sets = 6, tilings = 4 * sets;
+    AnalysisOptions options;
+    options.tiles = 8;
+    options.spectrum_size = 128;
+    options.distances_only = true;
+    if (knows_sets) options.tile_sets = sets;
+    std::vector<Measures> result;
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int series = 0; series < series_count; ++series) {
+        std::vector<std::vector<double>> tiles(sets, std::vector<double>(72));
+        for (auto& set : tiles)
+            for (double& coordinate : set) coordinate = uniform(random);
+        SeriesAnalysis analysis("s", false, options);
+        for (std::uint32_t k = 0; k < tilings; ++k) analysis.add(random_tiling(tiles[k % sets], random));
+        analysis.measure_spectrum(analysis.mean_spectrum());
+        result.push_back(analysis.result().measures);
+    }
+    return result;
+}
+
+/// What sets of tiles have in common is in the values of all their tilings, and in the errors between sets alone.
+TEST(MeasureErrors, OfTilingsAreThoseBetweenTileSets)
+{
+    const auto known = measures_of_tilings(true), unknown = measures_of_tilings(false);
+    for (const char* key : {"near_lattice_peaks", "lattice_excess", "hyperuniformity_exponent"}) {
+        const auto value = [&](const Measures& m) { return m.numbers.at(key).value; };
+        const auto error = [&](const Measures& m) { return m.numbers.at(key).standard_error.value(); };
+        EXPECT_NEAR(claimed_over_true(known, value, error), 1, tolerance) << key;
+        EXPECT_LT(claimed_over_true(unknown, value, error), 0.5) << key;
+    }
 }
 
 TEST(MeasureErrors, NeedTwoRealizations)

@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -81,6 +83,49 @@ TEST(TileMoments, OfCrossedPairsAreKnown)
         EXPECT_GE(power, 0.45 * moments.orders[1].power * std::pow(k, 4)); // the bound is twice what one direction has
     }
     EXPECT_EQ(moments.orders[0].power, 0);
+}
+
+/// The formula of docs/chain-tiles.md, with sums over all d^j products of coordinates, one after the other.
+TEST(TileMoments, LeaveThePowerOfTheFormula)
+{
+    struct Kind
+    {
+        PoissonTileKind kind;
+        int dimension;
+        std::uint32_t colors, tiles;
+        double dependent;
+    };
+    const std::array factorials{1.0, 1.0, 2.0, 6.0};
+    for (const auto& [kind, d, colors, tiles, dependent] :
+         {Kind{PoissonTileKind::corner, 2, 2, 16, 9}, Kind{PoissonTileKind::corner, 3, 2, 256, 27},
+          Kind{PoissonTileKind::frame, 2, 1, 5, 1}}) {
+        const PoissonTileSet set = random_tile_set(kind, d, colors, 10, tiles);
+        const TileMoments moments = tile_moments(set);
+        const auto dimension = static_cast<std::size_t>(d);
+        std::size_t products = 1;
+        for (std::uint32_t j = 1; j <= 3; ++j) {
+            products *= dimension;
+            double variances = 0;
+            for (std::size_t product = 0; product < products; ++product) {
+                std::vector<double> of_tiles(set.parameters.tiles);
+                for (std::uint32_t tile = 0; tile < set.parameters.tiles; ++tile)
+                    for (std::size_t i = 0; i < 10; ++i) {
+                        double value = 1;
+                        for (std::size_t factor = 0, axes = product; factor < j; ++factor, axes /= dimension)
+                            value *= (set.tile(tile)[dimension * i + axes % dimension] - 32'768.0) / 65'536;
+                        of_tiles[tile] += value;
+                    }
+                double sum = 0, squares = 0;
+                for (const double moment : of_tiles) sum += moment, squares += moment * moment;
+                const double count = set.parameters.tiles;
+                variances += squares / count - (sum / count) * (sum / count);
+            }
+            const double step = std::pow(2 * std::numbers::pi, j) / factorials[j];
+            const double power = dependent * step * step * variances / 10;
+            // Sums of ten products below 1, of at most 256 tiles: rounding of some 1e-13 of squares near 1.
+            EXPECT_NEAR(moments.orders[j - 1].power, power, 1e-10 * power) << d << ", " << j;
+        }
+    }
 }
 
 TEST(TileMoments, OneTileHasTheSameAsItself)

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -111,6 +112,22 @@ TEST_P(ClassDartSets, KeepTheDistanceOfEachPair)
         }
 }
 
+/// What docs/classes.md says of a prefix of n points, n_i of class i, whose share is p: n_i is at most n p + 1 - p, and
+/// at least n p - p for each other class. Let t be the part of the least filled class. The last point of any other one
+/// came when it was the least filled, so n_i is from t w_i to t w_i + 1, for all of W points w_i of the class; n is the
+/// sum.
+void expect_shares(const std::vector<std::size_t>& counts, const std::vector<std::size_t>& points)
+{
+    const auto all = std::accumulate(points.begin(), points.end(), std::int64_t{0}),
+               now = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const auto own = static_cast<std::int64_t>(points[i]);
+        const std::int64_t off = static_cast<std::int64_t>(counts[i]) * all - now * own; // times all points
+        EXPECT_LE(off, all - own);
+        EXPECT_GE(off, -own * static_cast<std::int64_t>(counts.size() - 1));
+    }
+}
+
 TEST_P(ClassDartSets, FillClassesEvenly)
 {
     const ClassCase& c = GetParam();
@@ -125,6 +142,7 @@ TEST_P(ClassDartSets, FillClassesEvenly)
         for (std::size_t i = 0; i < counts.size(); ++i) // the one that comes is filled least
             EXPECT_LE(counts[own] * c.points[i], counts[i] * c.points[own]);
         ++counts[own];
+        expect_shares(counts, c.points);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
+#include "host/tile_sampling/recursive/recursive_roots.hpp"
 #include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"
@@ -374,6 +375,24 @@ TEST_F(RecursiveSamplers, MakeDifferentSetsOfFewTiles)
     for (std::uint32_t k = 0; k < 14; ++k) EXPECT_TRUE(is_new(sampler->sample(k))) << k;
     for (std::uint32_t k = 14; k < 20; ++k) EXPECT_FALSE(is_new(sampler->sample(k))) << k;
     EXPECT_EQ(make(given, 4 * 2 * tile_points)->sample(9), sampler->sample(9)) << "without those before";
+}
+
+/// Realization k has the tile set of the seed that is k % sets after the config's, and the tiling of realization k.
+TEST_F(RecursiveSamplers, TakeSeveralSetsInTurn)
+{
+    Parameters given = parameters();
+    given.set("sets", std::int64_t{3});
+    const auto sampler = make(given);
+    EXPECT_EQ(sampler->traits().tile_sets, 3U);
+    EXPECT_EQ(make(parameters())->traits().tile_sets, 1U);
+    RealizationRoots roots(4, 1);
+    for (std::uint32_t k = 0; k < 5; ++k) {
+        const RecursiveTileSet tiles = build_recursive_tiles(tile_points, 1 + k % 3);
+        const RecursiveTiling tiling(tiles, 4, stream_key(1, Purpose::recursive_tilings, k), roots.of(k));
+        EXPECT_EQ(sampler->sample(k), tiling.torus_points(RecursiveDensity(2000, 4, 0, {}))) << k;
+    }
+    given.set("base_tiles", std::int64_t{1});
+    EXPECT_FALSE(spec().is_deterministic(given));
 }
 
 TEST_F(RecursiveSamplers, FollowAFormula)
