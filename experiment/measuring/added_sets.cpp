@@ -134,6 +134,10 @@ bool SeriesAnalysis::add_set(const Points& points)
     }
     if (estimate_) {
         add_to_spectrum(points);
+        if (!options_.region) {
+            const FrequencyRange range = hyperuniform_range(begin_.points, dimension_, options_.tiles);
+            shell_powers_.push_back(powers_of(power_shells(estimate_->last_periodogram(), range)));
+        }
         if (options_.tiles > 0) {
             set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
             set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
