@@ -271,7 +271,6 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
     const std::size_t n = sets_.front().points;
-    const int realizations = mean.realizations; // with tapers, each counts as one
     measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial);

@@ -141,15 +141,9 @@ TEST_P(MeasureErrors, AreTheSpreadOfIndependentSeries)
     RecordProperty("ratios", table);
 }
 
-Case small(Case one)
+Case of(std::size_t points, Case one)
 {
-    one.points = 256;
-    return one;
-}
-
-Case large(Case one)
-{
-    one.points = 1024;
+    one.points = points;
     return one;
 }
 
@@ -157,11 +151,35 @@ const Case random_sets{"random", "random", {}};
 /// Dense sets: looser ones have a mean power near 0.1 at all low frequencies, between which the effective Nyquist
 /// frequency, the last one with less than 0.1, jumps.
 const Case darts{"darts", "dart-throwing", {{"relative_radius", 0.74}}};
+const Case relaxed{"relaxed", "lloyd", {{"iterations", std::int64_t{5}}}};
+/// Each realization has a tile set of its own.
+const Case tiles{"tiles",
+                 "corner-tiles",
+                 {{"colors", std::int64_t{2}},
+                  {"points_per_tile", std::int64_t{16}},
+                  {"relative_radius", 0.6},
+                  {"sets", std::int64_t{realizations}}}};
+/// Two realizations have one tile set: errors are between five.
+const Case shared_tiles{"shared_tiles",
+                        "corner-tiles",
+                        {{"colors", std::int64_t{1}},
+                         {"points_per_tile", std::int64_t{16}},
+                         {"relative_radius", 0.6},
+                         {"sets", std::int64_t{realizations / 2}}}};
+const std::vector<std::string> by_tapers{"analysis.region=\"rectangle 0 0 1 1\"", "analysis.tapers=8",
+                                         "analysis.envelope=0"};
+const Case tapered_random{"tapered_random", "random", {}, 0, by_tapers, 1};
+const Case tapered_darts{"tapered_darts", "dart-throwing", {{"relative_radius", 0.74}}, 0, by_tapers, 1};
 
-INSTANTIATE_TEST_SUITE_P(Quick, MeasureErrors, testing::Values(small(random_sets), small(darts)),
-                         [](const auto& info) { return info.param.name; });
-INSTANTIATE_TEST_SUITE_P(Nightly, MeasureErrors, testing::Values(large(random_sets), large(darts)),
-                         [](const auto& info) { return info.param.name; });
+std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Quick, MeasureErrors, testing::Values(of(256, random_sets), of(256, darts)), name_of);
+INSTANTIATE_TEST_SUITE_P(QuickTapers, MeasureErrors, testing::Values(of(256, tapered_random), of(256, tapered_darts)),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Nightly, MeasureErrors,
+                         testing::Values(of(1024, random_sets), of(1024, darts), of(256, relaxed), of(256, tiles),
+                                         of(256, shared_tiles), of(1024, tapered_random), of(1024, tapered_darts)),
+                         name_of);
 
 TEST(MeasureErrorsOfOneSet, AreNotKnown)
 {
