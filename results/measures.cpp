@@ -64,6 +64,7 @@ Value points(const Series& series)
     if (series.points_each.empty()) return value;
     const auto [fewest, most] = std::ranges::minmax(series.points_each);
     value.range = {static_cast<double>(fewest), static_cast<double>(most)};
+    value.each.assign(series.points_each.begin(), series.points_each.end());
     return value;
 }
 
@@ -223,7 +224,7 @@ std::vector<Measure> spectral_measures()
     using Fit = LowFrequencyPower;
     return {
         row("oscillation", "oscillation", "power", Better::lower, MeasureKind::estimate, significant(3),
-            "How much the power goes up and down beyond its first rise, with its standard error.",
+            "How much the power goes up and down beyond its first rise above {√N|∛N} / 2, with its standard error.",
             from(&Measures::oscillation, &Oscillation::value, &Oscillation::standard_error)),
         number("effective_nyquist", "effective Nyquist frequency", "{√N|∛N} / 2", Better::higher, MeasureKind::estimate,
                significant(3),
@@ -245,7 +246,9 @@ std::vector<Measure> spectral_measures()
             decimals(2),
             "b where power goes as frequency^b towards frequency 0, by maximum likelihood over the frequencies up to "
             "{√N|∛N} / 4, of tilings up to 0.4 of the frequency at which tiles repeat, with its standard error. 0 for "
-            "random points; the higher, the more even the points are at large scales. Stealthy sets have no "
+            "random points; the higher, the more even the points are at large scales. Curves that bend within the "
+            "range change it: displaced grids, whose power goes as frequency² in the end, have 1.85 to 2. Stealthy "
+            "sets have no "
             "exponent: it says how deep they fall, or is 0 where all that is left is rounding."),
         number(
             "hyperuniformity_p_value", "p-value of hyperuniformity", "", Better::neither, MeasureKind::estimate,
@@ -255,8 +258,7 @@ std::vector<Measure> spectral_measures()
             "mean power at low frequencies."),
         row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
             "The largest anisotropy of a {ring|shell} of at least 100 samples, with its standard error: chance alone "
-            "stays "
-            "near −10 log₁₀ K dB, grids and repeated tiles rise far above it.",
+            "stays near −10 log₁₀ K dB, grids and repeated tiles rise far above it.",
             from(&Measures::peak_anisotropy, &PeakAnisotropy::db, &PeakAnisotropy::standard_error_db)),
         row("lattice_peaks", "mean lattice peak", "power over that around", Better::lower, MeasureKind::estimate,
             significant(3),

@@ -65,8 +65,12 @@ Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points
     const double s = points_per_axis(points, dimension);
     if (radial.empty()) return {};
 
-    auto first = std::ranges::find_if(radial, [](const RadialBin& bin) { return bin.power >= nearly_one; });
-    if (first == radial.end()) first = std::ranges::max_element(radial, {}, &RadialBin::power);
+    auto beyond = std::ranges::find_if(radial, [&](const RadialBin& bin) { return bin.frequency >= s / 2; });
+    if (beyond == radial.end()) beyond = radial.begin();
+    auto first = std::find_if(beyond, radial.end(), [](const RadialBin& bin) { return bin.power >= nearly_one; });
+    if (first == radial.end())
+        first = std::max_element(beyond, radial.end(),
+                                 [](const RadialBin& a, const RadialBin& b) { return a.power < b.power; });
 
     Oscillation result;
     result.begin = first->frequency;

@@ -10,7 +10,7 @@
 //   nu    = f* / s,  f* the largest f below f0 with C(f) < 0.1,
 //           f0 the smallest f >= s / 2 with C(f) > 0.5
 //   Omega = 10 sqrt(mean over all frequencies with a <= |f| <= b of (P(|f|) - 1)^2),
-//           a the frequency of the first bin with P >= 0.98 (of the largest P where there is none),
+//           a the frequency of the first bin at or above s / 2 with P >= 0.98 (of the largest P where there is none),
 //           b = a + 5 s, or the end of the spectrum
 //
 // nu is f*/2, the effective Nyquist frequency, relative to s / 2, the Nyquist frequency of the square
@@ -22,6 +22,11 @@
 // periodograms in bins of one cycle per unit length, and C is interpolated within a bin. Spectra of this
 // laboratory end between 2.5 s and 5 s (2D), so that b is nearly always their end; a spectrum's noise adds
 // to Omega. 3D is the same with d = 3.
+//
+// psa looks for a from frequency 0 on. The lowest bins have a few frequencies each, whose power relaxation from random
+// points leaves near 1: in some runs and not in others they would pass 0.98, and all of the gap would count. Below s /
+// 2, the Nyquist frequency of the square lattice, no set that fills its gap has risen to 1. A bin that has 0.98 or not
+// by chance is of no account, as it adds nearly nothing.
 #pragma once
 
 #include "analysis/spectra/radial_statistics.hpp"

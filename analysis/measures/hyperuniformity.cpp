@@ -1,6 +1,5 @@
 #include "analysis/measures/hyperuniformity.hpp"
 
-#include "analysis/spectra/frequency_power.hpp"
 #include "base/random/random_words.hpp"
 
 #include <algorithm>
@@ -17,29 +16,30 @@ constexpr double most_tested_2d = 16, most_tested_3d = 6;
 constexpr std::size_t least_shells = 3;
 constexpr int draws = 9999;
 
-/// Calls visit(f) for one of each two opposite frequencies along x, y and z of at most `reach` each.
-template <class Visit>
-void for_each_pair(int dimension, int reach, const Visit& visit)
+/// Calls visit(|f|^2, power(u, v, w)) for one of each two opposite frequencies with |f| <= reach along each axis.
+template <class Power, class Visit>
+void for_each_pair(int dimension, std::int64_t reach, const Power& power, const Visit& visit)
 {
-    const int slices = dimension == 3 ? reach : 0;
-    for (int w = 0; w <= slices; ++w)
-        for (int v = w > 0 ? -reach : 0; v <= reach; ++v)
-            for (int u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) visit(std::array{u, v, w});
+    const std::int64_t slices = dimension == 3 ? reach : 0;
+    for (std::int64_t w = 0; w <= slices; ++w)
+        for (std::int64_t v = w > 0 ? -reach : 0; v <= reach; ++v)
+            for (std::int64_t u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u)
+                visit(u * u + v * v + w * w, power(u, v, w));
 }
 
-/// The shells of a spectrum, or of a half of one.
-std::vector<PowerShell> shells_in(const auto& spectrum, const FrequencyRange& range)
+/// The shells of a range in a spectrum of that dimension and size, whose powers are power(u, v, w).
+template <class Power>
+std::vector<PowerShell> shells_of(int dimension, int size, const FrequencyRange& range, const Power& power)
 {
-    const double end = std::min(range.end, spectrum.size / 2 - 1.0);
+    const double end = std::min(range.end, size / 2 - 1.0);
     if (end < 1) return {};
     const auto most = static_cast<std::size_t>(end * end);
     std::vector<PowerShell> all(most + 1);
-    for_each_pair(spectrum.dimension, static_cast<int>(end), [&](const std::array<int, 3>& f) {
-        const auto squared =
-            static_cast<std::size_t>(std::int64_t{f[0]} * f[0] + std::int64_t{f[1]} * f[1] + std::int64_t{f[2]} * f[2]);
-        if (squared > most) return;
-        all[squared].power += frequency_power(spectrum, f);
-        ++all[squared].pairs;
+    for_each_pair(dimension, static_cast<std::int64_t>(end), power, [&](std::int64_t squared, double power_there) {
+        if (static_cast<std::size_t>(squared) > most) return;
+        PowerShell& shell = all[static_cast<std::size_t>(squared)];
+        shell.power += power_there;
+        ++shell.pairs;
     });
     std::vector<PowerShell> shells;
     for (std::size_t squared = 1; squared <= most; ++squared) {
@@ -127,89 +127,82 @@ double root_of_tilt(const std::vector<PowerShell>& shells, const std::vector<dou
     return b;
 }
 
-/// The likelihood ratio over a fixed list of s / t, for shells with the same frequencies.
+/// The likelihood ratio over a fixed list of s / t and c, for shells with the same frequencies.
 class RatioTest
 {
-    static constexpr int models = 65;
+    static constexpr int ratios = 33, curvatures = 8, models = ratios * curvatures;
     using PerModel = std::array<double, models>;
 
 public:
     RatioTest(const std::vector<PowerShell>& shells, int realizations)
-        : pairs_(total_pairs(shells)), realizations_(realizations), weights_(shells.size())
+        : samples_(realizations * total_pairs(shells)), weights_(shells.size())
     {
-        constexpr double step = 1.2;
-        const double unit = shells.back().frequency * shells.back().frequency;
         for (int m = 0; m < models; ++m) {
-            const double s = m == 0 ? 0 : std::pow(step, m - models + 1);
-            for (std::size_t i = 0; i < shells.size(); ++i) {
-                const double power = s + (1 - s) * shells[i].frequency * shells[i].frequency / unit;
-                const auto n = static_cast<double>(shells[i].pairs);
-                weights_[i][m] = n / power / pairs_;
-                logarithms_[m] += n * std::log(power);
+            const double s = ratio(m);
+            double logarithms = 0;
+            std::vector<double> power;
+            for (const PowerShell& shell : shells) {
+                power.push_back(s + (1 - s) * hyperuniform_power(shells, shell, m));
+                logarithms += static_cast<double>(shell.pairs) * std::log(power.back());
             }
+            const double pairs = total_pairs(shells), factor = std::exp(logarithms / pairs) / pairs;
+            for (std::size_t i = 0; i < shells.size(); ++i)
+                weights_[i][m] = static_cast<double>(shells[i].pairs) / power[i] * factor;
         }
     }
 
     /// T of powers in the order of the shells.
-    double statistic(const std::vector<double>& power) const { return statistic(scales(power)); }
-
-    /// It tells of many powers whether their T is `found` or more.
-    class Reaches
+    double statistic(const std::vector<double>& power) const
     {
-    public:
-        Reaches(const RatioTest& test, double found) : test_(test), found_(found)
-        {
-            const double needed = found / (2 * test.realizations_);
-            for (int m = 0; m < models; ++m)
-                parts_[m] = std::exp((test.logarithms_[0] - test.logarithms_[m] - needed) / test.pairs_);
-        }
+        const PerModel misfit = misfits(power);
+        return 2 * samples_ * std::log(misfit[best_hyperuniform(misfit)] / *std::ranges::min_element(misfit));
+    }
 
-        /// A model reaches it whose best scale is at most a part of the first model's. Logarithms take most of the time
-        /// and are left to the cases that rounding could decide, which moves that part by far less than `rounding`.
-        bool operator()(const std::vector<double>& power) const
-        {
-            constexpr double rounding = 1e-9;
-            const PerModel scale = test_.scales(power);
-            bool is_near = false;
-            for (int m = 0; m < models; ++m) {
-                const double most = parts_[m] * scale[0];
-                if (scale[m] < (1 - rounding) * most) return true;
-                is_near = is_near || scale[m] <= (1 + rounding) * most;
-            }
-            return is_near && test_.statistic(scale) >= found_;
-        }
-
-    private:
-        const RatioTest& test_;
-        double found_;
-        PerModel parts_{};
-    };
+    /// The powers of the hyperuniform model that is most likely, but for a factor.
+    std::vector<double> hyperuniform_powers(const std::vector<PowerShell>& shells,
+                                            const std::vector<double>& power) const
+    {
+        const std::size_t best = best_hyperuniform(misfits(power));
+        std::vector<double> powers;
+        for (const PowerShell& shell : shells)
+            powers.push_back(hyperuniform_power(shells, shell, static_cast<int>(best)));
+        return powers;
+    }
 
 private:
-    /// The best scale of each model, of one realization.
-    PerModel scales(const std::vector<double>& power) const
+    /// s / (s + t) of the list, where frequencies are in units of the range's end: 0 comes first.
+    static double ratio(int model)
     {
-        PerModel scale{};
+        constexpr double step = 1.44;
+        return model % ratios == 0 ? 0 : std::pow(step, model % ratios - ratios + 1);
+    }
+
+    /// f^2 exp(-c f^2), with f in units of the range's end.
+    static double hyperuniform_power(const std::vector<PowerShell>& shells, const PowerShell& shell, int model)
+    {
+        const double root = 0.1 * (model / ratios), squared = std::pow(shell.frequency / shells.back().frequency, 2);
+        return squared * std::exp(-root * root * squared);
+    }
+
+    /// The most that each model's likelihood can be with the best factor for it, as exp(-L / samples).
+    PerModel misfits(const std::vector<double>& power) const
+    {
+        PerModel misfit{};
         for (std::size_t i = 0; i < power.size(); ++i)
-            for (int m = 0; m < models; ++m) scale[m] += weights_[i][m] * power[i];
-        return scale;
+            for (int m = 0; m < models; ++m) misfit[m] += weights_[i][m] * power[i];
+        return misfit;
     }
 
-    double statistic(const PerModel& scale) const
+    static std::size_t best_hyperuniform(const PerModel& misfit)
     {
-        const double without = log_likelihood(0, scale);
-        double best = without;
-        for (int m = 1; m < models; ++m) best = std::max(best, log_likelihood(m, scale));
-        return 2 * realizations_ * (best - without);
+        std::size_t best = 0;
+        for (std::size_t m = 0; m < models; m += ratios)
+            if (misfit[m] < misfit[best]) best = m;
+        return best;
     }
 
-    /// Returns the logarithm of the likelihood of one realization.
-    double log_likelihood(int m, const PerModel& scale) const { return -pairs_ * std::log(scale[m]) - logarithms_[m]; }
-
-    double pairs_;
-    int realizations_;
-    std::vector<PerModel> weights_; ///< of each shell: pairs / model / all pairs
-    PerModel logarithms_{};         ///< the sum of pairs ln model
+    double samples_;                ///< pairs of all realizations
+    std::vector<PerModel> weights_; ///< of each shell, what its power adds to a model's misfit
 };
 
 double uniform(RandomWords& words) { return (words.next() + 0.5) * 0x1p-32; }
@@ -235,23 +228,35 @@ double gamma_of_mean_1(RandomWords& words, double shape)
     }
 }
 
+}
+
+std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range)
+{
+    const std::int64_t m = spectrum.size, half = m / 2;
+    return shells_of(spectrum.dimension, spectrum.size, range, [&](std::int64_t u, std::int64_t v, std::int64_t w) {
+        const std::int64_t slice = spectrum.dimension == 3 ? w + half : 0;
+        return spectrum.power[static_cast<std::size_t>((slice * m + v + half) * m + u + half)];
+    });
+}
+
+std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range)
+{
+    const std::int64_t half = periodogram.size / 2;
+    return shells_of(
+        periodogram.dimension, periodogram.size, range, [&](std::int64_t u, std::int64_t v, std::int64_t w) {
+            const std::int64_t sign = u < 0 ? -1 : 1; // of f and -f, the one that is stored
+            auto at = static_cast<std::size_t>(sign * u) * periodogram.lines();
+            if (periodogram.dimension == 3) at += static_cast<std::size_t>(sign * v + half);
+            const std::int64_t last = periodogram.dimension == 3 ? w : v;
+            return periodogram.power[at * periodogram.rows() + static_cast<std::size_t>(sign * last + half)];
+        });
+}
+
 std::vector<double> powers_of(const std::vector<PowerShell>& shells)
 {
     std::vector<double> powers;
     for (const PowerShell& shell : shells) powers.push_back(shell.power);
     return powers;
-}
-
-}
-
-std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range)
-{
-    return shells_in(spectrum, range);
-}
-
-std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range)
-{
-    return shells_in(periodogram, range);
 }
 
 FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles)
@@ -300,17 +305,16 @@ std::optional<double> hyperuniformity_p_value(const std::vector<PowerShell>& mea
     const std::vector<PowerShell> shells = shells_above(measured, least);
     if (shells.empty()) return std::nullopt;
     const RatioTest test(shells, realizations);
-    const double found = test.statistic(powers_of(shells));
+    const std::vector<double> powers = powers_of(shells), mean = test.hyperuniform_powers(shells, powers);
+    const double found = test.statistic(powers);
     if (found == 0) return 1; // as large as the least that there is
-    const RatioTest::Reaches reaches(test, found);
     RandomWords words(stream_key(0, Purpose::hyperuniformity_test, 0), 0);
     std::vector<double> power(shells.size());
     int as_large = 1;
     for (int draw = 0; draw < draws; ++draw) {
         for (std::size_t i = 0; i < shells.size(); ++i)
-            power[i] = shells[i].frequency * shells[i].frequency *
-                       gamma_of_mean_1(words, realizations * static_cast<double>(shells[i].pairs));
-        if (reaches(power)) ++as_large;
+            power[i] = mean[i] * gamma_of_mean_1(words, realizations * static_cast<double>(shells[i].pairs));
+        if (test.statistic(power) >= found) ++as_large;
     }
     return as_large / (draws + 1.0);
 }

@@ -1,5 +1,6 @@
 #include "analysis/measures/integration_error.hpp"
 
+#include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 
@@ -183,23 +184,22 @@ void IntegrationErrorEstimate::append(const IntegrationErrorEstimate& other)
     sizes_.insert(sizes_.end(), other.sizes_.begin(), other.sizes_.end());
 }
 
-std::vector<IntegrationError> IntegrationErrorEstimate::mean() const
+std::vector<IntegrationError> IntegrationErrorEstimate::mean(const std::vector<std::size_t>& groups) const
 {
     if (squares_.empty()) return {};
     const auto sets = static_cast<double>(squares_.size());
+    const std::vector<double> errors = errors_of_mean(squares_, groups);
     std::vector<IntegrationError> result;
     for (std::size_t f = 0; f < integrands(dimension_).size(); ++f) {
         const Integrand& function = integrands(dimension_)[f];
-        double mean = 0, relative = 0, spread = 0;
+        double mean = 0, relative = 0;
         for (std::size_t k = 0; k < squares_.size(); ++k) {
             mean += squares_[k][f] / sets;
             relative += sizes_[k] * squares_[k][f] / function.variance / sets;
         }
-        for (const auto& squares : squares_) spread += (squares[f] - mean) * (squares[f] - mean);
         const double rms = std::sqrt(mean);
         // The error of the root is that of the mean square over twice the root.
-        const bool known = sets > 1 && rms > 0;
-        const double error = known ? std::sqrt(spread / (sets - 1) / sets) / (2 * rms) : 0;
+        const double error = !errors.empty() && rms > 0 ? errors[f] / (2 * rms) : 0;
         result.push_back({function.name, function.integral, rms, error, relative});
     }
     return result;

@@ -74,8 +74,9 @@ public:
     /// Appends the sets of `other`, which begins with the number after the last one here; equal to adding them here.
     void append(const IntegrationErrorEstimate& other);
 
-    /// One entry an integrand, in the order of integrands(); none where no set was added.
-    std::vector<IntegrationError> mean() const;
+    /// One entry an integrand, in the order of integrands(); none where no set was added. Errors are between the
+    /// `groups` of sets, see errors_of_mean().
+    std::vector<IntegrationError> mean(const std::vector<std::size_t>& groups = {}) const;
 
     /// The sums as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>

@@ -2,6 +2,7 @@
 
 #include "analysis/measures/ball_counter.hpp"
 #include "analysis/measures/torus_ball.hpp"
+#include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
@@ -144,7 +145,7 @@ void NumberVarianceEstimate::append(const NumberVarianceEstimate& other)
     variances_.insert(variances_.end(), other.variances_.begin(), other.variances_.end());
 }
 
-std::vector<NumberVarianceBin> NumberVarianceEstimate::mean() const
+std::vector<NumberVarianceBin> NumberVarianceEstimate::mean(const std::vector<std::size_t>& groups) const
 {
     if (variances_.empty()) return {};
     const auto sets = static_cast<double>(variances_.size());
@@ -154,11 +155,9 @@ std::vector<NumberVarianceBin> NumberVarianceEstimate::mean() const
         bin.radius = radii_[i];
         for (const auto& means : means_) bin.points += means[i] / sets;
         for (const auto& variances : variances_) bin.variance += variances[i] / sets;
-        double squares = 0;
-        for (const auto& variances : variances_)
-            squares += (variances[i] - bin.variance) * (variances[i] - bin.variance);
-        bin.standard_error = sets > 1 ? std::sqrt(squares / (sets - 1) / sets) : 0;
     }
+    const std::vector<double> errors = errors_of_mean(variances_, groups);
+    for (std::size_t i = 0; i < errors.size(); ++i) bins[i].standard_error = errors[i];
     return bins;
 }
 

@@ -50,8 +50,9 @@ public:
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here.
     void append(const NumberVarianceEstimate& other);
 
-    /// The mean of what was added; empty where nothing was, and below least_points().
-    std::vector<NumberVarianceBin> mean() const;
+    /// The mean of what was added; empty where nothing was, and below least_points(). Errors are between the `groups`
+    /// of sets, see errors_of_mean().
+    std::vector<NumberVarianceBin> mean(const std::vector<std::size_t>& groups = {}) const;
 
     /// The curves of the sets as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>

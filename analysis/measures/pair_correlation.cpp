@@ -2,6 +2,7 @@
 
 #include "analysis/measures/cell_grid.hpp"
 #include "analysis/measures/torus_ball.hpp"
+#include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/window.hpp"
 #include "base/programs/interrupt.hpp"
@@ -215,7 +216,7 @@ void PairCorrelationEstimate::append(const PairCorrelationEstimate& other)
     for (std::size_t k = 0; k < bins_; ++k) pairs_[k] += other.pairs_[k];
 }
 
-std::vector<PairCorrelationBin> PairCorrelationEstimate::mean() const
+std::vector<PairCorrelationBin> PairCorrelationEstimate::mean(const std::vector<std::size_t>& groups) const
 {
     if (values_.empty()) return {};
     const auto sets = static_cast<double>(values_.size());
@@ -225,10 +226,9 @@ std::vector<PairCorrelationBin> PairCorrelationEstimate::mean() const
         bin.distance = (static_cast<double>(k) + 0.5) * max_distance_ / static_cast<double>(bins_);
         bin.pairs = pairs_[k] / sets;
         for (const auto& values : values_) bin.value += values[k] / sets;
-        double squares = 0;
-        for (const auto& values : values_) squares += (values[k] - bin.value) * (values[k] - bin.value);
-        bin.standard_error = sets > 1 ? std::sqrt(squares / (sets - 1) / sets) : 0;
     }
+    const std::vector<double> errors = errors_of_mean(values_, groups);
+    for (std::size_t k = 0; k < errors.size(); ++k) result[k].standard_error = errors[k];
     return result;
 }
 

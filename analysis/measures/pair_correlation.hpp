@@ -58,8 +58,9 @@ public:
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here, up to rounding.
     void append(const PairCorrelationEstimate& other);
 
-    /// The mean of what was added; no bins where nothing was.
-    std::vector<PairCorrelationBin> mean() const;
+    /// The mean of what was added; no bins where nothing was. Errors are between the `groups` of sets, see
+    /// errors_of_mean().
+    std::vector<PairCorrelationBin> mean(const std::vector<std::size_t>& groups = {}) const;
 
     /// The sums as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>

@@ -1,11 +1,71 @@
 #include "analysis/measures/peak_anisotropy.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 namespace poissonlab {
+namespace {
 
-std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial, int realizations)
+constexpr double errors_beyond_chance = 4;
+
+struct Deviate
+{
+    double mean = 0, deviation = 0;
+};
+
+/// The standard deviation of the largest of independent normal deviates, by the distribution of how far it is below a
+/// value that it does not reach.
+double deviation_of_largest(const std::vector<Deviate>& deviates)
+{
+    constexpr double far = 8;
+    constexpr int steps = 600;
+    double top = -std::numeric_limits<double>::infinity(), bottom = top;
+    for (const Deviate& d : deviates) {
+        top = std::max(top, d.mean + far * d.deviation);
+        bottom = std::max(bottom, d.mean - far * d.deviation);
+    }
+    const double step = (top - bottom) / steps;
+    double first = 0, second = 0; // moments of the way down from the top
+    for (int i = 0; i < steps; ++i) {
+        const double way = (i + 0.5) * step;
+        double below = 1; // the probability that all are
+        for (const Deviate& d : deviates)
+            below *= 0.5 * std::erfc((d.mean - (top - way)) / (std::numbers::sqrt2 * d.deviation));
+        first += below * step;
+        second += 2 * way * below * step;
+    }
+    return std::sqrt(std::max(0.0, second - first * first));
+}
+
+/// The standard error of the anisotropy of a ring, in dB, from that of each of its powers (delta method): the ratio of
+/// variance to squared mean m has the slope 2 (P - m) / (n - 1) / m^2 - 2 ratio / (n m) over a power P.
+double ring_error_db(const RadialBin& ring, const Spectrum& mean)
+{
+    const double m = ring.power, n = static_cast<double>(ring.samples);
+    const double ratio = std::pow(10, ring.anisotropy_db / 10);
+    const auto radius = static_cast<std::int64_t>(std::lround(ring.frequency)), half = std::int64_t{mean.size / 2};
+    const std::int64_t slices = mean.dimension == 3 ? radius : 0;
+    double variance = 0;
+    for (std::int64_t w = -slices; w <= slices; ++w)
+        for (std::int64_t v = -radius; v <= radius; ++v)
+            for (std::int64_t u = -radius; u <= radius; ++u) {
+                const std::int64_t squared = u * u + v * v + w * w; // of a ring whose frequencies round to its radius
+                if (squared <= radius * (radius - 1) || squared > radius * (radius + 1)) continue;
+                const std::int64_t slice = mean.dimension == 3 ? w + half : 0;
+                const auto at = static_cast<std::size_t>((slice * mean.size + v + half) * mean.size + u + half);
+                const double slope = 2 * (mean.power[at] - m) / (n - 1) / (m * m) - 2 * ratio / (n * m);
+                // f and -f have one power, and each counts here: a half of the square of twice the slope.
+                variance += 2 * slope * slope * mean.variance[at] / mean.realizations;
+            }
+    return 10 / std::numbers::ln10 * std::sqrt(variance) / ratio;
+}
+
+}
+
+std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial)
 {
     const RadialBin* peak = nullptr;
     for (const RadialBin& bin : radial)
@@ -13,9 +73,30 @@ std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radi
             (!peak || bin.anisotropy_db > peak->anisotropy_db))
             peak = &bin;
     if (!peak) return std::nullopt;
-    PeakAnisotropy result{peak->anisotropy_db, peak->frequency, peak->samples};
-    if (realizations > 1) result.standard_error_db = anisotropy_standard_error_db(peak->samples, realizations);
-    return result;
+    return PeakAnisotropy{peak->anisotropy_db, peak->frequency, peak->samples};
+}
+
+bool is_of_chance(const PeakAnisotropy& peak, int realizations)
+{
+    return peak.db <= background_anisotropy_db(realizations) +
+                          errors_beyond_chance * anisotropy_standard_error_db(peak.samples, realizations);
+}
+
+double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const PeakAnisotropy& peak, const Spectrum& mean)
+{
+    const int realizations = mean.realizations;
+    std::vector<Deviate> rings;
+    for (const RadialBin& bin : radial) {
+        if (bin.samples < least_peak_samples || !std::isfinite(bin.anisotropy_db)) continue;
+        const double chance = background_anisotropy_db(realizations);
+        Deviate ring{chance, anisotropy_standard_error_db(bin.samples, realizations)};
+        if (bin.anisotropy_db > chance + errors_beyond_chance * ring.deviation) {
+            ring.mean = bin.anisotropy_db;
+            if (bin.frequency == peak.frequency) ring.deviation = ring_error_db(bin, mean);
+        }
+        rings.push_back(ring);
+    }
+    return deviation_of_largest(rings);
 }
 
 double anisotropy_standard_error_db(std::size_t samples, int realizations)

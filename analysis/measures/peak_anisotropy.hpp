@@ -19,13 +19,23 @@ struct PeakAnisotropy
     double db = 0;
     double frequency = 0;                         ///< of the ring, in cycles per unit length
     std::size_t samples = 0;                      ///< of the ring
-    std::optional<double> standard_error_db = {}; ///< anisotropy_standard_error_db(), of several realizations
+    std::optional<double> standard_error_db = {}; ///< for whoever has several realizations to set
 
     bool operator==(const PeakAnisotropy&) const = default;
 };
 
-/// The peak over rings one sample wide, of the mean of `realizations` K; std::nullopt if no ring has enough samples.
-std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial, int realizations);
+/// The peak over rings one sample wide; std::nullopt if no ring has enough samples.
+std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial);
+
+/// The standard error of the peak of the mean of several independent periodograms, in dB: the standard deviation of the
+/// largest of independent normal deviates, one a ring, whose means are the level of chance and whose deviations are
+/// those of anisotropy_standard_error_db(). The largest of many deviates less than each of them. Rings that are more
+/// than four deviations above chance keep what was measured as their means; where the peak is one of them, its
+/// deviation is that which follows from the variance of its powers between realizations.
+double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const PeakAnisotropy& peak, const Spectrum& mean);
+
+/// Whether chance alone makes a ring as anisotropic as the peak: no more than four standard errors above its level.
+bool is_of_chance(const PeakAnisotropy& peak, int realizations);
 
 /// The standard error of a ring's anisotropy where all that varies within the ring is chance, in dB.
 ///

@@ -1,5 +1,6 @@
 #include "analysis/regions/region_curves.hpp"
 
+#include "analysis/statistics/jackknife.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
 
@@ -115,17 +116,15 @@ std::vector<RegionCurveRow> RegionCurves::rows() const
     return rows;
 }
 
-std::vector<PairCorrelationBin> RegionCurves::pair_correlation() const
+std::vector<PairCorrelationBin> RegionCurves::pair_correlation(const std::vector<std::size_t>& groups) const
 {
     if (g_of_bin_.empty()) return {};
-    const auto sets = static_cast<double>(g_of_bin_.size());
     const std::vector<double> g = mean_curve(g_of_bin_), pairs = mean_curve(pairs_);
+    const std::vector<double> errors = errors_of_mean(g_of_bin_, groups);
     std::vector<PairCorrelationBin> bins(distances_.count);
     for (std::size_t k = 0; k < bins.size(); ++k) {
-        double squares = 0;
-        for (const auto& curve : g_of_bin_) squares += (curve[k] - g[k]) * (curve[k] - g[k]);
         bins[k] = {(static_cast<double>(k) + 0.5) * distances_.step / region_->unit_length(), g[k],
-                   sets > 1 ? std::sqrt(squares / (sets - 1) / sets) : 0, pairs[k]};
+                   errors.empty() ? 0 : errors[k], pairs[k]};
     }
     return bins;
 }

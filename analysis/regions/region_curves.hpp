@@ -59,7 +59,8 @@ public:
     std::vector<RegionCurveRow> rows() const;
 
     /// The pair correlation of bins, as on the torus: distances in roots of the region's area.
-    std::vector<PairCorrelationBin> pair_correlation() const;
+    /// Errors are between the `groups` of sets, see errors_of_mean().
+    std::vector<PairCorrelationBin> pair_correlation(const std::vector<std::size_t>& groups = {}) const;
 
     const SetCovariance& covariance() const { return covariance_; }
     const PairDistances& distances() const { return distances_; }

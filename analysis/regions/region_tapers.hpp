@@ -5,10 +5,12 @@
 //   P(f) = |sum over points of h(x) exp(-2 pi i f.x) - N H(f)|^2 / N
 //
 // with its transform H in the place of the region's (see region_transform.hpp). Where h falls to 0 at the boundary, H
-// has no slow tails, and spectra are not blurred by peaks that are far away. Orthogonal tapers make periodograms that
-// are nearly independent: their mean has the spread of that of as many sets (Thomson, Spectrum estimation and harmonic
-// analysis, Proceedings of the IEEE 70(9), 1982; of point patterns: Rajala, Olhede, Grainger, Murrell, What is the
-// Fourier transform of a spatial point process?, IEEE Transactions on Information Theory 69(8), 2023).
+// has no slow tails, and spectra are not blurred by peaks that are far away. Orthogonal tapers make powers that are
+// nearly independent at one frequency: there the mean has the spread of that of as many sets (Thomson, Spectrum
+// estimation and harmonic analysis, Proceedings of the IEEE 70(9), 1982; of point patterns: Rajala, Olhede, Grainger,
+// Murrell, What is the Fourier transform of a spatial point process?, IEEE Transactions on Information Theory 69(8),
+// 2023). The powers of two frequencies that are near each other have more to do with each other than without tapers,
+// see taper_covariance.hpp.
 //
 // The tapers here are those whose H is narrowest in its second moment, the integral of |f|^2 |H|^2, which is that of
 // the squared gradient over 4 pi^2: the functions of the region's lowest vibrations, as a drum. In a rectangle these
@@ -46,6 +48,9 @@ public:
 
     /// The taper at a place of the frame; lengths are roots of the region's area.
     double at(std::size_t taper, const std::array<double, 2>& place) const;
+
+    /// The root of the region's area, in lengths of the frame.
+    double unit_length() const { return frame_step_[0] / step_[0]; }
 
     /// The frequency of the vibration of unit waves, squared, times 4 pi^2: the integral of the squared gradient.
     double eigenvalue(std::size_t taper) const { return eigenvalues_[taper]; }

@@ -110,16 +110,7 @@ Spectrum SpectrumEstimate::mean() const
 
 std::vector<double> SpectrumEstimate::radial_errors(const std::vector<std::size_t>& groups) const
 {
-    const auto& each = bin_width_ == 1 ? radial_curves_ : wide_curves_;
-    const auto curves = groups.empty() ? each : group_means(each, groups);
-    if (curves.size() < 2) return {};
-    std::vector<double> errors, powers;
-    for (std::size_t bin = 0; bin < curves.front().size(); ++bin) {
-        powers.clear();
-        for (const auto& curve : curves) powers.push_back(curve[bin]);
-        errors.push_back(standard_error_of_mean(powers));
-    }
-    return errors;
+    return errors_of_mean(bin_width_ == 1 ? radial_curves_ : wide_curves_, groups);
 }
 
 }

@@ -2,7 +2,8 @@
 //
 // Tukey, Bias and confidence in not quite large samples, Annals of Mathematical Statistics 29, 1958; Efron and Stein,
 // The jackknife estimate of variance, Annals of Statistics 9(3), 1981: right for quantities that are linear in the
-// average, too large on average for others, up to twice the variance for squares of a mean that is 0 otherwise.
+// average, too large on average for others, up to twice the variance for squares of a mean that is 0 otherwise. What is
+// too much in those is known from leaving out two (their section 5).
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,12 @@ namespace poissonlab {
 double jackknife_error(const std::vector<std::vector<double>>& curves,
                        const std::function<double(const std::vector<double>& mean)>& statistic);
 
+/// The same without what is too much where the statistic is quadratic in the mean, so that noise itself counts: from
+/// three curves on. Takes as many evaluations as there are pairs of curves, of more than 32 those of 32 means of some
+/// of them.
+double jackknife_error_of_squares(const std::vector<std::vector<double>>& curves,
+                                  const std::function<double(const std::vector<double>& mean)>& statistic);
+
 /// The standard error of the mean of independent values, at least two; the same for the statistic that is the mean.
 double standard_error_of_mean(const std::vector<double>& values);
 
@@ -25,7 +32,12 @@ double standard_error_of_mean(const std::vector<double>& values);
 std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves,
                                              const std::vector<std::size_t>& groups);
 
-/// The same of values.
+/// The standard error of each value of the mean of curves, of which those of one group are taken together; no groups:
+/// each stands for itself. Empty where there is one group, or one curve.
+std::vector<double> errors_of_mean(const std::vector<std::vector<double>>& curves,
+                                   const std::vector<std::size_t>& groups = {});
+
+/// The mean value of each group.
 std::vector<double> group_means(const std::vector<double>& values, const std::vector<std::size_t>& groups);
 
 }

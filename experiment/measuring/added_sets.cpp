@@ -136,15 +136,15 @@ bool SeriesAnalysis::add_set(const Points& points)
     }
     if (estimate_) {
         add_to_spectrum(points);
+        if (!options_.region) {
+            const FrequencyRange range = hyperuniform_range(begin_.points, dimension_, options_.tiles);
+            shell_powers_.push_back(powers_of(power_shells(estimate_->last_periodogram(), range)));
+        }
         if (options_.tiles > 0) {
             set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
             set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
             set.near_lattice = near_lattice_powers(estimate_->last_periodogram(), begin_.points, options_.tiles);
         }
-        if (options_.tile_sets > 1 && !options_.region)
-            for (const PowerShell& shell : power_shells(estimate_->last_periodogram(),
-                                                        hyperuniform_range(begin_.points, dimension_, options_.tiles)))
-                set.low_powers.push_back(shell.power);
     }
     measure_order(points, set);
     sets_.push_back(set);

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -134,6 +133,7 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     seconds_ += next.seconds_;
     if (next.sets_.empty()) return;
     sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
+    shell_powers_.insert(shell_powers_.end(), next.shell_powers_.begin(), next.shell_powers_.end());
     if (estimate_) estimate_->append(next.estimate_.value());
     if (!next.pairs_ && !next.region_) leave_out_pairs();
     if (pairs_) pairs_->append(*next.pairs_);
@@ -147,14 +147,35 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
 /// The number of curves that each set adds to the spectrum: one, or one a taper.
 std::size_t SeriesAnalysis::tapers() const { return tapered_ ? options_.region->tapers->count() : 1; }
 
-/// The tile set of each set's realization, once for each curve of the set; none where all have one tile set.
-std::vector<std::size_t> SeriesAnalysis::tile_set_groups(std::size_t curves_of_set) const
+/// What curves must have in common to depend on each other, where a set has so many of them: the tile set, where there
+/// are several, else the set. None where each curve stands for itself.
+std::vector<std::size_t> SeriesAnalysis::independent_groups(std::size_t curves_of_set) const
 {
     std::vector<std::size_t> groups;
-    if (options_.tile_sets > 1)
-        for (const SetMeasures& set : sets_)
-            groups.insert(groups.end(), curves_of_set, set.realization % options_.tile_sets);
+    if (options_.tile_sets <= 1 && curves_of_set == 1) return groups;
+    for (const SetMeasures& set : sets_)
+        groups.insert(groups.end(), curves_of_set,
+                      options_.tile_sets > 1 ? set.realization % options_.tile_sets : set.realization);
     return groups;
+}
+
+const TaperCovariance& SeriesAnalysis::taper_covariance() const
+{
+    if (!taper_covariance_) taper_covariance_ = std::make_shared<const TaperCovariance>(*options_.region->tapers);
+    return *taper_covariance_;
+}
+
+/// Errors of statistics of the mean curve in bins one sample wide.
+CurveErrors SeriesAnalysis::curve_errors(const std::vector<RadialBin>& radial) const
+{
+    const auto& each = estimate_.value().radial_curves();
+    if (tapered_ && sets_.size() == 1) {
+        std::vector<double> power;
+        for (const RadialBin& bin : radial) power.push_back(bin.power);
+        return {std::move(power), taper_covariance().of_rings(spectrum_size_, 1)};
+    }
+    const auto groups = independent_groups(tapers());
+    return CurveErrors(groups.empty() ? each : group_means(each, groups));
 }
 
 std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
@@ -170,18 +191,10 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     std::vector<double> each;
     for (const SetMeasures& set : sets_) each.push_back(set.*member);
     Estimate mean{std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()), {}};
-    const auto groups = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+    const auto groups = options_.tile_sets > 1 ? group_means(each, independent_groups()) : each;
     if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
     if (mean.standard_error && !std::isfinite(*mean.standard_error)) mean.standard_error.reset();
     return mean;
-}
-
-/// A curve of each set; where there are tile sets, the mean one of each of these.
-std::vector<std::vector<double>> SeriesAnalysis::curves_of(std::vector<double> SetMeasures::*member) const
-{
-    std::vector<std::vector<double>> each;
-    for (const SetMeasures& set : sets_) each.push_back(set.*member);
-    return options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
 }
 
 RegionResult SeriesAnalysis::region_result() const
@@ -220,7 +233,7 @@ Series SeriesAnalysis::result() const
     if (options_.tiles > 1)
         if (const Estimate within = mean_of(&SetMeasures::radius_within); std::isfinite(within.value))
             series.measures.numbers["relative_radius_within_tiles"] = within;
-    if (integration_) series.measures.integration = integration_->mean();
+    if (integration_) series.measures.integration = integration_->mean(independent_groups());
     if (estimate_ && options_.tiles > 0)
         series.measures.numbers["lattice_share"] = mean_of(&SetMeasures::lattice_share);
     if (seams_) {
@@ -259,15 +272,13 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
     const std::size_t n = sets_.front().points;
-    const int realizations = mean.realizations; // with tapers, each counts as one
     measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
     measures_.oscillation = oscillation(radial, n, mean.dimension);
-    measures_.peak_anisotropy = peak_anisotropy(radial, realizations);
+    measures_.peak_anisotropy = peak_anisotropy(radial);
     const FrequencyRange low = low_frequency_range(n, mean.dimension);
     measures_.low_frequency_power = low_frequency_power(radial, low);
     if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
     if (!options_.region) measure_hyperuniformity(mean);
-    if (!options_.region && options_.tile_sets > 1) measure_exponent_error(mean);
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -277,7 +288,8 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
         if (const auto db = off_lattice_anisotropy_db(mean, options_.tiles))
             measures_.numbers["off_lattice_anisotropy"] = {*db, {}};
     }
-    if (realizations > 1) measure_errors(radial, mean.dimension);
+    measure_errors(radial, mean);
+    measure_peak_error(radial, mean);
 }
 
 void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)
@@ -285,34 +297,59 @@ void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)
     const std::size_t n = sets_.front().points;
     const int realizations = static_cast<int>(sets_.size());
     const auto low = power_shells(mean, hyperuniform_range(n, mean.dimension, options_.tiles));
-    if (const auto exponent = hyperuniformity_exponent(low, realizations, zero_power(mean)))
+    if (const auto exponent = hyperuniformity_exponent(low, realizations, zero_power(mean))) {
         measures_.numbers["hyperuniformity_exponent"] = {exponent->value, exponent->standard_error};
+        measure_exponent_error(low, realizations, zero_power(mean));
+    }
     const auto lowest = power_shells(mean, hyperuniformity_test_range(n, mean.dimension, options_.tiles));
     if (const auto p = hyperuniformity_p_value(lowest, realizations, zero_power(mean)))
         measures_.numbers["hyperuniformity_p_value"] = {*p, {}};
 }
 
-/// Standard errors from how much the measures depend on single realizations, or on single tile sets.
-void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension)
+/// That of the exponent, from how much it depends on single realizations or tile sets: what a curve that bends leaves
+/// in the likelihood is no chance.
+void SeriesAnalysis::measure_exponent_error(const std::vector<PowerShell>& shells, int realizations, double least)
 {
+    const auto groups = independent_groups();
+    const CurveErrors errors(groups.empty() ? shell_powers_ : group_means(shell_powers_, groups));
+    if (!errors.are_known()) return;
+    Estimate& exponent = measures_.numbers["hyperuniformity_exponent"];
+    exponent.standard_error = errors.of([&](const std::vector<double>& powers) {
+        std::vector<PowerShell> some = shells;
+        for (std::size_t i = 0; i < some.size(); ++i) some[i].power = powers[i];
+        const auto found = hyperuniformity_exponent(some, realizations, least);
+        return found ? found->value : exponent.value;
+    });
+}
+
+/// Standard errors from how much the measures depend on single realizations, or on single tile sets.
+void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, const Spectrum& mean)
+{
+    const CurveErrors errors = curve_errors(radial);
+    if (!errors.are_known()) return; // of one set, or all are of one tile set
     const std::size_t n = sets_.front().points;
-    const auto& each = estimate_.value().radial_curves();
-    const auto curves = options_.tile_sets > 1 ? group_means(each, tile_set_groups(tapers())) : each;
-    if (curves.size() < 2) return; // all are of one tile set
-    const auto error_of = [&](const auto& measure) {
-        return jackknife_error(curves, [&](const std::vector<double>& power) {
+    const FrequencyRange low = low_frequency_range(n, mean.dimension);
+    const auto of_curve = [&](const auto& measure) {
+        return [&, measure](const std::vector<double>& power) {
             for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
             return measure(radial);
-        });
+        };
     };
+    using Curve = std::vector<RadialBin>;
     measures_.numbers["effective_nyquist"].standard_error =
-        error_of([&](const std::vector<RadialBin>& curve) { return effective_nyquist_frequency(curve, n, dimension); });
+        errors.of(of_curve([&](const Curve& curve) { return effective_nyquist_frequency(curve, n, mean.dimension); }));
     measures_.oscillation->standard_error =
-        error_of([&](const std::vector<RadialBin>& curve) { return oscillation(curve, n, dimension).value; });
-    if (const auto low = measures_.numbers.find("low_frequency_mean"); low != measures_.numbers.end())
-        low->second.standard_error = error_of([&](const std::vector<RadialBin>& curve) {
-            return mean_power_in(curve, low_frequency_range(n, dimension)).value();
-        });
+        errors.of_squares(of_curve([&](const Curve& curve) { return oscillation(curve, n, mean.dimension).value; }));
+    if (const auto found = measures_.numbers.find("low_frequency_mean"); found != measures_.numbers.end())
+        found->second.standard_error =
+            errors.of(of_curve([&](const Curve& curve) { return mean_power_in(curve, low).value(); }));
+    if (auto& fit = measures_.low_frequency_power) {
+        const LowFrequencyPower whole = *fit;
+        fit->exponent_standard_error = errors.of(
+            of_curve([&](const Curve& curve) { return low_frequency_power(curve, low).value_or(whole).exponent; }));
+        fit->intercept_standard_error = errors.of(
+            of_curve([&](const Curve& curve) { return low_frequency_power(curve, low).value_or(whole).intercept; }));
+    }
     if (measures_.lattice_peaks) measure_lattice_errors();
 }
 
@@ -320,9 +357,13 @@ void SeriesAnalysis::measure_lattice_errors()
 {
     measures_.lattice_peaks->mean_ratio_standard_error = mean_of(&SetMeasures::mean_lattice_peak).standard_error;
     if (!measures_.numbers.contains("near_lattice_peaks")) return;
-    const auto powers = curves_of(&SetMeasures::near_lattice);
+    std::vector<std::vector<double>> powers;
+    for (const SetMeasures& set : sets_) powers.push_back(set.near_lattice);
+    const auto groups = independent_groups();
+    const CurveErrors errors(groups.empty() ? powers : group_means(powers, groups));
+    if (!errors.are_known()) return;
     const auto error_of = [&](double NearLatticePeaks::*member) {
-        return jackknife_error(powers, [&](const std::vector<double>& mean) {
+        return errors.of([&](const std::vector<double>& mean) {
             return near_lattice_peaks(mean, sets_.front().points).value_or(NearLatticePeaks{}).*member;
         });
     };
@@ -330,26 +371,23 @@ void SeriesAnalysis::measure_lattice_errors()
     measures_.numbers["lattice_excess"].standard_error = error_of(&NearLatticePeaks::excess_share);
 }
 
-/// Where there are tile sets, their exponents differ by more than the scatter around one fit tells.
-void SeriesAnalysis::measure_exponent_error(const Spectrum& mean)
+/// That of the peak anisotropy, where it is known: not of one set, whose tapers are not independent, nor of peaks that
+/// realizations owe to a tile set that they share.
+void SeriesAnalysis::measure_peak_error(const std::vector<RadialBin>& radial, const Spectrum& mean)
 {
-    const auto powers = curves_of(&SetMeasures::low_powers);
-    const auto exponent = measures_.numbers.find("hyperuniformity_exponent");
-    if (exponent == measures_.numbers.end()) return;
-    if (powers.size() < 2) return exponent->second.standard_error.reset(); // all are of one tile set
-    auto shells = power_shells(mean, hyperuniform_range(sets_.front().points, mean.dimension, options_.tiles));
-    const double error = jackknife_error(powers, [&](const std::vector<double>& power) {
-        for (std::size_t i = 0; i < shells.size(); ++i) shells[i].power = power[i];
-        const auto without = hyperuniformity_exponent(shells, mean.realizations, zero_power(mean));
-        return without ? without->value : std::numeric_limits<double>::quiet_NaN();
-    });
-    exponent->second.standard_error = std::isfinite(error) ? std::optional(error) : std::nullopt;
+    auto& peak = measures_.peak_anisotropy;
+    const auto groups = independent_groups();
+    const bool are_independent =
+        groups.empty() || group_means(std::vector<double>(groups.size()), groups).size() == groups.size();
+    if (!peak || tapered_ || mean.realizations < 2) return;
+    if (are_independent || is_of_chance(*peak, mean.realizations))
+        peak->standard_error_db = peak_anisotropy_error_db(radial, *peak, mean);
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
 {
-    if (region_) return region_->pair_correlation();
-    return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
+    if (region_) return region_->pair_correlation(independent_groups());
+    return pairs_ ? pairs_->mean(independent_groups()) : std::vector<PairCorrelationBin>{};
 }
 
 std::vector<RegionCurveRow> SeriesAnalysis::region_curves() const
@@ -359,7 +397,7 @@ std::vector<RegionCurveRow> SeriesAnalysis::region_curves() const
 
 std::vector<NumberVarianceBin> SeriesAnalysis::number_variance() const
 {
-    return variance_ ? variance_->mean() : std::vector<NumberVarianceBin>{};
+    return variance_ ? variance_->mean(independent_groups()) : std::vector<NumberVarianceBin>{};
 }
 
 std::optional<SquareImage> SeriesAnalysis::folded_density() const
@@ -372,7 +410,12 @@ Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean()
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
     std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
-    const std::vector<double> errors = estimate_.value().radial_errors(tile_set_groups(tapers()));
+    std::vector<double> errors = estimate_.value().radial_errors(independent_groups(tapers()));
+    if (tapered_ && sets_.size() == 1) {
+        std::vector<double> power;
+        for (const RadialBin& bin : bins) power.push_back(bin.power);
+        errors = taper_covariance().of_rings(spectrum_size_, options_.bin_width).errors(power);
+    }
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/measures/folded_density.hpp"
+#include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/integration_error.hpp"
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
@@ -9,9 +10,11 @@
 #include "analysis/measures/set_mark.hpp"
 #include "analysis/regions/region_curves.hpp"
 #include "analysis/regions/region_tapers.hpp"
+#include "analysis/regions/taper_covariance.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "experiment/config/analysis_options.hpp"
+#include "experiment/measuring/curve_errors.hpp"
 #include "results/series.hpp"
 
 #include <algorithm>
@@ -52,7 +55,8 @@ void serialize(Archive& archive, Measures& measures)
 /// With options.region sets lie in a region, in its units, and lengths are in roots of its area: so are frequencies, in
 /// its inverse. Distances are those of the plane, the pair correlation has the translation correction, the spectrum is
 /// that of points less that of the region, see region_transform.hpp, or the mean by the tapers of the region, see
-/// region_tapers.hpp, whose spread is that of tapers and sets, and there are the curves of region_curves.hpp.
+/// region_tapers.hpp, whose errors are between sets, and of one set those of taper_covariance.hpp, and there are the
+/// curves of region_curves.hpp.
 /// The torus's measures are left out: those of windows, number variance, and laws of the lowest frequencies, which the
 /// region's boundary would decide.
 class SeriesAnalysis
@@ -135,7 +139,7 @@ public:
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(begin_.points, dimension_, sets_, repeated_, seconds_, has_pairs_);
+        archive(begin_.points, dimension_, sets_, shell_powers_, repeated_, seconds_, has_pairs_);
         Measures of_first;
         of_first.numbers = numbers_of_first_;
         archive(measures_, of_first);
@@ -169,13 +173,12 @@ private:
         double prefix_radius = 0;     ///< of sets in progressive order
         double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
         std::vector<double> near_lattice = {}; ///< near_lattice_powers() of tiled sets
-        std::vector<double> low_powers = {};   ///< of the shells of the exponent, where there are tile sets
 
         template <class Archive>
         void serialize(Archive& archive)
         {
             archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
-                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice, low_powers);
+                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice);
         }
     };
 
@@ -190,11 +193,12 @@ private:
     void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
     RegionResult region_result() const;
-    std::vector<std::size_t> tile_set_groups(std::size_t curves_of_set = 1) const;
+    std::vector<std::size_t> independent_groups(std::size_t curves_of_set = 1) const;
+    CurveErrors curve_errors(const std::vector<RadialBin>& radial) const;
+    const TaperCovariance& taper_covariance() const;
     std::size_t tapers() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
-    std::vector<std::vector<double>> curves_of(std::vector<double> SetMeasures::*member) const;
     double least_distance(const PointSet& points) const;
     double prefix_radius(const PointSet& points) const;
     void check(int dimension, std::size_t points, std::size_t realization) const;
@@ -206,9 +210,10 @@ private:
     double unit_length() const;
     void leave_out_pairs();
     void measure_hyperuniformity(const Spectrum& mean);
-    void measure_errors(std::vector<RadialBin> radial, int dimension);
+    void measure_exponent_error(const std::vector<PowerShell>& shells, int realizations, double least);
+    void measure_errors(std::vector<RadialBin> radial, const Spectrum& mean);
     void measure_lattice_errors();
-    void measure_exponent_error(const Spectrum& mean);
+    void measure_peak_error(const std::vector<RadialBin>& radial, const Spectrum& mean);
 
     std::string label_;
     bool sizes_vary_;
@@ -216,6 +221,7 @@ private:
     Begin begin_;
     bool has_started_ = false;
     std::vector<SetMeasures> sets_;                    ///< each another one
+    std::vector<std::vector<double>> shell_powers_;    ///< of each set, those that the hyperuniformity exponent is of
     std::vector<std::size_t> repeated_;                ///< realizations that are one of these
     std::vector<SetMark> left_out_;                    ///< sets of earlier parts
     Measures measures_;                                ///< as far as they are known
@@ -229,8 +235,9 @@ private:
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<NumberVarianceEstimate> variance_;
     std::optional<IntegrationErrorEstimate> integration_;
-    std::optional<RegionCurves> region_;          ///< of sets in a region
-    std::shared_ptr<TaperedPeriodogram> tapered_; ///< of sets in a region, with tapers
+    std::optional<RegionCurves> region_;                              ///< of sets in a region
+    std::shared_ptr<TaperedPeriodogram> tapered_;                     ///< of sets in a region, with tapers
+    mutable std::shared_ptr<const TaperCovariance> taper_covariance_; ///< once it was asked for
     std::string region_picture_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane

@@ -15,7 +15,6 @@ constexpr auto exact_note = "same seed: any difference is a change";
 constexpr auto deterministic_note = "not random: any difference is a change";
 constexpr auto single_note = "of one realization: no error is known";
 constexpr auto no_error_note = "no error is stored";
-constexpr auto tile_set_note = "of another tile set, whose spread is not known";
 
 bool nearly_equal(double a, double b, double scale) { return std::abs(a - b) <= rounding * scale; }
 

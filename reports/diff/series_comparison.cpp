@@ -10,12 +10,15 @@ namespace {
 
 std::size_t samples_of(const Series& series) { return static_cast<std::size_t>(series.realizations); }
 
-std::size_t spectral_samples_of(const Series& series) { return static_cast<std::size_t>(periodograms_of(series)); }
+/// Errors of several sets are those between them; one of one set is that by its tapers.
+std::size_t spectral_samples_of(const Series& series)
+{
+    return series.realizations > 1 ? samples_of(series) : static_cast<std::size_t>(periodograms_of(series));
+}
 
-/// An error of one set is that over its tapers.
 std::size_t samples_of(const MeasuredValue& value, const Series& series)
 {
-    return value.standard_error && series.realizations == 1 ? spectral_samples_of(series) : samples_of(series);
+    return value.standard_error ? spectral_samples_of(series) : samples_of(series);
 }
 
 class SeriesNumbers
@@ -70,13 +73,26 @@ private:
                     const MeasuredValue& after) const
     {
         if (measure.kind == MeasureKind::size)
-            number.verdict = before.value == after.value ? Verdict::identical : Verdict::changed;
+            judge_size(number, before, after);
         else if (measure.kind == MeasureKind::time)
             judge_time(number, before, after);
         else if (!before.each.empty() && !after.each.empty())
             judge(number, before.each, after.each, terms_);
         else
             judge(number, terms_);
+    }
+
+    /// Sizes are exact, but what they are of may be chance: how many points a saturated set has, or a tile set.
+    void judge_size(NumberComparison& number, const MeasuredValue& before, const MeasuredValue& after) const
+    {
+        if (!before.each.empty() && !after.each.empty())
+            judge(number, before.each, after.each, terms_);
+        else if (before.value == after.value)
+            number.verdict = Verdict::identical;
+        else if (terms_.one_tile_set && !terms_.same_seed)
+            number.note = tile_set_note;
+        else
+            number.verdict = Verdict::changed;
     }
 
     /// Times compare on the same machine with the same device, driver and number of threads, and where there are

@@ -144,6 +144,19 @@ TEST(Oscillation, IsTheRootMeanSquareDeviationFromOne)
     EXPECT_EQ(oscillation(low, 100, 2).begin, 7);
 }
 
+/// Relaxation from random points leaves the power of the lowest rings near 1, above or below it by chance.
+TEST(Oscillation, BeginsBeyondHalfTheFrequencyOfTheGrid)
+{
+    const auto with_lowest = [](double lowest) {
+        return radial_of(100, 2, [=](double f) { return f == 1 ? lowest : f < 10 ? 0 : f < 20 ? 1.5 : 1; });
+    };
+    const Oscillation above = oscillation(with_lowest(1.1), 100, 2), below = oscillation(with_lowest(0.9), 100, 2);
+    EXPECT_EQ(above, below);
+    EXPECT_EQ(above.begin, 10);
+    // A spectrum that ends before has no better begin than its largest power.
+    EXPECT_EQ(oscillation(radial_of(4, 2, [](double f) { return f / 10; }), 100, 2).begin, 4);
+}
+
 /// The effect of the noise of K periodograms on a flat spectrum: power is exponentially distributed, and f and -f have
 /// the same, so that the mean over the n samples of a bin has the variance 2 / (K n).
 double squared_noise_floor(const std::vector<RadialBin>& radial, const Oscillation& measured, int realizations)

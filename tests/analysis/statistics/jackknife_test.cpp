@@ -23,7 +23,8 @@ TEST(Jackknife, OfAMeanIsItsStandardError)
 }
 
 /// The mean claimed variance over the true one, for a statistic of the mean of ten curves of 50 normal values.
-double claimed_over_true(double mean, const std::function<double(const std::vector<double>&)>& statistic)
+double claimed_over_true(double mean, const auto& error_of,
+                         const std::function<double(const std::vector<double>&)>& statistic)
 {
     constexpr int trials = 2000;
     std::mt19937_64 random(1);
@@ -34,7 +35,7 @@ double claimed_over_true(double mean, const std::function<double(const std::vect
         std::vector<double> average(50);
         for (auto& curve : curves)
             for (std::size_t i = 0; i < 50; ++i) average[i] += (curve[i] = normal(random)) / 10;
-        const double value = statistic(average), error = jackknife_error(curves, statistic);
+        const double value = statistic(average), error = error_of(curves, statistic);
         claimed += error * error / trials;
         sum += value / trials;
         squares += value * value / trials;
@@ -52,8 +53,33 @@ TEST(Jackknife, AgreesWithTheSpreadOfTheStatistic)
     // The true variance is known within sqrt(2 / 2000) = 3 %, the claimed one better. Of the mean square of normal
     // variables with mean m and variance v = 1/10, the variance is (4 m^2 v + 2 v^2) / 50; the jackknife claims
     // (4 m^2 v + 4 v^2 (1 + 1/9 ...)) / 50: nearly right far from 0, twice too much at 0 (Efron and Stein).
-    EXPECT_NEAR(claimed_over_true(3, mean_square), 1, 4 * 0.032 + 0.01);
-    EXPECT_NEAR(claimed_over_true(0, mean_square), 2, 2 * 4 * 0.032 + 2.0 / 9);
+    EXPECT_NEAR(claimed_over_true(3, jackknife_error, mean_square), 1, 4 * 0.032 + 0.01);
+    EXPECT_NEAR(claimed_over_true(0, jackknife_error, mean_square), 2, 2 * 4 * 0.032 + 2.0 / 9);
+    // Leaving out two says what is too much, but for terms of 1/9 of it.
+    EXPECT_NEAR(claimed_over_true(3, jackknife_error_of_squares, mean_square), 1, 4 * 0.032 + 0.01);
+    EXPECT_NEAR(claimed_over_true(0, jackknife_error_of_squares, mean_square), 1, 4 * 0.032 + 1.0 / 9);
+}
+
+TEST(Jackknife, OfSquaresIsThatOfLinearStatisticsToo)
+{
+    const std::vector<std::vector<double>> curves = {{1}, {4}, {2}, {8}, {5}, {7}};
+    const auto first = [](const std::vector<double>& mean) { return mean[0]; };
+    EXPECT_NEAR(jackknife_error_of_squares(curves, first), std::sqrt(1.25), 1e-12);
+    EXPECT_NEAR(jackknife_error_of_squares({{1}, {4}}, first), 1.5, 1e-14);
+    std::vector<std::vector<double>> many;
+    for (int k = 0; k < 64; ++k) many.push_back({static_cast<double>(k % 2)}); // each of 32 means is 0 or 1
+    EXPECT_NEAR(jackknife_error_of_squares(many, first), std::sqrt(8.0 / 31 / 32), 1e-12);
+}
+
+TEST(ErrorsOfMean, AreThoseOfEachValueBetweenGroups)
+{
+    const std::vector<std::vector<double>> curves = {{1, 0}, {3, 2}, {5, 10}, {7, 0}};
+    const std::vector<double> each = errors_of_mean(curves), pairs = errors_of_mean(curves, {0, 0, 1, 1});
+    EXPECT_NEAR(each[0], std::sqrt(20.0 / 3 / 4), 1e-14);
+    EXPECT_NEAR(each[1], standard_error_of_mean({0, 2, 10, 0}), 1e-14);
+    EXPECT_NEAR(pairs[0], 2, 1e-14); // means 2 and 6
+    EXPECT_TRUE(errors_of_mean({{1, 2}}).empty());
+    EXPECT_TRUE(errors_of_mean(curves, {3, 3, 3, 3}).empty());
 }
 
 TEST(GroupMeans, TakeTurns)
