@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace poissonlab {
@@ -40,6 +41,12 @@ bool is_number(const std::string& text)
     return !text.empty() && *end == '\0';
 }
 
+/// "6.2", "62", "1,240".
+std::string amount_words(double value)
+{
+    return value < 9.95 ? format_significant(value, 2) : format_count(static_cast<std::uint64_t>(std::llround(value)));
+}
+
 /// Sets in which only pairs across the border are near are judged by the distances inside.
 void judge_distances(const ReportSeries& series, Opinion& opinion)
 {
@@ -59,7 +66,7 @@ void judge_noise(const ReportSeries& series, Opinion& opinion)
 {
     const auto power = value_of(series, "low_frequency_mean");
     if (!power) return;
-    const std::string share = format_significant(100 * *power, 2) + " % of that of random points";
+    const std::string share = amount_words(100 * *power) + " % of that of random points";
     if (*power <= quiet)
         opinion.good.push_back("little noise at low frequencies, " + share);
     else if (*power <= noisy)
@@ -82,10 +89,10 @@ void judge_directions(const ReportSeries& series, Opinion& opinion)
     }
     if (const auto peaks = value_of(series, "near_lattice_peaks"); peaks && *peaks > strong_peaks)
         opinion.bad.push_back(
-            fmt::format("its tiles show as peaks, {} times the power around them", format_significant(*peaks, 2)));
+            fmt::format("its tiles show as peaks, {} times the power around them", amount_words(*peaks)));
     if (const auto seams = value_of(series, "seam_density"); seams && *seams > deep_seams)
         opinion.bad.push_back(
-            fmt::format("seams, where the density deviates by {} %", format_significant(100 * *seams, 2)));
+            fmt::format("seams, where the density deviates by {} %", amount_words(100 * *seams)));
 }
 
 /// Rings of an older result, one frequency wide.

@@ -1,6 +1,7 @@
 // Numbers as the page shows them.
 #include "reports/words/number_format.hpp"
 
+#include "base/files/noun.hpp"
 #include "results/statistic.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,13 @@ TEST(NumberFormat, Counts)
     EXPECT_EQ(format_count(999), "999");
     EXPECT_EQ(format_count(16384), "16,384");
     EXPECT_EQ(format_count(1000000), "1,000,000");
+}
+
+TEST(NumberFormat, NounsFollowTheirNumber)
+{
+    EXPECT_EQ(noun(1, "polygon"), "polygon");
+    EXPECT_EQ(noun(0, "polygon"), "polygons");
+    EXPECT_EQ(noun(2, "class", "classes"), "classes");
 }
 
 TEST(NumberFormat, PointsInLabels)
