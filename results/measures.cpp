@@ -191,7 +191,7 @@ std::vector<Measure> sizes_and_distances()
                    "Of sets that are tiled: that of the nearest two points of one tile, where the relative radius is "
                    "of any two. Far above it, tiles do not fit at their borders; above 1 it can be where tiles have "
                    "few points. The mean over the K sets, with its standard error.")),
-        detail(number("mean_nearest_distance", "mean nearest distance", of_largest_distance, Better::neither,
+        detail(number("mean_nearest_distance", "mean nearest distance", of_largest_distance, Better::higher,
                       MeasureKind::estimate, significant(4),
                       "The distance from a point to the nearest other one, on average over all points and the K sets, "
                       "with its standard error: {0.465|0.494} for random points, 1 for a perfect lattice. Far above "
@@ -256,10 +256,17 @@ std::vector<Measure> spectral_measures()
             "The probability that a hyperuniform set looks as little hyperuniform as this one: the significance test "
             "of Klatt, Last and Henze. Below 0.05 some power is left at frequency 0, however little it is, see the "
             "mean power at low frequencies."),
-        row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
-            "The largest anisotropy of a {ring|shell} of at least 100 samples, with its standard error: chance alone "
-            "stays near −10 log₁₀ K dB, grids and repeated tiles rise far above it.",
-            from(&Measures::peak_anisotropy, &PeakAnisotropy::db, &PeakAnisotropy::standard_error_db)),
+        number("anisotropy_above_chance", "anisotropy above chance", "dB", Better::lower, MeasureKind::estimate,
+               decimals(1),
+               "How far the anisotropy of a {ring|shell} rises above the −10 log₁₀ K dB that chance gives, at most; 0 "
+               "where no {ring|shell} stands out: of sets without directions fewer than one in a thousand are said to "
+               "have any. {Rings|Shells} of fewer than 100 samples and those with less than a hundredth of the power "
+               "of random points take no part."),
+        detail(row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
+                   "The largest anisotropy of these {rings|shells}, with its standard error: chance alone stays near "
+                   "−10 log₁₀ K dB, so that it compares only between sets of as many realizations; grids and repeated "
+                   "tiles rise far above it.",
+                   from(&Measures::peak_anisotropy, &PeakAnisotropy::db, &PeakAnisotropy::standard_error_db))),
         row("lattice_peaks", "mean lattice peak", "power over that around", Better::lower, MeasureKind::estimate,
             significant(3),
             "Mean power at the frequencies at which tiles repeat, over the power around them, with its standard error: "

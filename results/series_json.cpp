@@ -59,6 +59,14 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     if (m.is_there("picture_file", !region.picture_file.empty())) m.file_name("picture_file", region.picture_file);
 }
 
+void members(JsonMembers& m, Stored<BorderResult> auto& border)
+{
+    m.member("pairs_across", border.pairs_across);
+    m.member("chance", border.chance);
+    m.member("relative_radius", border.relative_radius);
+    m.member("mean_nearest_distance", border.mean_nearest_distance);
+}
+
 void members(JsonMembers& m, Stored<RegionPoints> auto& region)
 {
     m.member("points", region.points);
@@ -176,6 +184,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.object_or_null("relative_radius", series.relative_radius);
     m.object_or_null("covered_fraction", series.covered_fraction);
     m.object_or_none("measures", series.measures);
+    m.object("border", series.border);
     m.group_if(!series.spectrum_file.empty(), "spectrum", [&](JsonMembers& spectrum) {
         spectrum.word("kind", series.is_estimate, {"periodogram", "power spectrum estimate"});
         spectrum.member("size", series.spectrum_size, 2);

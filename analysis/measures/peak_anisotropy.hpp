@@ -1,6 +1,7 @@
 // The largest anisotropy of a ring: how far a spectrum is from being the same in all directions.
 //
-// Anisotropy as in radial_statistics.hpp. Rings of few samples are left out: their anisotropy is mostly chance.
+// Anisotropy as in radial_statistics.hpp. Rings of few samples are left out: their anisotropy is mostly chance. So are
+// rings with next to no power, whose directions nobody sees.
 #pragma once
 
 #include "analysis/spectra/radial_statistics.hpp"
@@ -13,6 +14,9 @@ namespace poissonlab {
 
 /// The least number of samples of a ring that takes part.
 inline constexpr std::size_t least_peak_samples = 100;
+
+/// The least power of a ring that takes part; random points have 1.
+inline constexpr double least_peak_power = 0.01;
 
 struct PeakAnisotropy
 {
@@ -36,6 +40,17 @@ double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const Peak
 
 /// Whether chance alone makes a ring as anisotropic as the peak: no more than four standard errors above its level.
 bool is_of_chance(const PeakAnisotropy& peak, int realizations);
+
+/// The anisotropy that stands out of chance, in dB above it: that of the largest of all rings that do; 0 where none
+/// does, so that sets of different numbers of realizations K compare. Nothing where no ring takes part. `radial` has
+/// rings one sample wide, one after the other, of the mean of K periodograms.
+///
+/// Chance alone gives the ratio 1/K of variance to squared mean. A ring is one frequency wide, and where the power
+/// rises by the factor e^s from ring to ring it varies within a ring in every direction: by the ratio g = (s/2)
+/// coth(s/2) - 1, so that (1 + 1/K)(1 + g) - 1 is expected of isotropic sets. A ring stands out where its height above
+/// that, over anisotropy_standard_error_db(), is less likely than one in a thousand over the number of rings
+/// (Bonferroni). Decibels of such ratios are nearly normal, the ratios themselves have long tails.
+std::optional<double> anisotropy_above_chance_db(const std::vector<RadialBin>& radial, int realizations);
 
 /// The standard error of a ring's anisotropy where all that varies within the ring is chance, in dB.
 ///

@@ -9,6 +9,11 @@
 #include "experiment/series/imported_points.hpp"
 #include "experiment/series/region_points.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
 namespace poissonlab {
 namespace {
 
@@ -19,7 +24,8 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   poissonlab analyze set-*.dat --label "My method" --out mine
 --set takes the keys of a config's [analysis] that are about the analysis:
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
-  --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders
+  --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders (2D:
+                                      --periodic no corrects spectra and curves for the border as well)
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
   --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
   --set analysis.tapers=8             with --region: the spectrum is the mean by so many orthogonal tapers
@@ -31,8 +37,9 @@ struct AnalyzeOptions
     std::vector<std::filesystem::path> files;
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
-    std::string domain; ///< as for parse_range(); empty: what the files say
-    std::string region; ///< as for read_region(); empty: sets fill their square
+    std::string domain;   ///< as for parse_range(); empty: what the files say
+    std::string region;   ///< as for read_region(); empty: sets fill their square
+    std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
     bool gallery = false;
     bool in_pieces = false;
@@ -41,18 +48,46 @@ struct AnalyzeOptions
     std::string command;
 };
 
-/// --region as the key of [analysis] that it stands for.
+/// An option as the key of [analysis] that it stands for.
+ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::value) value, const std::string& text)
+{
+    ConfigTable entries(1);
+    entries.front().key = key;
+    ConfigNode& node = entries.front().node;
+    node.value = std::move(value);
+    node.location.file = fmt::format("analyze: {}", option);
+    node.location.is_argument = true;
+    node.text = text;
+    return entries;
+}
+
 ConfigTable region_entry(const std::string& region)
 {
-    if (region.empty()) return {};
-    ConfigTable entries(1);
-    entries.front().key = "region";
-    ConfigNode& node = entries.front().node;
-    node.value = region;
-    node.location.file = "analyze: --region";
-    node.location.is_argument = true;
-    node.text = region;
-    return entries;
+    return region.empty() ? ConfigTable{} : entry_of("--region", "region", region, region);
+}
+
+/// Sets that are not periodic are measured as sets in the square as a region, whose border is corrected for. Windows,
+/// whose border leaves a cross in the spectrum, are what else can be: in space, on the disk, and with measures that
+/// regions do not have.
+ConfigTable window_entry(const Experiment& experiment, const std::vector<std::string>& overrides)
+{
+    const auto is_of_squares = [](const std::string& text) {
+        return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
+               text.starts_with("analysis.zone_plate");
+    };
+    if (experiment.dimension == 2 && experiment.series.front().strips.empty() &&
+        std::ranges::none_of(overrides, is_of_squares))
+        return entry_of("--periodic", "region", std::string(unit_square_region), "no");
+    return entry_of("--periodic", "window", true, "no");
+}
+
+void check_periodic(const AnalyzeOptions& options)
+{
+    if (options.periodic.empty()) return;
+    if (options.periodic != "yes" && options.periodic != "no")
+        throw InputError("analyze: --periodic " + options.periodic + ": must be yes or no");
+    if (!options.region.empty())
+        throw InputError("analyze: --periodic does not go with --region: nothing goes around a torus there");
 }
 
 void analyze(const AnalyzeOptions& options)
@@ -66,7 +101,8 @@ void analyze(const AnalyzeOptions& options)
                              ": must be LOW:HIGH, two numbers, the first smaller; or HIGH" +
                              decimal_comma_words(options.domain));
     }
-    const ConfigTable entries = region_entry(options.region);
+    check_periodic(options);
+    ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
     if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
     if (region && options.in_pieces) throw InputError("analyze: --in-pieces does not go with --region");
@@ -75,12 +111,15 @@ void analyze(const AnalyzeOptions& options)
                              options.in_pieces};
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region)
                                    : import_points(options.files, options.label, domain, large);
+    if (options.periodic == "no") entries = window_entry(experiment, options.overrides);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
+    experiment.analysis.is_periodic = options.periodic == "yes";
     check_imported(experiment);
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
+    for (const std::string& note : experiment.notes) progress.message(note);
     run_experiment(experiment, out, progress);
     finish_report({out}, out, progress, PrintPictures::none, options.gallery ? Gallery::laid_behind : Gallery::offered);
 }
@@ -102,6 +141,10 @@ Command analyze_command(const std::string& typed)
               "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
               "X0 Y0 X1 Y1, disk X Y RADIUS",
               "REGION"},
+             {"--periodic", &o->periodic,
+              "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "
+              "default: yes, with a word where the closest pairs say no",
+              "yes|no"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
              {"--in-pieces", &o->in_pieces,
               "Read each file in pieces and keep its points on the disk, as is done of more than 16,777,216"},

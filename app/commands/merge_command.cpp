@@ -1,6 +1,7 @@
 // poissonlab merge: finished work of several output folders, such as those of shards, into one.
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/run/progress.hpp"
 #include "experiment/store/unit_store.hpp"
@@ -37,9 +38,9 @@ void merge(const MergeOptions& options)
     for (const std::filesystem::path& folder : options.folders) {
         const std::size_t count = store.merge(UnitStore(folder / unit_folder_name), [&](std::size_t done) {
             stop_if_interrupted();
-            progress.step(fmt::format("{}: {} units", folder.string(), done));
+            progress.step(fmt::format("{}: {} {}", folder.string(), done, noun(done, "unit")));
         });
-        progress.message(fmt::format("{}: {} units taken over", folder.string(), count));
+        progress.message(fmt::format("{}: {} {} taken over", folder.string(), count, noun(count, "unit")));
         merged.push_back({{"folder", printable(folder.string())}, {"units", count}});
     }
     if (options.as_json)

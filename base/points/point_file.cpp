@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/flat_points.hpp"
 #include "base/points/hdf5_reading.hpp"
 #include "base/points/point_file_formats.hpp"
 
@@ -73,7 +74,10 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
     return range;
 }
 
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
+namespace {
+
+/// The sets of a file as they are there; `range` becomes that of their coordinates.
+std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, std::optional<CoordinateRange>& range)
 {
     const std::string content = read_whole_file(path);
     PointFileContent file{path.string(), content};
@@ -81,11 +85,30 @@ std::vector<PointSet> read_points(const std::filesystem::path& path, std::option
     const bool is_npy = file.bytes.starts_with(npy_magic);
     const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
     file.range = range ? *range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
+    range = file.range;
     if (is_npy) return read_npy_points(file);
     if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
     if (lines.next() && trimmed(lines.line()) == ply_magic) return read_ply_points(file);
     return read_text_points(file);
+}
+
+}
+
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range,
+                                  const std::function<void(const std::string& sentence)>& told)
+{
+    std::vector<PointSet> sets = read_all_coordinates(path, range);
+    if (are_flat(sets, range ? to_unit(0, *range) : 0)) {
+        for (PointSet& set : sets) set = without_third(std::move(set));
+        if (told) told(printable(path.string()) + ": " + flat_sentence);
+    }
+    return sets;
+}
+
+std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
+{
+    return read_all_coordinates(path, range);
 }
 
 void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates)

@@ -37,14 +37,22 @@ std::optional<CoordinateRange> parse_range(std::string_view text);
 /// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
 /// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
 /// the number of points alone (as for psa), which must be right then, or the names x,y or x,y,z of CSV files.
-/// PLY: ascii and binary (either byte order), vertex properties x, y and, where not all zero, z.
+/// PLY: ascii and binary (either byte order), vertex properties x, y and, where there is one, z.
 /// NPY: float32 or float64 (either byte order), shape (N, 2), (N, 3), (K, N, 2) or (K, N, 3), C or Fortran
 /// order.
 /// UTK (.bin): a header of 20 bytes, then int32, int64, uint32, uint64, float or double, all sets of one size.
 ///
+/// Points of the plane are often stored as x, y and one number that is always the same: where all points of a file, at
+/// least two, have one third coordinate, it is left out, and `told` is called with a sentence that says so. A single
+/// point loses it where it is 0.
+///
 /// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
 /// number in its range, lines of unequal length, truncated files.
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {},
+                                  const std::function<void(const std::string& sentence)>& told = {});
+
+/// Reads points that the program itself has written: all of their coordinates, and else as above.
+std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
 
 /// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
 /// dimension), .h5 (HDF5), .hdf5 and .h5part (particles in 3D, see hdf5_points.hpp), .csv (columns x, y and, in 3D, z),

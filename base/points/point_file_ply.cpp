@@ -146,21 +146,6 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
     return coordinates;
 }
 
-/// Points in the plane often have a z, which is 0.
-/// `zero`: what 0 became.
-PointSet without_zero_z(std::vector<double> xyz, double zero)
-{
-    for (std::size_t i = 2; i < xyz.size(); i += 3) {
-        if (xyz[i] != zero) return {3, std::move(xyz)};
-    }
-    PointSet plane{2, {}};
-    plane.coordinates.reserve(xyz.size() / 3 * 2);
-    for (std::size_t i = 0; i < xyz.size(); i += 3) {
-        plane.coordinates.insert(plane.coordinates.end(), {xyz[i], xyz[i + 1]});
-    }
-    return plane;
-}
-
 }
 
 std::vector<double> read_ply_columns(const PointFileContent& file, const PlyHeader& header, std::size_t element,
@@ -175,8 +160,7 @@ std::vector<PointSet> read_ply_points(const PointFileContent& file)
     const PlyHeader header = read_ply_header(file);
     const Vertices vertices = find_vertices(file, header);
     std::vector<double> coordinates = read_ply_columns(file, header, vertices.element, vertices.columns);
-    if (vertices.columns.size() == 3) return {without_zero_z(std::move(coordinates), to_unit(0, file.range))};
-    return {PointSet{2, std::move(coordinates)}};
+    return {PointSet{static_cast<int>(vertices.columns.size()), std::move(coordinates)}};
 }
 
 }

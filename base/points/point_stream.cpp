@@ -83,9 +83,14 @@ PointStrips read_into_strips(const std::filesystem::path& path, std::optional<Co
 {
     const std::uint64_t expected = points_at_most(path);
     std::optional<PointStrips> strips;
+    std::optional<double> third;
+    bool is_flat = true;
     const auto take = [&](int dimension, std::span<const double> coordinates) {
         stop_if_interrupted();
         if (!strips) strips.emplace(folder, dimension, expected);
+        is_flat = is_flat && dimension == 3;
+        for (std::size_t i = 2; is_flat && i < coordinates.size(); i += 3)
+            is_flat = coordinates[i] == *(third = third.value_or(coordinates[i]));
         strips->add(coordinates);
         told(coordinates);
     };
@@ -108,6 +113,9 @@ PointStrips read_into_strips(const std::filesystem::path& path, std::optional<Co
             stream_text_points(file, sink);
     }
     strips->finish();
+    if (is_flat && strips->size() > 1)
+        throw InputError::at({path.string()}, "all points have the same third coordinate: to be read in pieces, points "
+                                              "of the plane must have two");
     return std::move(*strips);
 }
 

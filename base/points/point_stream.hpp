@@ -29,7 +29,8 @@ std::optional<KnownShape> known_shape(const std::filesystem::path& path);
 std::uint64_t points_at_most(const std::filesystem::path& path);
 
 /// Reads the file into strips, in a folder that is there and as read_points() would read it, and tells of all
-/// coordinates in their order. Throws InputError where it holds several sets, StorageError.
+/// coordinates in their order. Throws InputError where it holds several sets, or points of the plane with a third
+/// coordinate; StorageError.
 PointStrips read_into_strips(const std::filesystem::path& path, std::optional<CoordinateRange> range,
                              const std::filesystem::path& folder,
                              const std::function<void(std::span<const double> coordinates)>& told);

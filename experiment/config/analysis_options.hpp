@@ -11,6 +11,9 @@
 
 namespace poissonlab {
 
+/// The square of sets that are not periodic, as a region.
+inline constexpr auto unit_square_region = "rectangle 0 0 1 1";
+
 struct AnalysisOptions
 {
     std::optional<PeriodogramMethod> spectrum = PeriodogramMethod::fast; ///< nothing: no spectra
@@ -21,6 +24,8 @@ struct AnalysisOptions
     int tiles = 0;                       ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled
     std::uint32_t tile_sets = 1;         ///< that realizations take in turn: errors are then between sets
     bool window = false;                 ///< sets are windows of the plane, not tori: see SeriesAnalysis
+    bool is_periodic = false;            ///< sets are known to be periodic, wherever they were made
+    bool is_foreign = false;             ///< sets were made elsewhere, and may not be periodic: see BorderResult
     bool progressive = false;            ///< the first points of a set are a set of their own, which is measured
     bool distances_only = false;         ///< no measures that are slow for large sets: see SeriesAnalysis
     std::optional<RegionOptions> region; ///< that sets lie in, where they lie in one: see SeriesAnalysis

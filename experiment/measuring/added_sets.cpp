@@ -1,6 +1,7 @@
 // How a SeriesAnalysis takes a set, which is in memory or on the disk.
 #include "experiment/measuring/series_analysis.hpp"
 
+#include "analysis/measures/border_pairs.hpp"
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
@@ -81,6 +82,23 @@ bool SeriesAnalysis::is_known(const SetMark& mark) const
     return std::ranges::any_of(sets_, is_same, &SetMeasures::mark) || std::ranges::any_of(left_out_, is_same);
 }
 
+/// Measures without wrapping, and the pairs that only wrapping makes so close.
+void SeriesAnalysis::measure_border(const PointSet& points, SetMeasures& set) const
+{
+    const double least = min_distance_in_window(points);
+    set.window_radius = relative_radius(least, points.size(), points.dimension);
+    set.window_nearest = mean_nearest_distance_in_window(points) / max_min_distance(points.size(), points.dimension);
+    set.across = closer_pairs_across(points, least);
+}
+
+void SeriesAnalysis::measure_border(const PointStrips& points, SetMeasures& set) const
+{
+    const NearestDistances inside = nearest_distances(points, true);
+    set.window_radius = relative_radius(inside.least, points.size(), points.dimension());
+    set.window_nearest = inside.mean / max_min_distance(points.size(), points.dimension());
+    set.across = closer_pairs_across(points, inside.least);
+}
+
 /// Measures of the order of points and of their tiles.
 void SeriesAnalysis::measure_order(const PointSet& points, SetMeasures& set) const
 {
@@ -147,6 +165,7 @@ bool SeriesAnalysis::add_set(const Points& points)
         }
     }
     measure_order(points, set);
+    if (finds_border()) measure_border(points, set);
     sets_.push_back(set);
     if (integration_) integration_->add(points);
     if (seams_) for_each_part(points, [&](const PointSet& part) { seams_->add(part); });

@@ -1,5 +1,6 @@
 #include "experiment/measuring/series_analysis.hpp"
 
+#include "analysis/measures/border_pairs.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
@@ -216,6 +217,21 @@ RegionResult SeriesAnalysis::region_result() const
     return result;
 }
 
+/// The sets' border, whose closest pairs are those of all sets together.
+BorderResult SeriesAnalysis::border_result() const
+{
+    BorderResult border;
+    std::size_t fewest = sets_.front().points;
+    for (const SetMeasures& set : sets_) {
+        border.pairs_across += set.across;
+        fewest = std::min(fewest, set.points);
+    }
+    border.chance = chance_of_pairs_across(border.pairs_across, sets_.size(), fewest, dimension_, options_.tiles);
+    border.relative_radius = mean_of(&SetMeasures::window_radius).value;
+    border.mean_nearest_distance = mean_of(&SetMeasures::window_nearest).value;
+    return border;
+}
+
 Series SeriesAnalysis::result() const
 {
     Series series;
@@ -229,6 +245,7 @@ Series SeriesAnalysis::result() const
     series.measures = measures_;
     series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
     if (series.relative_radius) series.measures.numbers["mean_nearest_distance"] = mean_of(&SetMeasures::mean_nearest);
+    if (finds_border() && series.relative_radius) series.border = border_result();
     if (options_.progressive) series.measures.numbers["prefix_relative_radius"] = mean_of(&SetMeasures::prefix_radius);
     if (options_.tiles > 1)
         if (const Estimate within = mean_of(&SetMeasures::radius_within); std::isfinite(within.value))
@@ -275,6 +292,9 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial);
+    // Curves of tapers are not independent of each other: what chance gives is not known.
+    if (const auto above = anisotropy_above_chance_db(radial, mean.realizations); above && !tapered_)
+        measures_.numbers["anisotropy_above_chance"] = {*above, {}};
     const FrequencyRange low = low_frequency_range(n, mean.dimension);
     measures_.low_frequency_power = low_frequency_power(radial, low);
     if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};

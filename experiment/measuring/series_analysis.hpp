@@ -169,6 +169,9 @@ private:
         double covered_fraction = 0;
         double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
         double lattice_share = 0;     ///< of tiled sets
+        double window_radius = 0;     ///< relative, without wrapping, of sets that were made elsewhere
+        double window_nearest = 0;    ///< like mean_nearest, without wrapping, of the same
+        std::uint64_t across = 0;     ///< pairs across the border that are closer than all inside, of the same
         double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
         double prefix_radius = 0;     ///< of sets in progressive order
         double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
@@ -178,7 +181,8 @@ private:
         void serialize(Archive& archive)
         {
             archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
-                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice);
+                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice, window_radius,
+                    window_nearest, across);
         }
     };
 
@@ -187,12 +191,16 @@ private:
     SetMeasures measure_distances(const PointSet& points) const;
     SetMeasures measure_distances(const PointStrips& points) const;
     SetMeasures measures_of(std::size_t points, int dimension, double least, double mean, SetMark mark) const;
+    bool finds_border() const { return options_.is_foreign && !options_.window && !options_.region; }
+    void measure_border(const PointSet& points, SetMeasures& set) const;
+    void measure_border(const PointStrips& points, SetMeasures& set) const;
     void measure_order(const PointSet& points, SetMeasures& set) const;
     void measure_order(const PointStrips& points, SetMeasures& set) const;
     void keep_first(const PointSet& points);
     void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
     RegionResult region_result() const;
+    BorderResult border_result() const;
     std::vector<std::size_t> independent_groups(std::size_t curves_of_set = 1) const;
     CurveErrors curve_errors(const std::vector<RadialBin>& radial) const;
     const TaperCovariance& taper_covariance() const;

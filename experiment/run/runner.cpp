@@ -188,7 +188,11 @@ private:
         if (!here) progress_.elsewhere(work.realizations_made_by(job), work.realizations_analysed_by(job));
         if (job.kind == Job::Kind::series) {
             const SeriesWork& series = work.series(job.item);
-            progress_.finish_series(summary(series.task(), series.result()));
+            const Series result = series.result();
+            progress_.finish_series(summary(series.task(), result));
+            if (const std::string border = border_words(result); !border.empty())
+                progress_.message(fmt::format("{}: {} {}", series.task().label, border,
+                                              border_advice(runs_[job.run].experiment.dimension)));
         }
         if (jobs_left_.empty()) return; // a share
         --jobs_left_.at(job.run);

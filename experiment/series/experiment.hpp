@@ -80,6 +80,7 @@ struct Experiment
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<std::string> left_out; ///< series that cannot be made on this machine, each with why: a sentence
+    std::vector<std::string> notes;    ///< what its user must know of the sets that were read, a sentence each
     std::vector<Exhibit> exhibits;
     DistributionPlace place;                                              ///< of exhibits
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers

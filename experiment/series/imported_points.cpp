@@ -207,9 +207,10 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     if (is_large(files, large)) return import_large(files, name, domain, large.beside);
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
-    std::vector<std::string> paths;
+    std::vector<std::string> paths, notes;
     for (const auto& file : files) {
-        std::vector<PointSet> read = read_points(file, domain);
+        std::vector<PointSet> read =
+            read_points(file, domain, [&](const std::string& sentence) { notes.push_back(sentence); });
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));
@@ -219,7 +220,9 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
         check_count(sets->size(), file.string());
         paths.push_back(file.string());
     }
-    return experiment_of(sets, name, paths);
+    Experiment experiment = experiment_of(sets, name, paths);
+    experiment.notes = notes;
+    return experiment;
 }
 
 void check_imported(const Experiment& experiment)

@@ -14,11 +14,12 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& files,
                                 const FramedRegion& region)
 {
     std::vector<PointSet> sets;
-    std::vector<std::string> paths;
+    std::vector<std::string> paths, notes;
     for (const auto& file : files) {
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
-        std::vector<PointSet> read = read_points(file, any_coordinates);
+        std::vector<PointSet> read =
+            read_points(file, any_coordinates, [&](const std::string& sentence) { notes.push_back(sentence); });
         for (std::size_t i = 0; i < read.size(); ++i) // throws where some are outside
             region.framed(read[i],
                           read.size() == 1 ? file.string() : fmt::format("{}: realization {}", file.string(), i + 1));
@@ -26,6 +27,7 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& files,
         paths.push_back(file.string());
     }
     Experiment experiment = import_sets(sets, label.empty() ? files.front().stem().string() : label);
+    experiment.notes = notes;
     SeriesTask& task = experiment.series.front();
     task.parameters.set("path", paths);
     task.identity = [of_sets = task.identity, paths] {

@@ -56,6 +56,7 @@ UnitKey SeriesUnits::analysis_of(const char* kind, const RealizationRange& range
                       .add("tiles", options_.tiles)
                       .add("tile_sets", options_.tile_sets)
                       .add("window", options_.window)
+                      .add("periodic", options_.is_periodic)
                       .add("distances_only", options_.distances_only);
     if (options_.region) key.add("region", options_.region->hash).add("envelope", options_.region->envelope);
     return key;

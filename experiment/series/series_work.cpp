@@ -24,9 +24,13 @@ std::string parameters_text(const Parameters& parameters)
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// True for sets of other programs, which may not have known that they are taken as periodic.
+bool is_foreign(const SeriesTask& task) { return task.sampler == "file" || task.sampler == "command"; }
+
 /// Methods that tile know their lattice. A single tile leaves no peaks: every frequency is one of its lattice.
-AnalysisOptions with_traits(const SetTraits& traits, AnalysisOptions options)
+AnalysisOptions with_traits(const SeriesTask& task, const SetTraits& traits, AnalysisOptions options)
 {
+    options.is_foreign = is_foreign(task) && !options.is_periodic;
     if (options.tiles == 0 && traits.tiles_along_axis > 1) options.tiles = static_cast<int>(traits.tiles_along_axis);
     options.tile_sets = traits.tile_sets;
     options.window = options.window || traits.is_window;
@@ -144,8 +148,8 @@ bool SeriesWork::is_analysed(std::uint32_t part) const
 /// A stored set: in the unit square, or in a region, in its units.
 PointSet SeriesWork::points_in(const std::filesystem::path& file) const
 {
-    if (!experiment_.analysis_of(task_).region) return read_points(file).at(0);
-    return read_points(file, any_coordinates).at(0);
+    if (!experiment_.analysis_of(task_).region) return read_own_points(file).at(0);
+    return read_own_points(file, any_coordinates).at(0);
 }
 
 /// The unit of a part, without any realization yet.
@@ -156,7 +160,8 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
     const SampleRecord first = first_record(listener);
     if (part > 0) first_ = {}; // somebody else analyses it
     const SeriesAnalysis::Begin begin{range.first, range.first == 0 ? 0 : first.points};
-    return {task_.label, first.traits.sizes_vary, with_traits(first.traits, experiment_.analysis_of(task_)), begin};
+    return {task_.label, first.traits.sizes_vary, with_traits(task_, first.traits, experiment_.analysis_of(task_)),
+            begin};
 }
 
 /// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never

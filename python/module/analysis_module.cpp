@@ -2,6 +2,7 @@
 // bits, without files in between.
 #include "base/errors/errors.hpp"
 #include "base/files/scratch_folder.hpp"
+#include "base/points/flat_points.hpp"
 #include "experiment/measuring/series_analysis.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
@@ -37,19 +38,28 @@ auto said_by_call(const Work& work)
 class AnalysedSets
 {
 public:
-    AnalysedSets(const std::vector<AnyArray>& arrays, const std::string& label, const std::vector<std::string>& changes)
+    /// `is_known_periodic`: nothing is said of pairs across the border.
+    AnalysedSets(const std::vector<AnyArray>& arrays, const std::string& label, const std::vector<std::string>& changes,
+                 bool is_known_periodic)
     {
         const auto options = said_by_call([&] { return overridden_region(changes, {}); });
         for (std::size_t i = 0; i < arrays.size(); ++i) {
             const std::string name = fmt::format("{}: realization {}", label, i);
             sets_.push_back(point_set_of(arrays[i], name, options.has_value()));
-            if (options) options->region->framed(sets_.back(), name); // throws where some are outside
         }
         if (sets_.empty()) throw InputError(label + ": there are no points");
+        if (are_flat(sets_)) {
+            for (PointSet& set : sets_) set = without_third(std::move(set));
+            warnings_.push_back(fmt::format("{}: {}", label, flat_sentence));
+        }
+        for (std::size_t i = 0; options && i < sets_.size(); ++i) // throws where some are outside
+            options->region->framed(sets_[i], fmt::format("{}: realization {}", label, i));
         without_lock([&] {
             experiment_ = import_sets(sets_, label);
             experiment_.overrides = changes;
             experiment_.analysis = said_by_call([&] { return overridden_analysis(changes, dimension()); });
+            experiment_.analysis.is_periodic = is_known_periodic;
+            experiment_.analysis.is_foreign = !is_known_periodic;
             analyse();
         });
     }
@@ -61,6 +71,8 @@ public:
     const std::vector<NumberVarianceBin>& number_variance() const { return number_variance_; }
     const std::vector<RegionCurveRow>& region() const { return region_; }
     const std::vector<PointSet>& sets() const { return sets_; }
+    /// What the caller must know, a sentence or two each.
+    const std::vector<std::string>& warnings() const { return warnings_; }
     const std::vector<Spectrum>& spectra() const { return spectra_; }
     static bool are_planes() { return false; }
 
@@ -126,6 +138,8 @@ private:
         series_ = analysis.result();
         series_.name = experiment_.series.front().name;
         series_.label = experiment_.series.front().label;
+        if (const std::string border = border_words(series_); !border.empty())
+            warnings_.push_back(fmt::format("{}: {} {}", series_.label, border, border_advice(dimension())));
         if (analysis.has_spectrum()) series_.radial_file = file_names::radial;
     }
 
@@ -136,6 +150,7 @@ private:
     }
 
     std::vector<PointSet> sets_;
+    std::vector<std::string> warnings_;
     Experiment experiment_;
     Series series_;
     std::vector<RadialBin> radial_;
@@ -150,8 +165,9 @@ private:
 void add_analysis(py::module_& module)
 {
     py::class_<AnalysedSets> type(module, "AnalysedSets", "Sets that were analysed.");
-    type.def(py::init<const std::vector<AnyArray>&, const std::string&, const std::vector<std::string>&>(),
-             py::arg("sets"), py::arg("label"), py::arg("changes"));
+    type.def(py::init<const std::vector<AnyArray>&, const std::string&, const std::vector<std::string>&, bool>(),
+             py::arg("sets"), py::arg("label"), py::arg("changes"), py::arg("is_known_periodic"));
+    type.def_property_readonly("warnings", &AnalysedSets::warnings);
     bind_series<AnalysedSets>(type);
     type.def("report", &AnalysedSets::report, py::arg("folder"));
 }

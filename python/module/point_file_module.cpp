@@ -23,8 +23,11 @@ std::vector<py::array_t<double>> read_sets(const std::filesystem::path& file, co
     std::optional<CoordinateRange> range;
     if (domain) range = CoordinateRange{(*domain)[0], (*domain)[1]};
     std::vector<py::array_t<double>> arrays;
-    for (PointSet& set : without_lock([&] { return read_points(file, range); }))
-        arrays.push_back(array_of(std::move(set)));
+    std::string warning;
+    std::vector<PointSet> sets = without_lock(
+        [&] { return read_points(file, range, [&](const std::string& sentence) { warning = sentence; }); });
+    if (!warning.empty()) py::module_::import("warnings").attr("warn")(warning, py::arg("stacklevel") = 2);
+    for (PointSet& set : sets) arrays.push_back(array_of(std::move(set)));
     return arrays;
 }
 

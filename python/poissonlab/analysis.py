@@ -3,6 +3,7 @@
 import base64
 import html
 import os
+import warnings
 from collections.abc import Mapping
 from functools import cached_property
 from types import MappingProxyType
@@ -242,14 +243,23 @@ def sets_of(points, domain):
     return arrays if domain is None or numpy.isinf(domain[0]) else [to_unit(array, domain) for array in arrays]
 
 
+def window_options(sets, options):
+    """The options by which sets that are not periodic are measured, as `poissonlab analyze --periodic no` does."""
+    is_of_squares = any(options.get(key) is not None for key in ("window", "tiles", "zone_plate"))
+    is_planar = bool(sets) and sets[0].ndim == 2 and sets[0].shape[1] == 2
+    return {"region": "rectangle 0 0 1 1"} if is_planar and not is_of_squares else {"window": True}
+
+
 def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[float, float]] = None,
-            **options: Any) -> Analysis:
+            periodic: Optional[bool] = None, **options: Any) -> Analysis:
     """Measure point sets, wherever they come from, as `poissonlab analyze` does.
 
     points: one set, an array of shape (n, d); several, of shape (k, n, d) or a list of arrays; or the name of a point
         file or of several. All sets must have the same number of points.
     label: the name for readers, and for messages.
     domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says.
+    periodic: whether the sets go on across their border as on a torus. False: they are measured within the square
+        (cube). Default: as on a torus, with a warning where the closest pairs meet across the border.
     options: keys of a config's [analysis], such as region="park.geojson" (the sets lie in that region, in its units;
         GeoJSON as a dict, or anything with a `__geo_interface__`), spectrum="exact" or "none", window=True (the sets
         are windows, not tori), tiles=8 (the sets are made of 8 x 8 tiles), spectrum_size=2048, measures="distances".
@@ -259,5 +269,13 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
         if domain is not None:
             raise _poissonlab.InputError("analyze: domain: does not go with region, whose units points are in")
         domain = (-numpy.inf, numpy.inf)  # as they are
+    sets = sets_of(points, domain)
+    if periodic is not None and options.get("region") is not None:
+        raise _poissonlab.InputError("analyze: periodic: does not go with region: nothing goes around a torus there")
+    if periodic is False:
+        options = {**options, **window_options(sets, options)}
     changes = [f"analysis.{key}={toml.value_of(value)}" for key, value in options.items() if value is not None]
-    return Analysis(_poissonlab.AnalysedSets(sets_of(points, domain), label, changes))
+    source = _poissonlab.AnalysedSets(sets, label, changes, periodic is True)
+    for text in source.warnings:
+        warnings.warn(text, stacklevel=2)
+    return Analysis(source)

@@ -58,9 +58,8 @@ std::optional<ClaimOutcome> Cases::outcome(const std::string& words, const std::
 
 std::string with_error(const Estimate& estimate, int decimals)
 {
-    const std::string value = format_fixed(estimate.value, decimals);
-    if (!estimate.standard_error) return value;
-    return fmt::format("{} ± {}", value, format_significant(*estimate.standard_error, 1));
+    if (!estimate.standard_error) return format_fixed(estimate.value, decimals);
+    return format_estimate(estimate.value, estimate.standard_error, decimals).text();
 }
 
 std::string percent_words(double share) { return format_significant(100 * share, 2) + " %"; }

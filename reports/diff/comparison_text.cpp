@@ -1,5 +1,6 @@
 #include "reports/diff/comparison_text.hpp"
 
+#include "base/files/noun.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +19,8 @@ constexpr int shown_digits = 5;
 std::string with_error(const SampleMean& mean, bool exact)
 {
     const bool count = mean.value == std::floor(mean.value) && mean.standard_error == 0;
-    auto text = exact || count ? format_exact(mean.value) : format_significant(mean.value, shown_digits);
-    if (mean.standard_error > 0) text += " ± " + format_significant(mean.standard_error, 2);
-    return text;
+    if (exact || count) return format_exact(mean.value);
+    return format_estimate(mean.value, mean.standard_error, shown_digits).text();
 }
 
 const char* verdict_name(Verdict verdict)
@@ -60,7 +60,7 @@ int order_of(const NumberComparison& number)
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many)
 {
-    return format_count(count) + " " + (count == 1 ? one : many);
+    return format_count(count) + " " + noun(count, one, many);
 }
 
 /// Columns padded to the widest cell, two blanks between them.

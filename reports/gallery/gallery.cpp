@@ -1,5 +1,6 @@
 #include "reports/gallery/gallery.hpp"
 
+#include "analysis/measures/peak_anisotropy.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/files/csv_fields.hpp"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <string_view>
 
 namespace poissonlab {
@@ -128,6 +130,22 @@ GalleryMethod& method_named(std::vector<GalleryMethod>& methods, const TableRead
     return *found;
 }
 
+/// Curves have no numbers of samples: the frequencies of a ring one wide are about as many as its area is large.
+void set_anisotropy_above_chance(GalleryMethod& method)
+{
+    constexpr const char* key = "anisotropy_above_chance";
+    if (method.measures.contains(key)) return;
+    std::vector<RadialBin> rings = method.curve.bins;
+    for (RadialBin& ring : rings) {
+        const double f = ring.frequency;
+        const double samples =
+            method.curve.dimension == 2 ? 2 * std::numbers::pi * f : std::numbers::pi * (4 * f * f + 1.0 / 3);
+        ring.samples = static_cast<std::size_t>(std::lround(samples));
+    }
+    if (const auto above = anisotropy_above_chance_db(rings, method.curve.periodograms))
+        method.measures[key] = {*above, {}};
+}
+
 }
 
 std::string gallery_name(const GallerySource& source)
@@ -155,6 +173,7 @@ std::vector<GalleryMethod> read_gallery(const GalleryTables& tables)
         curve.bins.push_back({line.number(1), line.number(2), line.number(4), 0, line.number(3)});
         curve.max_frequency = line.number(1);
     }
+    for (GalleryMethod& method : gallery) set_anisotropy_above_chance(method);
     for (const GalleryMethod& method : gallery)
         if (method.curve.bins.empty())
             throw InputError::at({std::string(curves_file)}, "has no curve of " + method.name);

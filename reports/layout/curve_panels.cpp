@@ -65,9 +65,9 @@ std::string slope_caption(const ReportSeries& series)
         return "The region's boundary decides the lowest frequencies: they have no slope of the set's own.";
     const auto law = lowest_power_law(series);
     if (!law) return "Too little power, or too few rings at low frequencies, for a slope.";
-    auto text = fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {} ± {}.",
-                            format_exact(law->begin), format_exact(law->end), format_fixed(law->exponent, 2),
-                            format_fixed(law->exponent_standard_error, 2));
+    auto text = fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {}.",
+                            format_exact(law->begin), format_exact(law->end),
+                            format_estimate(law->exponent, law->exponent_standard_error, 3).text());
     const auto& numbers = series.stored->measures.numbers;
     if (const auto p = numbers.find("hyperuniformity_p_value"); p != numbers.end())
         text += fmt::format(" Test for hyperuniformity: p = {}.", format_significant(p->second.value, 2));

@@ -1,5 +1,6 @@
 #include "reports/layout/plane_region_panels.hpp"
 
+#include "base/files/noun.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "reports/plots/plane_region_curves.hpp"
 #include "reports/words/number_format.hpp"
@@ -83,8 +84,9 @@ Panel region_points_panel(const ReportSeries& series)
     return {.stem = "points",
             .picture = MarkPanel{series.run->folder / region.picture_file},
             .title = "Points",
-            .caption = fmt::format("{} points in {}, of area {}{}.", format_count(series.stored->points_of_first()),
-                                   region.name, format_significant(region.area, 4), first_of_several(series)),
+            .caption = fmt::format("{} {} in {}, of area {}{}.", format_count(series.stored->points_of_first()),
+                                   noun(series.stored->points_of_first(), "point"), region.name,
+                                   format_significant(region.area, 4), first_of_several(series)),
             .guide = "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
                      "up in a picture as patterns that are not there.",
             .stored = {{"json", series.run->folder / region.picture_file}},

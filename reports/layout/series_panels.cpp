@@ -1,6 +1,7 @@
 #include "reports/layout/series_panels.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/stored_points.hpp"
 
@@ -26,7 +27,7 @@ Panel points_panel(const ReportSeries& series, const PointSet& points)
     const auto view = choose_points_view(points);
     const auto side = format_significant(view.window, 2);
     auto caption = view.shown() == view.total
-                       ? fmt::format("All {} points", format_count(view.total))
+                       ? fmt::format("All {} {}", format_count(view.total), noun(view.total, "point"))
                        : fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
     std::string guide =
         "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
@@ -49,7 +50,7 @@ Panel points_panel(const ReportSeries& series, const PointSet& points)
 Panel cells_panel(const ReportSeries& series, const PointSet& points)
 {
     const auto view = choose_cells_view(points);
-    auto caption = fmt::format("Neighbours of {} cells", format_count(view.cells.size()));
+    auto caption = fmt::format("Neighbours of {} {}", format_count(view.cells.size()), noun(view.cells.size(), "cell"));
     if (view.window < 1)
         caption += fmt::format(" in the window of {0} × {0} at the lower left", format_significant(view.window, 2));
     caption += series.stored->measures.voronoi ? "; shares are of all cells of the set" : "; shares are of these cells";

@@ -1,4 +1,5 @@
 // The page's section on the construction of Poisson tile sets.
+#include "base/files/noun.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/region_colors.hpp"
 #include "reports/pages/page_parts.hpp"
@@ -71,7 +72,8 @@ PageData construction_facts(const ConstructionResult& stored)
     PageData facts{PageData::type::list};
     if (stored.kind == "set") {
         facts << PageData(stored.show);
-        facts << PageData(fmt::format("{} points", format_count(stored.points_per_tile)));
+        facts << PageData(
+            fmt::format("{} {}", format_count(stored.points_per_tile), noun(stored.points_per_tile, "point")));
         return facts;
     }
     const bool is_template = stored.kind == "template";
@@ -79,12 +81,15 @@ PageData construction_facts(const ConstructionResult& stored)
                       : stored.kind == "sphere" ? "corner-based Poisson sphere tiles"
                       : is_template             ? "template Poisson disk tiles"
                                                 : "corner-based Poisson disk tiles");
-    facts << PageData(is_template ? fmt::format("{} tiles", format_count(stored.tiles))
-                                  : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
-    facts << PageData(fmt::format("{} points per tile", format_count(stored.points_per_tile)));
+    const std::string tiles = fmt::format("{} {}", format_count(stored.tiles), noun(stored.tiles, "tile"));
+    facts << PageData(is_template ? tiles
+                                  : fmt::format("{} {}, {}", stored.colors, noun(stored.colors, "colour"), tiles));
+    facts << PageData(
+        fmt::format("{} {} per tile", format_count(stored.points_per_tile), noun(stored.points_per_tile, "point")));
     facts << PageData(fmt::format("relative radius {}", format_exact(stored.relative_radius)));
     if (stored.show == "regions" || stored.show == "kinds") return facts;
-    facts << PageData(fmt::format("{}, {} Lloyd iterations{}", stored.filling, stored.lloyd_iterations,
+    facts << PageData(fmt::format("{}, {} Lloyd {}{}", stored.filling, stored.lloyd_iterations,
+                                  noun(static_cast<std::uint64_t>(stored.lloyd_iterations), "iteration"),
                                   stored.repulsion ? ", repulsion" : ""));
     return facts;
 }

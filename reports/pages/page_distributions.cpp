@@ -51,9 +51,8 @@ PageData number_data(const DistributionNumber& number)
 {
     PageData data;
     data.set("name", number.title);
-    std::string value = number_words(number.value);
-    if (number.standard_error) value += " ± " + format_significant(*number.standard_error, 2);
-    data.set("value", value);
+    const RoundedEstimate estimate = format_estimate(number.value, number.standard_error, distribution_digits);
+    data.set("value", estimate.error.empty() ? number_words(number.value) : estimate.text());
     data.set("meaning", number.meaning);
     return data;
 }

@@ -1,6 +1,7 @@
 #include "reports/pages/page_endless.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/pages/page_frame.hpp"
@@ -25,8 +26,8 @@ constexpr std::array scripts{"webgl.js",      "endless_parts.js", "endless_densi
 std::string facts_of_set(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
-    return fmt::format("{} {} tiles of {} points{}.", format_count(p.tiles), kind_name(p),
-                       format_count(p.points_per_tile), p.ranked ? ", ranked" : "");
+    return fmt::format("{} {} {} of {} {}{}.", format_count(p.tiles), kind_name(p), noun(p.tiles, "tile"),
+                       format_count(p.points_per_tile), noun(p.points_per_tile, "point"), p.ranked ? ", ranked" : "");
 }
 
 std::filesystem::path tile_set_of(const ReportSeries& series)

@@ -14,21 +14,25 @@ namespace {
 
 constexpr std::array gallery_columns = {
     "relative_radius",    "mean_nearest_distance",    "effective_nyquist",       "oscillation",
-    "low_frequency_mean", "hyperuniformity_exponent", "hyperuniformity_p_value", "peak_anisotropy"};
+    "low_frequency_mean", "hyperuniformity_exponent", "hyperuniformity_p_value", "anisotropy_above_chance"};
 
 PageData gallery_cell(const Measure& measure, const std::optional<MeasuredValue>& value)
 {
     PageData data;
-    data.set("value", value ? words_of(measure, *value).shown : std::string("–"));
-    data.set("spread", value && value->standard_error ? PageData("± " + format_significant(*value->standard_error, 2))
-                                                      : PageData(false));
+    const MeasureWords words = value ? words_of(measure, *value) : MeasureWords{"–", {}, {}};
+    data.set("value", words.shown);
+    data.set("spread", optional_text(words.spread));
     return data;
 }
 
 template <class Value>
-PageData gallery_row(const std::string& label, bool is_own, const Value& value)
+PageData gallery_row(const std::string& label, bool is_own, std::size_t sets, const Value& value)
 {
     PageData cells{PageData::type::list};
+    PageData count;
+    count.set("value", format_count(sets));
+    count.set("spread", false);
+    cells << count;
     for (const char* key : gallery_columns) cells << gallery_cell(measure(key), value(measure(key)));
     PageData row;
     row.set("label", label);
@@ -44,6 +48,10 @@ PageData gallery_table(const Site& site, const ReportRun& run)
     const auto gallery = reference_gallery(run.stored->dimension);
     if (site.gallery_use == Gallery::offered || gallery.empty()) return false;
     PageData columns{PageData::type::list};
+    PageData sets;
+    sets.set("title", "Sets K");
+    sets.set("unit", false);
+    columns << sets;
     for (const char* key : gallery_columns) {
         PageData column;
         column.set("title", in_dimension(measure(key).title(), run.stored->dimension));
@@ -52,9 +60,11 @@ PageData gallery_table(const Site& site, const ReportRun& run)
     }
     PageData rows{PageData::type::list};
     for (const ReportSeries& series : run.series)
-        rows << gallery_row(series.label, true, [&](const Measure& measure) { return measure.get(*series.stored); });
+        rows << gallery_row(series.label, true, static_cast<std::size_t>(series.stored->realizations),
+                            [&](const Measure& measure) { return measure.get(*series.stored); });
     for (const GalleryMethod* method : gallery)
         rows << gallery_row(fmt::format("{}, N = {}", method->label, format_count(method->curve.points)), false,
+                            static_cast<std::size_t>(method->curve.periodograms),
                             [&](const Measure& measure) -> std::optional<MeasuredValue> {
                                 const auto found = method->measures.find(measure.key);
                                 if (found == method->measures.end()) return std::nullopt;

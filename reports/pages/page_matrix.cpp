@@ -26,7 +26,10 @@ std::vector<std::size_t> table_of(const Series& series)
             series.place->indices.end()};
 }
 
-std::string heading(const MethodAxis& axis, std::size_t index) { return axis.symbol + " = " + axis.values[index]; }
+std::string heading(const MethodAxis& axis, std::size_t index)
+{
+    return with_formatted_points(axis.symbol + " = " + axis.values[index]);
+}
 
 std::vector<std::string> parts_of(const std::string& label)
 {

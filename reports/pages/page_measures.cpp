@@ -3,6 +3,8 @@
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
+#include <fmt/format.h>
+
 namespace poissonlab {
 
 PageData measures_list(const ReportSeries& series)
@@ -18,7 +20,9 @@ PageData measures_list(const ReportSeries& series)
         data.set("name", in_words(measure.title() + (measure.unit.empty() ? "" : " (" + measure.unit + ")")));
         data.set("value", words.shown);
         data.set("exact", format_exact(value->value));
-        data.set("error", optional_text(words.spread));
+        std::string error = words.spread;
+        if (!words.range.empty()) error += fmt::format("{}sets from {}", error.empty() ? "" : "; ", words.range);
+        data.set("error", optional_text(error));
         data.set("meaning", in_words(measure.meaning));
         list << data;
     }

@@ -2,6 +2,7 @@
 #include "reports/layout/small_pictures.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
+#include "reports/pages/verdicts.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -19,9 +20,6 @@ namespace {
 
 /// The sizes of chapter 6 of the dissertation: sets with spectra, and sets that sample the zone plate.
 constexpr std::array<std::size_t, 2> timed_sizes{16'384, 262'144};
-
-/// The anisotropy of single rings that chance alone may give, above its mean.
-constexpr double chance_margin_db = 3;
 
 /// Reports of fewer series are seen at a glance in the ranking.
 constexpr std::size_t many_series = 12;
@@ -71,8 +69,8 @@ const ReportSeries& best_of(const Method& method)
 {
     const auto worth = [](const ReportSeries* series) {
         const Series& stored = *series->stored;
-        return std::tuple(stored.has_spectrum(), has_about(*series, timed_sizes[0]), stored.is_estimate,
-                          -anisotropy_beyond_chance(*series),
+        return std::tuple(stored.has_spectrum(), !follows_density(*series), has_about(*series, timed_sizes[0]),
+                          stored.is_estimate, -anisotropy_above_chance(*series).value_or(0),
                           stored.relative_radius ? stored.relative_radius->mean : 0);
     };
     return **std::ranges::max_element(method.series, {}, worth);
@@ -150,10 +148,10 @@ std::string verdict_of_the_paper(const std::string& sampler)
 std::string verdict_by_numbers(const Method& method, const ReportSeries& best)
 {
     std::vector<std::string> words;
+    if (follows_density(best)) return "follows a density";
     if (const auto& radius = best.stored->relative_radius)
         words.push_back(radius->min >= 0.65 ? "far apart" : radius->min >= 0.4 ? "some points near" : "points meet");
-    if (value_of("peak_anisotropy", best))
-        words.push_back(anisotropy_beyond_chance(best) == 0 ? "isotropic" : "not isotropic");
+    if (anisotropy_above_chance(best)) words.emplace_back(has_directions(best) ? "not isotropic" : "isotropic");
     if (const auto seams = value_of("seam_density", best); seams && seams->value > 0.2) words.emplace_back("seams");
     for (const ReportSeries* series : method.series)
         if (const auto time = value_of("sample_time", *series);
@@ -194,7 +192,7 @@ constexpr std::array method_columns{MethodColumn{"points", "", "picture"},
                                     MethodColumn{"zone plate", "", "picture"},
                                     MethodColumn{"relative radius", "smallest", "number"},
                                     MethodColumn{"relative radius", "mean", "number"},
-                                    MethodColumn{"anisotropy", "peak, dB", "number"},
+                                    MethodColumn{"anisotropy", "dB above chance", "number"},
                                     MethodColumn{"anisotropy", "between lattice peaks, dB above chance", "number"},
                                     MethodColumn{"error of the zone plate", "", "number"},
                                     MethodColumn{"time", "16,384 points", "number"},
@@ -227,7 +225,7 @@ MethodCells cells_of(const Site& site, const Method& method)
             MethodCell{picture_of(site, plates, "plate")},
             text(radius ? format_fixed(radius->min, 3) : ""),
             text(radius ? format_fixed(radius->mean, 3) : ""),
-            text(shown("peak_anisotropy", best)),
+            text(shown("anisotropy_above_chance", best)),
             text(shown("off_lattice_anisotropy", best)),
             text(plates ? shown("zone_plate_error", *plates) : ""),
             text(time_for(method, timed_sizes[0])),
@@ -264,12 +262,6 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions,
     return row;
 }
 
-}
-
-double anisotropy_beyond_chance(const ReportSeries& series)
-{
-    const auto anisotropy = value_of("peak_anisotropy", series);
-    return anisotropy ? std::max(0.0, anisotropy->value - series.curve.background_db - chance_margin_db) : 0;
 }
 
 bool set_methods(PageData& page, const Site& site)

@@ -84,11 +84,9 @@ bool is_in_matrix(const ReportSeries& series);
 /// True if the series of a run, in large runs those that are in no matrix, are few enough to be shown large.
 bool has_glance(const ReportRun& run);
 
-/// These series: points and spectrum beside each other, and a sentence on what is good and wrong.
+/// These series: points, spectrum, radial power and anisotropy beside each other, and a sentence on strengths and
+/// weaknesses.
 PageData glance(const ReportRun& run, const std::filesystem::path& page_folder);
-
-/// The anisotropy of the worst ring beyond what chance may make of it, dB.
-double anisotropy_beyond_chance(const ReportSeries& series);
 
 /// Matrices, series as cards, overlays, integration errors, tilings, constructions and distributions of a run:
 /// rendered, and with flags for what there is (has_cards, compared, ...) set in `page`.

@@ -1,6 +1,8 @@
 // The ranking of all series: a table that sorts, and what its columns mean.
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/ranking_order.hpp"
 #include "reports/pages/relative_link.hpp"
+#include "reports/pages/verdicts.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -8,6 +10,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace poissonlab {
 
@@ -15,6 +19,9 @@ namespace {
 
 /// The number of series from which on the table scrolls in a frame of its own, under its headings.
 constexpr std::size_t long_ranking = 24;
+
+/// The measure by which rows come first.
+constexpr std::string_view sorted_by = "relative_radius";
 
 struct BetterWords
 {
@@ -24,8 +31,8 @@ struct BetterWords
 
 BetterWords words_of(Better better)
 {
-    return better == Better::higher  ? BetterWords{"higher", "↑ higher is better"}
-           : better == Better::lower ? BetterWords{"lower", "↓ lower is better"}
+    return better == Better::higher  ? BetterWords{"higher", "↑ higher: better"}
+           : better == Better::lower ? BetterWords{"lower", "↓ lower: better"}
                                      : BetterWords{"neither", ""};
 }
 
@@ -79,17 +86,27 @@ struct Provenances
     Differences versions;
 };
 
-PageData column_data(const std::string& key, const std::string& title, const std::string& unit, Better better,
-                     bool is_text, bool is_detail = false)
+/// A cell or a heading belongs to a column of text, to one that is shown when all measures are asked for, or has the
+/// best value.
+std::string classes_of(bool is_text, bool is_detail, bool is_best = false)
+{
+    std::vector<std::string> classes;
+    if (is_text) classes.emplace_back("text");
+    if (is_detail) classes.emplace_back("detail");
+    if (is_best) classes.emplace_back("best");
+    return fmt::format("{}", fmt::join(classes, " "));
+}
+
+PageData text_column(const std::string& key, const std::string& title)
 {
     PageData data;
     data.set("key", key);
     data.set("title", title);
-    data.set("unit", optional_text(unit));
-    data.set("better", words_of(better).name);
-    data.set("arrow", is_text ? std::string() : words_of(better).arrow);
-    data.set("is_text", is_text);
-    data.set("is_detail", is_detail);
+    data.set("unit", false);
+    data.set("better", "neither");
+    data.set("arrow", false);
+    data.set("sorting", "none");
+    data.set("classes", optional_text(classes_of(true, false)));
     return data;
 }
 
@@ -97,8 +114,7 @@ PageData text_cell(const std::string& key, const std::string& text, const std::s
 {
     PageData data;
     data.set("key", key);
-    data.set("is_text", true);
-    data.set("is_detail", false);
+    data.set("classes", optional_text(classes_of(true, false)));
     data.set("exact", false);
     data.set("shown", optional_text(text));
     data.set("text_link", optional_text(link));
@@ -107,14 +123,49 @@ PageData text_cell(const std::string& key, const std::string& text, const std::s
     return data;
 }
 
-PageData number_cell(const Measure& measure, const ReportSeries& series, const std::string& machine)
+/// A measure of the ranking.
+struct RankingColumn
 {
+    const Measure* measure = nullptr;
+    const ChoiceColumn* choice = nullptr; ///< null: of no choice
+    bool is_detail = false;
+    std::array<const ReportSeries*, 2> best{}; ///< in 2D and 3D; null: none is marked
+
+    bool marks(const ReportSeries& series) const
+    {
+        const ReportSeries* best_one = best[series.run->dimension == 3 ? 1 : 0];
+        return best_one && is_ranked(series) && is_as_good(*measure, series, *best_one);
+    }
+};
+
+/// The measures that at least one of the series has. Sizes and numbers of sets are shown where they differ.
+std::vector<RankingColumn> columns_of(const std::vector<const ReportSeries*>& series)
+{
+    std::vector<RankingColumn> columns;
+    for (const Measure& measure : measures()) {
+        std::vector<double> values;
+        for (const ReportSeries* entry : series)
+            if (const auto value = measure.get(*entry->stored)) values.push_back(value->value);
+        if (values.empty()) continue;
+        const bool is_size = measure.key == "points" || measure.key == "realizations";
+        const bool differs = std::ranges::any_of(values, [&](double value) { return value != values.front(); });
+        const ChoiceColumn* choice = choice_column(measure.key);
+        columns.push_back({&measure,
+                           choice,
+                           is_size ? !differs : choice == nullptr,
+                           {best_to_mark(measure, series, 2), best_to_mark(measure, series, 3)}});
+    }
+    return columns;
+}
+
+PageData number_cell(const RankingColumn& column, const ReportSeries& series, const std::string& machine)
+{
+    const Measure& measure = *column.measure;
     const auto value = measure.get(*series.stored);
     const MeasureWords words = value ? words_of(measure, *value) : MeasureWords{};
     PageData data;
     data.set("key", measure.key);
-    data.set("is_text", false);
-    data.set("is_detail", measure.is_detail);
+    data.set("classes", optional_text(classes_of(false, column.is_detail, column.marks(series))));
     data.set("shown", optional_text(words.shown));
     data.set("exact", optional_text(value ? format_exact(value->value) : ""));
     data.set("error", optional_text(words.spread));
@@ -122,40 +173,50 @@ PageData number_cell(const Measure& measure, const ReportSeries& series, const s
     return data;
 }
 
-/// The measures that at least one of the series has.
-std::vector<const Measure*> columns_of(const std::vector<const ReportSeries*>& series)
+PageData number_column(const RankingColumn& column)
 {
-    std::vector<const Measure*> columns;
-    for (const Measure& measure : measures())
-        if (std::ranges::any_of(series, [&](const auto* entry) { return measure.get(*entry->stored).has_value(); }))
-            columns.push_back(&measure);
-    return columns;
+    const Measure& measure = *column.measure;
+    PageData data;
+    data.set("key", measure.key);
+    data.set("title", column.choice ? std::string(column.choice->heading) : in_dimension(measure.title()));
+    data.set("unit", optional_text(in_dimension(column.choice ? column.choice->unit : measure.unit)));
+    data.set("better", words_of(measure.better).name);
+    data.set("arrow", optional_text(words_of(measure.better).arrow));
+    data.set("sorting", measure.key == sorted_by ? "descending" : "none");
+    data.set("classes", optional_text(classes_of(false, column.is_detail)));
+    return data;
 }
 
-PageData columns_data(const Site& site, const std::vector<const Measure*>& columns, const Provenances& from)
+PageData columns_data(const Site& site, const std::vector<RankingColumn>& columns, const Provenances& from)
 {
     PageData list{PageData::type::list};
-    list << column_data("series", "Series", "", Better::neither, true);
-    if (site.has_several_runs()) list << column_data("run", "Run", "", Better::neither, true);
-    for (const auto* column : columns)
-        list << column_data(column->key, in_dimension(column->title()), in_dimension(column->unit), column->better,
-                            false, column->is_detail);
-    if (from.machines.any()) list << column_data("device", "Machine", "", Better::neither, true);
-    if (from.versions.any()) list << column_data("version", "Version", "", Better::neither, true);
+    list << text_column("series", "Series");
+    if (site.has_several_runs()) list << text_column("run", "Run");
+    for (const RankingColumn& column : columns) list << number_column(column);
+    if (from.machines.any()) list << text_column("device", "Machine");
+    if (from.versions.any()) list << text_column("version", "Version");
     return list;
 }
 
-PageData row_data(const Site& site, const ReportRun& run, std::size_t index, const std::vector<const Measure*>& columns,
-                  const Provenances& from)
+/// The reason why a series stands behind the others.
+std::string remark_of(const ReportSeries& series)
 {
-    const ReportSeries& series = run.series[index];
-    auto row = series_identity(series, index);
+    if (follows_density(series)) return "follows a density: not ranked";
+    if (is_not_periodic(series)) return "not periodic: not ranked";
+    return {};
+}
+
+PageData row_data(const Site& site, const ReportRun& run, const ReportSeries& series,
+                  const std::vector<RankingColumn>& columns, const Provenances& from)
+{
+    auto row = series_identity(series, static_cast<std::size_t>(&series - run.series.data()));
     row.set("link", relative_link(site.out, page_of(series)));
     row.set("run", run.stored->title);
+    row.set("remark", optional_text(remark_of(series)));
     PageData cells{PageData::type::list};
     if (site.has_several_runs()) cells << text_cell("run", run.stored->title, relative_link(site.out, page_of(run)));
     const auto machine = machine_of(*run.stored);
-    for (const auto* column : columns) cells << number_cell(*column, series, from.machines.letter(machine));
+    for (const RankingColumn& column : columns) cells << number_cell(column, series, from.machines.letter(machine));
     if (from.machines.any())
         cells << text_cell("device", machine.empty() ? "" : from.machines.letter(machine) + ": " + machine);
     if (from.versions.any()) cells << text_cell("version", run.stored->version);
@@ -163,9 +224,40 @@ PageData row_data(const Site& site, const ReportRun& run, std::size_t index, con
     return row;
 }
 
-PageData notices(const Provenances& from)
+/// The lines above the table, one a dimension: which series is best for what.
+PageData best_lines(const Site& site)
+{
+    const auto all = site.series();
+    PageData lines{PageData::type::list};
+    const bool has_both =
+        std::ranges::any_of(all, [&](const auto* s) { return s->run->dimension != all.front()->run->dimension; });
+    for (const int dimension : {2, 3}) {
+        const std::vector<BestFor> best = best_series(all, dimension);
+        if (best.empty()) continue;
+        PageData line, wishes{PageData::type::list};
+        line.set("where", has_both ? fmt::format("Best in {}D", dimension) : std::string("Best"));
+        for (const BestFor& wish : best) {
+            PageData item;
+            item.set("what", wish.what);
+            item.set("label", wish.series->full_label);
+            item.set("link", relative_link(site.out, page_of(*wish.series)));
+            item.set("value", wish.value);
+            item.set("is_last", &wish == &best.back());
+            wishes << item;
+        }
+        line.set("wishes", wishes);
+        line.set("directions", optional_text(directions_words(all, dimension)));
+        lines << line;
+    }
+    return lines;
+}
+
+PageData notices(const Site& site, const Provenances& from)
 {
     PageData list{PageData::type::list};
+    for (const ReportSeries* series : site.series())
+        if (const std::string border = border_notice(*series); !border.empty())
+            list << PageData(fmt::format("{}: {}", series->full_label, border));
     if (from.machines.any()) {
         std::string text = "These runs were made on different machines: times of one do not compare with times of "
                            "another, and have the machine's letter.";
@@ -180,16 +272,16 @@ PageData notices(const Provenances& from)
 }
 
 /// The meaning of columns; neighbours with one meaning share a note.
-PageData notes(const std::vector<const Measure*>& columns)
+PageData notes(const std::vector<RankingColumn>& columns)
 {
     PageData list{PageData::type::list};
     for (std::size_t i = 0; i < columns.size();) {
-        const std::string& meaning = columns[i]->meaning;
-        std::string names = in_dimension(columns[i]->title());
-        bool is_detail = columns[i]->is_detail;
-        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i) {
-            names += "; " + in_dimension(columns[i]->title());
-            is_detail = is_detail && columns[i]->is_detail;
+        const std::string& meaning = columns[i].measure->meaning;
+        std::string names = in_dimension(columns[i].measure->title());
+        bool is_detail = columns[i].is_detail;
+        for (++i; i < columns.size() && columns[i].measure->meaning == meaning; ++i) {
+            names += "; " + in_dimension(columns[i].measure->title());
+            is_detail = is_detail && columns[i].is_detail;
         }
         if (meaning.empty()) continue;
         PageData note;
@@ -210,14 +302,17 @@ void set_ranking(PageData& page, const Site& site)
     const auto columns = columns_of(series);
     const Provenances from{Differences(site, machine_of), Differences(site, version_of)};
     PageData rows{PageData::type::list};
-    for (const auto& run : site.runs)
-        for (std::size_t i = 0; i < run.series.size(); ++i) rows << row_data(site, run, i, columns, from);
+    for (const ReportSeries* entry : ranking_order(series)) {
+        const auto is_of = [&](const ReportRun& run) { return run.stored == entry->run; };
+        rows << row_data(site, *std::ranges::find_if(site.runs, is_of), *entry, columns, from);
+    }
+    page.set("best_lines", best_lines(site));
     page.set("columns", columns_data(site, columns, from));
     page.set("rows", rows);
-    page.set("has_details", std::ranges::any_of(columns, &Measure::is_detail));
+    page.set("has_details", std::ranges::any_of(columns, &RankingColumn::is_detail));
     page.set("is_long", series.size() > long_ranking);
     page.set("series_count", format_count(series.size()));
-    page.set("notices", notices(from));
+    page.set("notices", notices(site, from));
     page.set("notes", notes(columns));
 }
 

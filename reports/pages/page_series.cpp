@@ -3,6 +3,7 @@
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
+#include "reports/pages/verdicts.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -66,6 +67,7 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     data.set("relative_radius", shown_mean(series.stored->relative_radius, 4));
     data.set("min_distance", shown_mean(series.stored->min_distance, 4));
     data.set("measures", measures_list(series));
+    data.set("border", optional_text(border_notice(series)));
     data.set("file_groups", files);
     set_provenance(data, *run.stored);
     return render_in_frame(site, {page_of(series), series.label + " · " + site.title, {}}, "series", data);

@@ -1,4 +1,5 @@
 // The page's section on tile sets and tilings.
+#include "base/files/noun.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
@@ -56,8 +57,8 @@ PageData facts_of(const TilingResult& stored)
     facts << PageData(std::string(tile_kind_words(stored.kind)));
     facts << PageData(stored.vertical_colors > 0
                           ? fmt::format("{} horizontal and {} vertical colours", stored.colors, stored.vertical_colors)
-                          : fmt::format("{} colours", stored.colors));
-    facts << PageData(fmt::format("{} tiles in the set", format_count(stored.tiles)));
+                          : fmt::format("{} {}", stored.colors, noun(stored.colors, "colour")));
+    facts << PageData(fmt::format("{} {} in the set", format_count(stored.tiles), noun(stored.tiles, "tile")));
     if (!stored.algorithm.empty()) facts << PageData("algorithm " + stored.algorithm);
     if (!stored.hash.empty())
         facts << PageData(fmt::format("hash {}, repeats after {} tiles", stored.hash,

@@ -1,4 +1,5 @@
 // The sentence that a page says about its runs, and the names of things in their dimensions.
+#include "base/files/noun.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -32,7 +33,7 @@ std::string range_of(const std::vector<const ReportSeries*>& series, Value Serie
 
 std::string counted(std::size_t count, const char* one)
 {
-    return count == 0 ? std::string() : fmt::format("{} {}{}", format_count(count), one, count == 1 ? "" : "s");
+    return count == 0 ? std::string() : fmt::format("{} {}", format_count(count), noun(count, one));
 }
 
 std::string tilings_summary(const std::vector<const ReportRun*>& runs)
@@ -95,10 +96,11 @@ std::string series_summary(const std::vector<const ReportRun*>& runs)
     const auto realizations = range_of(series, &Series::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
     const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", series.front()->run->dimension);
-    auto text = fmt::format("{} series of {} points {} in {}, {} realization{}{}",
-                            series.size() == 1 ? "One" : format_count(series.size()), range_of(series, &Series::points),
-                            domain_words(series), dimension, realizations, realizations == "1" ? "" : "s",
-                            series.size() == 1 ? "" : " each");
+    const std::string points = range_of(series, &Series::points);
+    auto text = fmt::format("{} series of {} {} {} in {}, {} realization{}{}",
+                            series.size() == 1 ? "One" : format_count(series.size()), points,
+                            noun(points == "1" ? 1 : 2, "point"), domain_words(series), dimension, realizations,
+                            realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
     const auto& engine = series.front()->run->engine;
     const bool one_engine =
         std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });

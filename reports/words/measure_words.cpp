@@ -1,5 +1,6 @@
 #include "reports/words/measure_words.hpp"
 
+#include "analysis/statistics/jackknife.hpp"
 #include "reports/words/number_format.hpp"
 
 namespace poissonlab {
@@ -22,13 +23,24 @@ std::string rounded(double value, const Digits& digits)
 
 }
 
+std::optional<double> standard_error_of(const Measure& measure, const MeasuredValue& value)
+{
+    if (value.standard_error || measure.kind != MeasureKind::per_set || value.each.size() < 2)
+        return value.standard_error;
+    return standard_error_of_mean(value.each);
+}
+
 MeasureWords words_of(const Measure& measure, const MeasuredValue& value)
 {
-    MeasureWords words{rounded(value.value, measure.digits), value.remark};
-    if (value.standard_error) words.spread = "± " + format_significant(*value.standard_error, 2);
+    MeasureWords words{rounded(value.value, measure.digits), value.remark, {}};
+    const auto error = standard_error_of(measure, value);
+    if (error) {
+        const RoundedEstimate estimate = format_estimate(value.value, error, measure.digits.digits);
+        if (!estimate.error.empty()) words = {estimate.value, "± " + estimate.error, {}};
+    }
     if (!value.range) return words;
     const auto low = rounded((*value.range)[0], measure.digits), high = rounded((*value.range)[1], measure.digits);
-    if (low != high) words.spread = low + " to " + high;
+    if (low != high) (error ? words.range : words.spread) = low + " to " + high;
     return words;
 }
 

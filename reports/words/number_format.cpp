@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
@@ -52,7 +53,14 @@ std::string with_formatted_points(const std::string& label)
         text += format_count(std::stoull((*match)[1]));
         rest = (*match)[1].second;
     }
-    return text.append(rest, label.cend());
+    text.append(rest, label.cend());
+    constexpr std::string_view spelt = "rho = "; // of results that older versions wrote
+    for (std::size_t at = text.find(spelt); at != std::string::npos; at = text.find(spelt, at))
+        if (at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1])))
+            text.replace(at, spelt.size(), "ρ = ");
+        else
+            at += spelt.size();
+    return text;
 }
 
 std::string format_significant(double value, int digits)
@@ -65,6 +73,48 @@ std::string format_significant(double value, int digits)
     if (exponent >= -4 && exponent < digits)
         return with_minus_sign(fmt::format("{:.{}f}", value, digits - 1 - exponent));
     return with_minus_sign(text.substr(0, mark)) + " × 10" + superscript(exponent);
+}
+
+namespace {
+
+/// The exponent of a number's first digit, of one that is not 0.
+int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
+
+/// The place of the last digit that an error allows, 10^place.
+int last_place(double error)
+{
+    const int exponent = exponent_of(error);
+    const double three = std::round(error * std::pow(10.0, 2 - exponent)); // its first digits, 100 to 1000
+    return three <= 354 || three >= 950 ? exponent - (three >= 950 ? 0 : 1) : exponent;
+}
+
+/// A number that ends at a place: 1,230 or 0.0123, or as a power of ten.
+std::string ending_at(double value, int place, bool is_plain)
+{
+    const double unit = std::pow(10.0, place);
+    const double rounded = std::round(value / unit) * unit;
+    if (rounded == 0 && (place >= 0 || !is_plain)) return "0";
+    if (!is_plain) return format_significant(value, std::max(1, exponent_of(rounded) - place + 1));
+    if (place < 0) return format_fixed(value, -place);
+    const std::string digits = format_count(static_cast<std::uint64_t>(std::llround(std::abs(rounded))));
+    return rounded < 0 ? minus_sign + digits : digits;
+}
+
+}
+
+std::string RoundedEstimate::text() const { return error.empty() ? value : value + " ± " + error; }
+
+RoundedEstimate format_estimate(double value, std::optional<double> standard_error, int digits)
+{
+    constexpr double rounding = 1e-9;
+    const bool has_error = standard_error && std::isfinite(*standard_error) && std::isfinite(value) &&
+                           *standard_error > rounding * std::abs(value) && *standard_error > 1e-300;
+    if (!has_error) return {value == 0 ? "0" : format_significant(value, digits), {}};
+    constexpr int least_plain = -4, most_plain = 7;
+    const int place = last_place(*standard_error);
+    const int first = std::max(value == 0 ? place : exponent_of(value), exponent_of(*standard_error));
+    const bool is_plain = first >= least_plain && first < most_plain && place > least_plain - 3;
+    return {ending_at(value, place, is_plain), ending_at(*standard_error, place, is_plain)};
 }
 
 std::string format_fixed(double value, int decimals)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace poissonlab {
@@ -9,12 +10,29 @@ namespace poissonlab {
 /// 16384 -> "16,384".
 std::string format_count(std::uint64_t value);
 
-/// A label with its numbers of points like that: "Random, N = 16384" -> "Random, N = 16,384".
+/// A label with its numbers of points like that: "Random, N = 16384" -> "Random, N = 16,384"; and with the sign of the
+/// relative radius, ρ, where it is spelt.
 std::string with_formatted_points(const std::string& label);
 
 /// Significant digits, zeros at the end included; very small and very large numbers as "2.3 × 10⁻⁵". Minus as
 /// U+2212.
 std::string format_significant(double value, int digits);
+
+/// An estimate and its standard error as readers have them.
+struct RoundedEstimate
+{
+    std::string value;
+    std::string error; ///< empty: there is none, or nothing but rounding
+
+    /// "0.721 ± 0.004", or the value alone.
+    std::string text() const;
+};
+
+/// All numbers with an error are rounded here, by the rule of the Particle Data Group (Review of Particle Physics,
+/// section 5.3): the error has two digits where they are up to 354, else one, where the first three of its digits are
+/// meant, and the value ends at the same place. Small ones are powers of ten, and so is their error. An error below a
+/// billionth of the value is rounding; without an error the value has `digits` significant ones.
+RoundedEstimate format_estimate(double value, std::optional<double> standard_error, int digits = 4);
 
 /// A fixed number of decimals; never "-0". Minus as U+2212.
 std::string format_fixed(double value, int decimals);

@@ -5,6 +5,7 @@ import ctypes
 import re
 import struct
 import unittest
+import warnings
 import xml.etree.ElementTree
 
 import numpy
@@ -209,6 +210,33 @@ class Analyses(FolderTest):
         analysis.report(self.folder / "report")
         self.assertIn("Mine", (self.folder / "report/index.html").read_text())
         self.assert_same_curves(analysis, self.folder / "report/Mine")
+
+    def test_warn_of_sets_that_are_not_periodic(self):
+        random = numpy.random.default_rng(1)
+        darts = numpy.empty((0, 2))
+        for dart in random.random((4000, 2)):  # 0.05 apart inside the square, but not across its border
+            if len(darts) < 230 and (len(darts) == 0 or numpy.hypot(*(darts - dart).T).min() >= 0.05):
+                darts = numpy.vstack([darts, dart])
+        with self.assertWarnsRegex(UserWarning, "darts: The closest pairs of points meet across the border .*periodic=False"):
+            around = pl.analyze(darts, label="darts")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            inside = pl.analyze(darts, periodic=False)
+            pl.analyze(darts, periodic=True)
+            pl.analyze(random.random((500, 2)))
+        distances = numpy.hypot(*(darts[:, None] - darts[None]).T) + 9 * numpy.eye(len(darts))
+        self.assertAlmostEqual(inside.min_distance[0], distances.min(), 7)
+        self.assertLess(around.min_distance[0], 0.9 * distances.min())
+        with self.assertRaisesRegex(pl.InputError, "periodic: does not go with region"):
+            pl.analyze(darts, periodic=True, region="rectangle 0 0 1 1")
+
+    def test_take_points_of_the_plane_with_a_third_coordinate(self):
+        points = sets_of(1, 50)[0]
+        flat = numpy.column_stack([points, numpy.zeros(len(points))])
+        with self.assertWarnsRegex(UserWarning, "all points have the same third coordinate"):
+            analysis = pl.analyze(flat)
+        self.assertEqual(analysis.dimension, 2)
+        self.assertEqual(analysis.min_distance[0], pl.analyze(points).min_distance[0])
 
     def test_refuse_what_is_no_set(self):
         points = sets_of(1, 50)[0]

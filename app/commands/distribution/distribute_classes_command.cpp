@@ -2,6 +2,7 @@
 #include "app/commands/kind_options.hpp"
 #include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
@@ -61,8 +62,10 @@ void throw_class_points(const ClassOptions& o)
         spectra = checked_output(o.command(), "--spectra", o.spectra, {{".csv"}});
     }
     const ClassSet set = throw_classes(settings, o.seed(), o.place());
-    const std::string what = fmt::format("{} points of {} classes: {}", set.points.points.size(),
-                                         set.points.is_full.size(), fmt::join(set.points.counts(), ", "));
+    const std::string what =
+        fmt::format("{} {} of {} {}: {}", set.points.points.size(), noun(set.points.points.size(), "point"),
+                    set.points.is_full.size(), noun(set.points.is_full.size(), "class", "classes"),
+                    fmt::join(set.points.counts(), ", "));
     o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
     const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
     for (const std::filesystem::path& out : o.outs.files()) write_class_output(out, set, comment);

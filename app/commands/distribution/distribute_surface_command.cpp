@@ -1,5 +1,6 @@
 // poissonlab distribute surface: points on the triangles of a mesh.
 #include "app/commands/kind_options.hpp"
+#include "base/files/noun.hpp"
 #include "base/images/png_file.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
@@ -44,10 +45,11 @@ void place_on_surface(const KindOptions& o)
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     for (const std::string& note : set.notes) o.say_note(note);
-    std::string what = fmt::format("{} points, {}", set.points.size(), surface_fact(set, settings));
+    std::string what =
+        fmt::format("{} {}, {}", set.points.size(), noun(set.points.size(), "point"), surface_fact(set, settings));
     if (set.min_distance > 0)
-        what += fmt::format("; {}at least {:.17g} apart", set.angle < 180 ? "those that see each other " : "",
-                            set.min_distance);
+        what +=
+            fmt::format("; {}at least {} apart", set.angle < 180 ? "those that see each other " : "", set.min_distance);
     o.say_note(what);
     for (const std::filesystem::path& out : o.outs.files())
         write_surface_output(out, set, static_cast<int>(o.pixels),

@@ -2,6 +2,7 @@
 
 #include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "base/points/point_file.hpp"
 #include "host/distribution/runs/dart_pictures.hpp"
 #include "host/distribution/runs/varied_results.hpp"
@@ -47,8 +48,8 @@ void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) 
 
 std::string words_of(const RegionDarts& darts)
 {
-    std::string what = fmt::format("{} points", darts.points.size());
-    if (darts.sure_distance > 0 && !darts.varied) what += fmt::format(" at least {:.17g} apart", darts.sure_distance);
+    std::string what = fmt::format("{} {}", darts.points.size(), noun(darts.points.size(), "point"));
+    if (darts.sure_distance > 0 && !darts.varied) what += fmt::format(" at least {} apart", darts.sure_distance);
     if (darts.is_saturated) what += ", between which no further one fits";
     return darts.varied ? what + "; " + words_of_varied(*darts.varied) : what;
 }

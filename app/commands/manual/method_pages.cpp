@@ -22,7 +22,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::array page_measures = {"relative_radius", "mean_nearest_distance", "effective_nyquist",
-                                      "oscillation",     "low_frequency_mean",    "peak_anisotropy"};
+                                      "oscillation",     "low_frequency_mean",    "anisotropy_above_chance"};
 
 std::string sentence(std::string text)
 {

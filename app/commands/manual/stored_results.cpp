@@ -26,9 +26,8 @@ constexpr std::string_view marker = "<!--= ", marker_end = " -->", results_end =
 
 std::string with_error(const Estimate& estimate, int decimals)
 {
-    const std::string value = format_fixed(estimate.value, decimals);
-    if (!estimate.standard_error) return value;
-    return fmt::format("{} ± {}", value, format_fixed(*estimate.standard_error, decimals));
+    if (!estimate.standard_error) return format_fixed(estimate.value, decimals);
+    return format_estimate(estimate.value, estimate.standard_error, decimals).text();
 }
 
 /// A value and its error with as many decimals as the first digit of the error has; one more where that digit is 1.

@@ -98,8 +98,8 @@ void large_dart_keys(Keys& keys, AskedDarts& asked)
 
 std::string comment_of(std::uint64_t seed, const LargeDarts& set)
 {
-    return fmt::format("poissonlab points dart-throwing --seed {}: minimum distance {:.17g}, in the order of darts{}",
-                       seed, set.darts.min_distance, set.darts.points ? "" : ", between which no further one fits");
+    return fmt::format("poissonlab points dart-throwing --seed {}: minimum distance {}, in the order of darts{}", seed,
+                       set.darts.min_distance, set.darts.points ? "" : ", between which no further one fits");
 }
 
 void throw_large_darts(const KindOptions& o)

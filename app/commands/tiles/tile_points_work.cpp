@@ -99,7 +99,7 @@ std::string comment_of(const TilesPointsOptions& options, const TiledRegion* reg
     const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
     const std::string begin = fmt::format("poissonlab tiles points {} ", options.file.filename().string());
     if (region)
-        return fmt::format("{}--region {} --seed {}{}: in units of the region, of which a tile is {:.17g} wide", begin,
+        return fmt::format("{}--region {} --seed {}{}: in units of the region, of which a tile is {} wide", begin,
                            shortened(printable(options.region)), options.seed, density, region->tile_width());
     const std::string place = options.torus > 0 ? fmt::format("--torus {}", options.torus)
                                                 : fmt::format("--window {}", fmt::join(options.window, " "));

@@ -2,6 +2,7 @@
 #include "app/commands/tiles/tile_points_work.hpp"
 #include "app/commands/tiles/window_file.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/noun.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/crew/thread_limit.hpp"
 
@@ -63,7 +64,8 @@ void write_tile_points(const TilesPointsOptions& options)
                                                     : write_window(work->out, work->head, *work->points, *crew);
     if (!crew->leads()) return;
     if (options.points > 0 && count != options.points && !options.work.is_quiet())
-        fmt::print(stderr, "poissonlab: note: {} points: no width of tiles has exactly {}\n", count, options.points);
+        fmt::print(stderr, "poissonlab: note: {} {}: no width of tiles has exactly {}\n", count, noun(count, "point"),
+                   options.points);
     if (options.as_json) print_json(options, *work, count);
 }
 

@@ -1,6 +1,7 @@
 #include "host/distribution/region_samplers/region_samplers.hpp"
 
 #include "host/distribution/region_samplers/region_method_samplers.hpp"
+#include "host/sampling/classics/command_sampler.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/tile_sampling/region_tile_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
@@ -9,9 +10,8 @@ namespace poissonlab {
 
 namespace {
 
-SamplerSpec file_sampler_in_plane()
+SamplerSpec in_plane(SamplerSpec spec)
 {
-    SamplerSpec spec = file_sampler();
     spec.dimensions = {2};
     return spec;
 }
@@ -31,7 +31,8 @@ const SamplerRegistry& region_sampler_registry()
         region_tile_sampler({PoissonTileKind::corner, 2}, corner_tile_sampler()),
         region_tile_sampler({PoissonTileKind::edge, 2}, edge_tile_sampler()),
         region_tile_sampler({PoissonTileKind::frame, 2}, template_tile_sampler()),
-        file_sampler_in_plane(),
+        in_plane(file_sampler()),
+        in_plane(command_sampler()),
     };
     return registry;
 }

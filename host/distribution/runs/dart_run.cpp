@@ -4,6 +4,7 @@
 // Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
 // nothing about a region: distances are what is measured.
 #include "base/densities/density_text.hpp"
+#include "base/files/noun.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
 #include "base/regions/region_text.hpp"
@@ -209,7 +210,8 @@ std::string words_of_region(const RegionDarts& darts)
 {
     if (!darts.space) {
         const PlaneRegion& plane = darts.request.land->rest;
-        return fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane));
+        const std::size_t polygons = plane.polygons.size();
+        return fmt::format("{} {}, {} corners", polygons, noun(polygons, "polygon"), corner_count(plane));
     }
     if (darts.space->shape() == SpaceShape::solid)
         return fmt::format("a solid by a lattice of {} cells", fmt::join(darts.space->cells(), " x "));

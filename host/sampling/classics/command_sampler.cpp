@@ -1,5 +1,6 @@
 #include "host/sampling/classics/command_sampler.hpp"
 
+#include "analysis/regions/framed_region.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
@@ -94,13 +95,15 @@ public:
         return files.front();
     }
 
-    /// The one point set of the file. Throws InputError, in words without the file's own name.
-    PointSet read() const
+    /// The one point set of the file: in the unit square (cube), or in a region, in its units. Throws InputError, in
+    /// words without the file's own name.
+    PointSet read(const FramedRegion* region) const
     {
         const fs::path written = file();
         try {
-            std::vector<PointSet> sets = read_points(written);
+            std::vector<PointSet> sets = region ? read_points(written, any_coordinates) : read_points(written);
             if (sets.size() != 1) throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
+            if (region) region->framed(sets.front(), "{out}"); // throws where some are outside
             return std::move(sets.front());
         } catch (const InputError& error) {
             if (error.place().file.empty()) throw;
@@ -155,7 +158,7 @@ public:
         try {
             outcome = run_program(words, folder_of(parameters_), limit_, stop_if_interrupted);
             if (!outcome.succeeded()) throw InputError(failure_of(outcome, limit_));
-            PointSet points = folder.read();
+            PointSet points = folder.read(request_.region.get());
             if (points.dimension != request_.dimension)
                 throw InputError(fmt::format("it wrote {}D points; the experiment has dimension = {}", points.dimension,
                                              request_.dimension));

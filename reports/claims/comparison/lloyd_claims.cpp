@@ -234,7 +234,7 @@ SampleMean falls_of(const ReportSeries& series)
 Outcome lloyd_in_space(const ClaimSeries& report)
 {
     const auto in_words = [](const SampleMean& falls) {
-        return fmt::format("{} ± {}", format_fixed(falls.value, 1), format_fixed(falls.standard_error, 1));
+        return format_estimate(falls.value, falls.standard_error, 2).text();
     };
     Cases cases;
     for (const auto* space : lloyd_of_darts(report, Needs::iterations, 3))

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -75,6 +77,71 @@ TEST(PeakAnisotropy, OfALatticeHasTheErrorOfItsPeaks)
     // A variance of 400 values is known to 7 %, the claims to less; logarithms of powers of ten realizations vary by
     // some tenth more than their slopes say.
     EXPECT_NEAR(std::sqrt(claimed / (squares - sum * sum)), 1, 0.2);
+}
+
+/// Rings of the mean of K independent exponential powers at every frequency, whose mean goes as `power` of the
+/// frequency and is multiplied by `factor` in one half of the directions.
+std::vector<RadialBin> rings_of_chance(int size, int realizations, const std::function<double(double)>& power,
+                                       double factor, std::mt19937_64& random)
+{
+    std::gamma_distribution<double> gamma(realizations, 1.0 / realizations);
+    const int half = size / 2;
+    Spectrum spectrum{.size = size, .realizations = realizations};
+    spectrum.power.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 1.0);
+    const auto at = [&](int u, int v) -> double& {
+        return spectrum.power[static_cast<std::size_t>((v + half) * size + u + half)];
+    };
+    for (int v = 0; v < half; ++v)
+        for (int u = -half + 1; u < half; ++u) {
+            if (v == 0 && u <= 0) continue;
+            const double mean = power(std::hypot(u, v)) * (std::abs(u) > v ? factor : 1);
+            at(u, v) = at(-u, -v) = mean * gamma(random);
+        }
+    return radial_statistics(spectrum);
+}
+
+TEST(AnisotropyAboveChance, IsNoneOfIsotropicSets)
+{
+    // An alarm in a thousand is allowed: of 1,600 spectra more than six come with a probability of 4e-3 in all.
+    std::mt19937_64 random(5);
+    int alarms = 0;
+    for (const int realizations : {1, 2, 4, 10})
+        for (int i = 0; i < 200; ++i) {
+            const auto flat = rings_of_chance(
+                96, realizations, [](double) { return 1.0; }, 1, random);
+            // As steep as Gaussian blue noise of few points: three times the power from ring to ring, from next to
+            // none.
+            const auto steep = rings_of_chance(
+                96, realizations, [](double f) { return std::min(1.0, 1e-4 * std::pow(3.0, (f - 18) / 1.5)); }, 1,
+                random);
+            for (const auto& rings : {flat, steep}) alarms += *anisotropy_above_chance_db(rings, realizations) > 0;
+        }
+    EXPECT_LE(alarms, 6);
+}
+
+TEST(AnisotropyAboveChance, IsThatOfTheRingsThatStandOut)
+{
+    // Half of the frequencies have twice the power of the others: a ratio of 1/9 beside the chance of
+    // (1 + 1/9) / K, which is 3 dB at K = 9.
+    std::mt19937_64 random(6);
+    const auto rings = rings_of_chance(
+        256, 9, [](double) { return 1.0; }, 2, random);
+    const double above = *anisotropy_above_chance_db(rings, 9);
+    EXPECT_GT(above, 3.0);
+    EXPECT_LT(above, 5.5) << "the largest of some hundred rings";
+}
+
+TEST(AnisotropyAboveChance, LeavesOutRingsWithoutPowerOrSamples)
+{
+    const auto rings_with = [](double power, std::size_t samples) {
+        return std::vector<RadialBin>{
+            {15, power, -10, samples, 0}, {16, power, 30, samples, 0}, {17, power, -10, samples, 0}};
+    };
+    EXPECT_GT(anisotropy_above_chance_db(rings_with(0.01, 100), 10).value(), 39);
+    EXPECT_FALSE(anisotropy_above_chance_db(rings_with(0.009, 100), 10));
+    EXPECT_FALSE(anisotropy_above_chance_db(rings_with(1, 99), 10));
+    EXPECT_FALSE(anisotropy_above_chance_db({}, 10));
+    EXPECT_FALSE(peak_anisotropy(rings_with(0.009, 100)));
 }
 
 TEST(PeakAnisotropy, ErrorIsTheSpreadOfRingsOfChance)

@@ -112,5 +112,13 @@ TEST_F(PointStream, IsOfOneSet)
     EXPECT_THAT(error_of("none.txt"), HasSubstr("no points"));
 }
 
+TEST_F(PointStream, PointsOfThePlaneMustHaveTwoCoordinates)
+{
+    folder_.write("flat.txt", "0.1 0.2 0.5\n0.3 0.4 0.5\n");
+    EXPECT_THAT(error_of("flat.txt"), HasSubstr("flat.txt: all points have the same third coordinate"));
+    folder_.write("one.txt", "0.1 0.2 0.5\n");
+    expect_same("one.txt");
+}
+
 }
 }

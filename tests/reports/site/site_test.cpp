@@ -218,19 +218,46 @@ TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)
     first["tile_set"] = {{"tiles", 16}, {"points_per_tile", 64}, {"build_seconds", 0.25}, {"cached", true}};
     page();
     const auto text = file("index.html");
-    const auto cell = [](const char* key, const char* exact, const char* shown, const char* error) {
-        return fmt::format("<td data-key=\"{}\"><data value=\"{}\">{}</data>{}</td>", key, exact, shown,
+    const auto cell = [](const char* key, const char* exact, const char* shown, const char* error,
+                         const char* classes = " class=\"detail\"") {
+        return fmt::format("<td data-key=\"{}\"{}><data value=\"{}\">{}</data>{}</td>", key, classes, exact, shown,
                            *error ? fmt::format(" <small>{}</small>", error) : "");
     };
-    EXPECT_THAT(text, HasSubstr(cell("effective_nyquist", "0.6314159", "0.631", "± 0.0012")));
+    EXPECT_THAT(text, HasSubstr(cell("effective_nyquist", "0.6314159", "0.6314", "± 0.0012", "")));
     EXPECT_THAT(text, HasSubstr(cell("oscillation", "2.5", "2.50", "± 0.25")));
-    EXPECT_THAT(text, HasSubstr(cell("lattice_peaks", "3.25", "3.25", "± 0.50")));
-    EXPECT_THAT(text, HasSubstr(cell("peak_anisotropy", "-7.25", "−7.2", "± 0.12")));
+    EXPECT_THAT(text, HasSubstr(cell("lattice_peaks", "3.25", "3.2", "± 0.5")));
+    EXPECT_THAT(text, HasSubstr(cell("peak_anisotropy", "-7.25", "−7.25", "± 0.12")));
     EXPECT_THAT(text, HasSubstr(cell("largest_empty", "0.875", "0.8750", "")));
     EXPECT_THAT(text, HasSubstr(cell("build_time", "0.25", "250 ms", "earlier")));
-    EXPECT_EQ(test::count_of(text, "<td data-key=\"build_time\">–</td>"), 2) << "of the others";
+    EXPECT_EQ(test::count_of(text, "<td data-key=\"build_time\" class=\"detail\">–</td>"), 2) << "of the others";
     EXPECT_THAT(text, HasSubstr("data-key=\"peak_anisotropy\" data-better=\"lower\" aria-sort=\"none\""));
     EXPECT_THAT(text, HasSubstr("data-key=\"effective_nyquist\" data-better=\"higher\" aria-sort=\"none\""));
+}
+
+TEST_F(SiteTest, TheRankingIsSortedAndMarksTheBest)
+{
+    for (int i = 0; i < 3; ++i) {
+        const double radius = 0.5 + 0.1 * i;
+        auto& series = json_["series"][static_cast<std::size_t>(i)];
+        series["label"] = fmt::format("Series {}", i);
+        series["relative_radius"] = {{"min", radius}, {"mean", radius}, {"max", radius}, {"each", {radius}}};
+        series["measures"] = {{"low_frequency_mean", 0.3 - 0.1 * i}, {"anisotropy_above_chance", i == 2 ? 12 : 0}};
+    }
+    json_["series"][0]["parameters"]["density"] = "ramp";
+    page();
+    const auto text = file("index.html");
+    const auto table = text.substr(text.find("<table id=\"ranking\">"));
+    EXPECT_LT(table.find("Series 2"), table.find("Series 1"));
+    EXPECT_LT(table.find("Series 1"), table.find("Series 0"));
+    EXPECT_THAT(table, HasSubstr("<small>follows a density: not ranked</small>"));
+    EXPECT_THAT(table, HasSubstr("data-key=\"relative_radius\" data-better=\"higher\" aria-sort=\"descending\""));
+    EXPECT_THAT(table, HasSubstr("<td data-key=\"relative_radius\" class=\"best\"><data value=\"0.7\">"));
+    EXPECT_THAT(text, HasSubstr("for points far apart: <a href=\"jittered/index.html\">Series 1</a> (ρ = 0.6000);"));
+    EXPECT_THAT(text, HasSubstr("Left out here for their preferred directions: Series 2."));
+    EXPECT_LT(text.find("<section id=\"overview\">"), text.find("<section id=\"series\">"))
+        << "the ranking comes before the pictures";
+    for (const char* stem : {"points", "spectrum", "radial", "anisotropy"})
+        EXPECT_THAT(text, HasSubstr(fmt::format("src=\"jittered/{}.", stem)));
 }
 
 TEST_F(SiteTest, ThePageHasTheRadialCurvesToFiveDigits)
