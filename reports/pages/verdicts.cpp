@@ -29,7 +29,7 @@ struct Opinion
 
 std::optional<double> value_of(const ReportSeries& series, const char* key)
 {
-    const auto value = measure(key).get(*series.stored);
+    const auto value = poissonlab::measure(key).get(*series.stored);
     return value ? std::optional(value->value) : std::nullopt;
 }
 
