@@ -80,8 +80,6 @@ std::string machine_words(const Run& run)
 
 }
 
-bool follows_density(const ReportSeries& series) { return !text_parameter(series, "density").empty(); }
-
 std::vector<const ReportSeries*> darts_as_large(const ClaimSeries& report, double relative_radius)
 {
     auto found = report.all({.sampler = "dart-throwing", .needs = SeriesQuery::Needs::spectrum});

@@ -3,6 +3,7 @@
 
 #include "reports/claims/claim_curves.hpp"
 #include "reports/claims/paper_claims.hpp"
+#include "reports/layout/followed_density.hpp"
 
 #include <optional>
 #include <string>
@@ -110,9 +111,6 @@ inline constexpr auto no_false_plates_criterion =
     "no false plate is stronger than noise makes once in 100 pictures; open up to what noise makes once in 10,000";
 inline constexpr auto false_plates_criterion = "the strongest false plate is stronger than noise makes once in 10,000 "
                                                "pictures; open down to what noise makes once in 100";
-
-/// True where points follow a density that is not the same everywhere: spectra are then those of the density as well.
-bool follows_density(const ReportSeries& series);
 
 /// The series of a method that have the same density everywhere.
 std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,

@@ -68,7 +68,7 @@ PageData facts_of(const TilingResult& stored)
     return facts;
 }
 
-PageData measure(const std::string& name, const std::string& value, const std::string& meaning)
+PageData fact_of(const std::string& name, const std::string& value, const std::string& meaning)
 {
     PageData data;
     data.set("name", name);
@@ -100,17 +100,17 @@ PageData measures_of(const TilingResult& stored)
     if (!stored.statistics) return list;
     const auto& statistics = *stored.statistics;
     if (statistics.tiles)
-        list << measure(
+        list << fact_of(
             "Frequencies of tiles", p_text(statistics.tiles->p_value),
             fmt::format("chi-square {} for {} tiles of the set in {} of the tiling: a small p says that some "
                         "come too often",
                         format_significant(statistics.tiles->chi_square, 4), format_count(stored.tiles),
                         format_count(statistics.samples)));
     for (const ColorStatistics& colors : statistics.colors) {
-        list << measure(fmt::format("Frequencies of colours, {}", colors.name), p_text(colors.frequencies.p_value),
+        list << fact_of(fmt::format("Frequencies of colours, {}", colors.name), p_text(colors.frequencies.p_value),
                         fmt::format("chi-square {} for {} colours",
                                     format_significant(colors.frequencies.chi_square, 3), colors.counts.size()));
-        list << measure(fmt::format("Largest correlation, {}", colors.name),
+        list << fact_of(fmt::format("Largest correlation, {}", colors.name),
                         fmt::format("{} standard deviations", format_significant(colors.autocorrelation.largest, 3)),
                         correlation_words(colors.autocorrelation));
     }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace poissonlab {
 
@@ -29,16 +28,8 @@ struct Opinion
 
 std::optional<double> value_of(const ReportSeries& series, const char* key)
 {
-    const auto value = measure(key).get(*series.stored);
+    const auto value = poissonlab::measure(key).get(*series.stored);
     return value ? std::optional(value->value) : std::nullopt;
-}
-
-/// A density that is one number is everywhere the same.
-bool is_number(const std::string& text)
-{
-    char* end = nullptr;
-    std::strtod(text.c_str(), &end);
-    return !text.empty() && *end == '\0';
 }
 
 /// "6.2", "62", "1,240".
@@ -103,14 +94,6 @@ std::optional<double> above_chance_of_curve(const ReportSeries& series)
     return anisotropy_above_chance_db(bins, std::max(series.curve.periodograms, 1));
 }
 
-}
-
-bool follows_density(const ReportSeries& series)
-{
-    if (series.stored->region && series.stored->region->has_density) return true;
-    return std::ranges::any_of(series.stored->parameters, [](const auto& parameter) {
-        return parameter.first == "density" && !is_number(parameter.second);
-    });
 }
 
 bool is_not_periodic(const ReportSeries& series)

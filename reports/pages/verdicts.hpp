@@ -1,16 +1,12 @@
 // What the numbers of a series say in words, and which series can be judged at all.
 #pragma once
 
-#include "reports/layout/report_layout.hpp"
+#include "reports/layout/followed_density.hpp"
 
 #include <optional>
 #include <string>
 
 namespace poissonlab {
-
-/// True where points follow a density: their distances, their power at low frequencies and their directions are those
-/// of the density, and say nothing of how even they are.
-bool follows_density(const ReportSeries& series);
 
 /// True where the closest pairs of sets that were made elsewhere say that these are not periodic, see
 /// results/border.hpp.

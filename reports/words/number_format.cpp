@@ -106,14 +106,14 @@ std::string RoundedEstimate::text() const { return error.empty() ? value : value
 
 RoundedEstimate format_estimate(double value, std::optional<double> standard_error, int digits)
 {
-    constexpr double rounding = 1e-9;
+    constexpr double negligible = 1e-6;
     const bool has_error = standard_error && std::isfinite(*standard_error) && std::isfinite(value) &&
-                           *standard_error > rounding * std::abs(value) && *standard_error > 1e-300;
+                           *standard_error > negligible * std::abs(value) && *standard_error > 1e-300;
     if (!has_error) return {value == 0 ? "0" : format_significant(value, digits), {}};
     constexpr int least_plain = -4, most_plain = 7;
     const int place = last_place(*standard_error);
     const int first = std::max(value == 0 ? place : exponent_of(value), exponent_of(*standard_error));
-    const bool is_plain = first >= least_plain && first < most_plain && place > least_plain - 3;
+    const bool is_plain = first >= least_plain && first < most_plain;
     return {ending_at(value, place, is_plain), ending_at(*standard_error, place, is_plain)};
 }
 

@@ -31,7 +31,7 @@ struct RoundedEstimate
 /// All numbers with an error are rounded here, by the rule of the Particle Data Group (Review of Particle Physics,
 /// section 5.3): the error has two digits where they are up to 354, else one, where the first three of its digits are
 /// meant, and the value ends at the same place. Small ones are powers of ten, and so is their error. An error below a
-/// billionth of the value is rounding; without an error the value has `digits` significant ones.
+/// millionth of the value is as good as none; without an error the value has `digits` significant ones.
 RoundedEstimate format_estimate(double value, std::optional<double> standard_error, int digits = 4);
 
 /// A fixed number of decimals; never "-0". Minus as U+2212.

@@ -76,6 +76,8 @@ TEST(NumberFormat, NoErrorIsShownWhereThereIsNone)
     EXPECT_EQ(format_estimate(0.75, {}).text(), "0.7500");
     EXPECT_EQ(format_estimate(0.75, 0.0).text(), "0.7500");
     EXPECT_EQ(format_estimate(0.75, 3.8e-16).text(), "0.7500") << "rounding";
+    EXPECT_EQ(format_estimate(0.925, 7e-7).text(), "0.9250") << "nobody reads more";
+    EXPECT_EQ(format_estimate(0.925, 2e-6).text(), "0.9250000 ± 0.0000020");
     EXPECT_EQ(format_estimate(0.75, std::numeric_limits<double>::quiet_NaN(), 2).text(), "0.75");
     EXPECT_EQ(format_estimate(0, {}).text(), "0");
 }
