@@ -86,7 +86,9 @@ std::vector<RadialBin> rings_of_chance(int size, int realizations, const std::fu
 {
     std::gamma_distribution<double> gamma(realizations, 1.0 / realizations);
     const int half = size / 2;
-    Spectrum spectrum{.size = size, .realizations = realizations};
+    Spectrum spectrum;
+    spectrum.size = size;
+    spectrum.realizations = realizations;
     spectrum.power.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 1.0);
     const auto at = [&](int u, int v) -> double& {
         return spectrum.power[static_cast<std::size_t>((v + half) * size + u + half)];
