@@ -11,8 +11,7 @@ double CurveErrors::of(const Statistic& statistic) const
 
 double CurveErrors::of_squares(const Statistic& statistic) const
 {
-    return covariance_ ? covariance_->error_of(curves_.front(), statistic)
-                       : jackknife_error_of_squares(curves_, statistic);
+    return jackknife_error_of_squares(curves_, statistic);
 }
 
 }

@@ -27,7 +27,8 @@ public:
 
     double of(const Statistic& statistic) const;
 
-    /// That of a statistic to which the squares of deviations from a value add, so that noise does as well.
+    /// That of a statistic to which the squares of deviations from a value add, so that noise does as well: of
+    /// independent curves only.
     double of_squares(const Statistic& statistic) const;
 
 private:

@@ -1,12 +1,12 @@
 // The standard errors that are reported against the spread of what they belong to, over many independent series.
 //
 // The mean of the squared errors of R series over the variance of their R values has, where values are normal and each
-// error is that of the mean of K, a logarithm with the variance 2 / (R - 1) + 2 / ((K - 1) R): errors of a few
-// realizations are not compared one by one, so that Student's factors do not come in, and their squares have no bias. A
-// half of it belongs to the ratio of error and spread. With R = 240 and K = 10 its deviation is 0.048, and 0.8 to 1.25
-// is 4.6 of them away: a right error of 60 measures and curves is called wrong in one of 4,000 runs of this test, whose
-// seeds are fixed. Of values that are not normal, as the largest of several are, the deviation is some half larger at
-// most: 3.1 of them for one of the measures.
+// error is that of the mean of K, a logarithm with the variance 2 / (R - 1) + 2 / ((K - 1) R), a quarter of which
+// belongs to the ratio of error and spread. Squared errors of K realizations have no bias, so that no factor of
+// Student's is needed. With R = 240 and K = 10 the deviation is 0.048, and 0.8 to 1.25 is 4.6 of them away: a right
+// error among 20 is called wrong in 8 of 100,000 tests. Errors of integrals go with squares of exponential variables,
+// whose squared errors vary with (8 + 2 / 9) / 10 for 2 / 9 at most: 0.059, 3.8 deviations, and 7 of 10,000 for five of
+// them. Seeds are fixed.
 #include "experiment/measuring/series_analysis.hpp"
 
 #include "host/settings/sampler_registry.hpp"
@@ -14,10 +14,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
-
-#include <functional>
-#include <mutex>
 
 namespace poissonlab {
 namespace {
@@ -31,16 +27,17 @@ constexpr std::uint64_t seeds_apart = 64;
 /// The sums of a value and its claimed variances over series.
 struct Claims
 {
-    std::size_t count = 0, without_error = 0;
+    std::size_t count = 0;
     double sum = 0, squares = 0, claimed = 0;
+    bool has_error = false; ///< of any
 
     void add(double value, std::optional<double> standard_error)
     {
         ++count;
         sum += value;
         squares += value * value;
-        without_error += !standard_error;
         claimed += standard_error.value_or(0) * standard_error.value_or(0);
+        has_error = has_error || standard_error.value_or(0) > 0;
     }
 
     double variance() const
@@ -49,11 +46,12 @@ struct Claims
         return std::max(0.0, (squares - sum * sum / n) / (n - 1));
     }
 
-    /// Claimed over true variances; nothing where there is no spread but rounding.
+    /// Claimed over true variances; nothing where there is no spread but rounding, or no error is claimed.
     std::optional<double> ratio() const
     {
         const auto n = static_cast<double>(count);
-        if (variance() < 1e-20 * squares / n) return std::nullopt;
+        if (!has_error) return std::nullopt;
+        if (variance() <= 1e-20 * squares / n) return std::nullopt;
         return claimed / n / variance();
     }
 };
@@ -89,12 +87,11 @@ struct Case
     friend std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.name; }
 };
 
-void add_series(const Case& one, std::uint64_t seed, Calibration& calibration, std::mutex& mutex)
+void add_series(const Case& one, AnalysisOptions options, std::uint64_t seed, Calibration& calibration)
 {
     Parameters parameters(find_sampler(one.method)->parameters);
     for (const auto& [key, value] : one.parameters) parameters.set(key, value);
     const auto sampler = find_sampler(one.method)->create(parameters, {one.points, 2, seed}, Engine::reference, {});
-    AnalysisOptions options = overridden_analysis(one.options, 2);
     std::optional<SeriesAnalysis> analysis;
     for (std::uint32_t k = 0; k < one.sets; ++k) {
         const PointSet set = sampler->sample(k);
@@ -108,7 +105,6 @@ void add_series(const Case& one, std::uint64_t seed, Calibration& calibration, s
     }
     const Spectrum mean = analysis->mean_spectrum();
     analysis->measure_spectrum(mean);
-    const std::lock_guard lock(mutex);
     calibration.add(analysis->result(), *analysis, mean);
 }
 
@@ -120,11 +116,13 @@ class MeasureErrors : public testing::TestWithParam<Case>
 TEST_P(MeasureErrors, AreTheSpreadOfIndependentSeries)
 {
     Calibration calibration;
-    std::mutex mutex;
-    for (std::uint64_t i = 0; i < series_count; ++i) add_series(GetParam(), 1 + i * seeds_apart, calibration, mutex);
+    const AnalysisOptions options = overridden_analysis(GetParam().options, 2);
+    for (std::uint64_t i = 0; i < series_count; ++i) add_series(GetParam(), options, 1 + i * seeds_apart, calibration);
     std::string table;
+    int checked = 0;
     const auto check = [&](const std::string& what, double squared) {
         const double ratio = std::sqrt(squared);
+        ++checked;
         table += fmt::format("{} {:.3f}\n", what, ratio);
         EXPECT_GT(ratio, least_ratio) << what;
         EXPECT_LT(ratio, largest_ratio) << what;
@@ -137,7 +135,7 @@ TEST_P(MeasureErrors, AreTheSpreadOfIndependentSeries)
             if (const auto ratio = claims.ratio()) ratios += *ratio, ++count;
         if (count > 0) check(name, ratios / count);
     }
-    EXPECT_GE(calibration.measures.size(), GetParam().options.empty() ? 10 : 4);
+    EXPECT_GE(checked, GetParam().options.empty() ? 13 : 4);
     RecordProperty("ratios", table);
 }
 
@@ -174,8 +172,7 @@ const Case tapered_darts{"tapered_darts", "dart-throwing", {{"relative_radius", 
 std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Quick, MeasureErrors, testing::Values(of(256, random_sets), of(256, darts)), name_of);
-INSTANTIATE_TEST_SUITE_P(QuickTapers, MeasureErrors, testing::Values(of(256, tapered_random), of(256, tapered_darts)),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(QuickTapers, MeasureErrors, testing::Values(of(256, tapered_darts)), name_of);
 INSTANTIATE_TEST_SUITE_P(Nightly, MeasureErrors,
                          testing::Values(of(1024, random_sets), of(1024, darts), of(256, relaxed), of(256, tiles),
                                          of(256, shared_tiles), of(1024, tapered_random), of(1024, tapered_darts)),

@@ -88,7 +88,7 @@ TEST(RegionAnalysis, SpectraOfBothMethodsAreTheSame)
     for (std::size_t i = 0; i < p.power.size(); ++i) EXPECT_NEAR(p.power[i], q.power[i], 1e-5) << i;
 }
 
-/// Each taper counts as a set: one set has errors, and parts are the whole.
+/// One set has errors of what is linear in its curve, and parts are the whole.
 TEST(RegionAnalysis, ByTapersHasErrorsOfOneSet)
 {
     const AnalysisOptions plain = options_in_strip(), tapered = options_in_strip({"analysis.tapers=4"});
@@ -101,7 +101,9 @@ TEST(RegionAnalysis, ByTapersHasErrorsOfOneSet)
     EXPECT_EQ(mean.realizations, 4);
     EXPECT_GT(one.radial_curve(mean)[1].power_error, 0);
     one.measure_spectrum(mean);
-    EXPECT_TRUE(one.result().measures.numbers.at("effective_nyquist").standard_error);
+    EXPECT_FALSE(one.result().measures.numbers.at("effective_nyquist").standard_error);
+    EXPECT_GT(one.result().measures.numbers.at("low_frequency_mean").standard_error, 0);
+    EXPECT_FALSE(one.result().measures.peak_anisotropy && one.result().measures.peak_anisotropy->standard_error_db);
     EXPECT_EQ(one.result().region->tapers, 4);
     EXPECT_EQ(without.result().region->tapers, 0);
     SeriesAnalysis next("s", false, tapered, {1, 50}), stored("s", false, tapered, {1, 50});
