@@ -145,7 +145,7 @@ Case of(std::size_t points, Case one)
     return one;
 }
 
-const Case random_sets{"random", "random", {}};
+const Case sets_of_chance{"random", "random", {}};
 /// Dense sets: looser ones have a mean power near 0.1 at all low frequencies, between which the effective Nyquist
 /// frequency, the last one with less than 0.1, jumps.
 const Case darts{"darts", "dart-throwing", {{"relative_radius", 0.74}}};
@@ -171,10 +171,10 @@ const Case tapered_darts{"tapered_darts", "dart-throwing", {{"relative_radius", 
 
 std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Quick, MeasureErrors, testing::Values(of(256, random_sets), of(256, darts)), name_of);
+INSTANTIATE_TEST_SUITE_P(Quick, MeasureErrors, testing::Values(of(256, sets_of_chance), of(256, darts)), name_of);
 INSTANTIATE_TEST_SUITE_P(QuickTapers, MeasureErrors, testing::Values(of(256, tapered_darts)), name_of);
 INSTANTIATE_TEST_SUITE_P(Nightly, MeasureErrors,
-                         testing::Values(of(1024, random_sets), of(1024, darts), of(256, relaxed), of(256, tiles),
+                         testing::Values(of(1024, sets_of_chance), of(1024, darts), of(256, relaxed), of(256, tiles),
                                          of(256, shared_tiles), of(1024, tapered_random), of(1024, tapered_darts)),
                          name_of);
 
