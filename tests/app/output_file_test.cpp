@@ -120,7 +120,7 @@ TEST_F(OutputFiles, OfStandardOutputAreOne)
 
 TEST_F(OutputFiles, CanBeDevicesAndPipes)
 {
-    for (const std::string command :
+    for (const std::string& command :
          {std::string(darts), std::string("tiles build corner --colors 2 --points 8 --relative-radius 0.4 --lloyd 1 "),
           std::string("points lloyd --points 50 --iterations 1 "), std::string("tiles points a.ptiles --torus 2 ")}) {
         const Outcome outcome = shell(command + "--quiet --out /dev/null");
@@ -198,7 +198,7 @@ TEST_F(OutputFiles, WithUnknownEndingsAreRefused)
             EXPECT_THAT(outcome.error, HasSubstr(": --out " + name + ": must end in ."));
             EXPECT_FALSE(fs::exists(path(name)));
         }
-    for (const std::string arguments :
+    for (const std::string& arguments :
          {std::string("distribute darts --region 'rectangle 0 0 9 9' --min-distance 1+0.1*x --out a.txt --distances "
                       "t.xyz"),
           std::string("distribute classes --points 5 5 --out a.csv --spectra t.xyz"),
@@ -217,7 +217,7 @@ TEST_F(OutputFiles, OfFoldersOfOthersAreRefused)
     ASSERT_EQ(shell("run c.toml --quiet --out ours").status, 0);
     const std::string page = "<html><body>My thesis</body></html>";
     for (const std::string name : {"index.html", "compare.html", "claims.html"})
-        for (const std::string command : {"analyze points.txt", "run c.toml", "report ours"}) {
+        for (const std::string& command : {"analyze points.txt", "run c.toml", "report ours"}) {
             SCOPED_TRACE(command + " " + name);
             folder_->write("mine/" + name, page);
             const Outcome outcome = shell(command + " --quiet --out mine");

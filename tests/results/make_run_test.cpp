@@ -55,7 +55,7 @@ Series two_realizations()
 
 json written(const Experiment& experiment, const Series& result, const Machine& machine = {})
 {
-    return json::parse(run_json(make_run(experiment, {{result}, {}, machine})));
+    return json::parse(run_json(make_run(experiment, {{result}, {}, {}, machine})));
 }
 
 TEST(ResultsJson, HasEveryMember)
