@@ -217,7 +217,7 @@ TEST_F(OutputFiles, OfFoldersOfOthersAreRefused)
     ASSERT_EQ(shell("run c.toml --quiet --out ours").status, 0);
     const std::string page = "<html><body>My thesis</body></html>";
     for (const std::string name : {"index.html", "compare.html", "claims.html"})
-        for (const std::string& command : {"analyze points.txt", "run c.toml", "report ours"}) {
+        for (const std::string command : {"analyze points.txt", "run c.toml", "report ours"}) {
             SCOPED_TRACE(command + " " + name);
             folder_->write("mine/" + name, page);
             const Outcome outcome = shell(command + " --quiet --out mine");
