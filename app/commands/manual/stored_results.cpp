@@ -125,8 +125,6 @@ std::string even_table()
         Row{"corner-tiles-C-3-N-32-border-chain-moments-0-sets-6", "chains", "2"},
         Row{"corner-tiles-C-3-N-32-border-chain-moments-1-sets-6", "chains, equal first moments", "4"},
         Row{"corner-tiles-C-3-N-32-border-chain-moments-2-sets-6", "chains, equal first and second moments", "6"},
-        Row{"lloyd-N-1000000-i-20", "Lloyd relaxation, no tiles", "none"},
-        Row{"gaussian-blue-noise-N-1000000-i-50-levels-6", "Gaussian blue noise, no tiles", "none"},
     };
     const StoredMeasures measures = stored_measures("even.csv");
     std::string text = "| | proven exponent | measured |\n| --- | --- | --- |\n";
