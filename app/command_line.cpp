@@ -6,9 +6,9 @@
 #include "app/man_page.hpp"
 #include "app/opening.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
+#include "base/text/decimal_commas.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "version.hpp"
 

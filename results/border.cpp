@@ -1,6 +1,6 @@
 #include "results/border.hpp"
 
-#include "analysis/measures/border_pairs.hpp"
+#include "analysis/borders/border_pairs.hpp"
 #include "results/series.hpp"
 
 #include <fmt/format.h>

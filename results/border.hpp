@@ -1,4 +1,4 @@
-// The border of sets that were made elsewhere, which may not be periodic: see analysis/measures/border_pairs.hpp.
+// The border of sets that were made elsewhere, which may not be periodic: see analysis/borders/border_pairs.hpp.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,5 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
-#include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/spectra/frequency_power.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"

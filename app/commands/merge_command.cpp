@@ -1,8 +1,8 @@
 // poissonlab merge: finished work of several output folders, such as those of shards, into one.
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/noun.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/text/noun.hpp"
 #include "experiment/run/progress.hpp"
 #include "experiment/store/unit_store.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "base/densities/density_formula.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 #include <muParser.h>

@@ -1,8 +1,8 @@
 // Reads a point set from a PLY file, ascii or binary: the properties x, y and z of the element `vertex`.
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/ply_header.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 

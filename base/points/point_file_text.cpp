@@ -1,7 +1,7 @@
 // Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or CSV.
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "base/regions/region_text.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/decimal_commas.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
@@ -9,6 +8,7 @@
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_raster.hpp"
 #include "base/regions/space_region.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "base/regions/space_region.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 

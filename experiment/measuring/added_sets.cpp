@@ -1,11 +1,10 @@
 // How a SeriesAnalysis takes a set, which is in memory or on the disk.
 #include "experiment/measuring/series_analysis.hpp"
 
-#include "analysis/measures/border_pairs.hpp"
+#include "analysis/borders/border_pairs.hpp"
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
-#include "analysis/measures/near_lattice_powers.hpp"
 #include "analysis/tilings/distance_within_tiles.hpp"
 #include "analysis/tilings/lattice_share.hpp"
 #include "base/geometry/relative_radius.hpp"

@@ -1,8 +1,8 @@
 #include "experiment/measuring/series_analysis.hpp"
 
-#include "analysis/measures/border_pairs.hpp"
+#include "analysis/borders/border_pairs.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
-#include "analysis/measures/near_lattice_powers.hpp"
+#include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/regions/region_transform.hpp"

@@ -1,7 +1,7 @@
 #include "host/settings/toml_reader.hpp"
 
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -1,6 +1,6 @@
 #include "reports/claims/claim_table.hpp"
 
-#include "base/files/csv_fields.hpp"
+#include "base/text/csv_fields.hpp"
 #include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 

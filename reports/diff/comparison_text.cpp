@@ -1,6 +1,6 @@
 #include "reports/diff/comparison_text.hpp"
 
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

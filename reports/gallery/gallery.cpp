@@ -3,7 +3,7 @@
 #include "analysis/measures/peak_anisotropy.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/statistics/jackknife.hpp"
-#include "base/files/csv_fields.hpp"
+#include "base/text/csv_fields.hpp"
 #include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "results/measures.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/errors/errors.hpp"
-#include "base/files/csv_fields.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/text/csv_fields.hpp"
 #include "results/series.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "reports/layout/plane_region_panels.hpp"
 
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "reports/plots/plane_region_curves.hpp"
 #include "reports/words/number_format.hpp"

@@ -1,7 +1,7 @@
 #include "reports/layout/series_panels.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/stored_points.hpp"
 

@@ -1,5 +1,5 @@
 // The page's section on the construction of Poisson tile sets.
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/region_colors.hpp"
 #include "reports/pages/page_parts.hpp"

@@ -1,8 +1,8 @@
 #include "reports/pages/page_endless.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/noun.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/text/noun.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/relative_link.hpp"

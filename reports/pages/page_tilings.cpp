@@ -1,5 +1,5 @@
 // The page's section on tile sets and tilings.
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"

@@ -1,5 +1,5 @@
 // The sentence that a page says about its runs, and the names of things in their dimensions.
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/words/number_format.hpp"
 

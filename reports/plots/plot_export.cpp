@@ -1,6 +1,6 @@
 #include "reports/plots/plot_export.hpp"
 
-#include "base/files/csv_fields.hpp"
+#include "base/text/csv_fields.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/decimal_commas.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/text/decimal_commas.hpp"
 #include "reports/drawings/tilings/isohedral_image.hpp"
 
 #include <fmt/format.h>

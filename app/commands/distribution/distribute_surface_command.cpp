@@ -1,7 +1,7 @@
 // poissonlab distribute surface: points on the triangles of a mesh.
 #include "app/commands/kind_options.hpp"
-#include "base/files/noun.hpp"
 #include "base/images/png_file.hpp"
+#include "base/text/noun.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"

@@ -2,8 +2,8 @@
 
 #include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/noun.hpp"
 #include "base/points/point_file.hpp"
+#include "base/text/noun.hpp"
 #include "host/distribution/runs/dart_pictures.hpp"
 #include "host/distribution/runs/varied_results.hpp"
 #include "reports/drawings/mark_image.hpp"

@@ -2,8 +2,8 @@
 #include "app/commands/tiles/tile_points_work.hpp"
 #include "app/commands/tiles/window_file.hpp"
 #include "base/errors/errors.hpp"
-#include "base/files/noun.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/text/noun.hpp"
 #include "experiment/crew/thread_limit.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
-#include "analysis/measures/near_lattice_powers.hpp"
 #include "base/errors/errors.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/statistics.hpp"

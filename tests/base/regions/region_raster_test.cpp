@@ -121,6 +121,8 @@ TEST_F(DrawnRegions, PointsOfFilesAreObstacles)
     write_points(npy, {2, {7.5, -1e5, 0, 3}});
     EXPECT_THAT(read_obstacles(npy).points, testing::ElementsAre(std::array{7.5, -1e5}, std::array{0.0, 3.0}));
     write_points(npy, {3, {7.5, -1e5, 0}});
+    EXPECT_THAT(read_obstacles(npy).points, testing::ElementsAre(std::array{7.5, -1e5})) << "points of the plane";
+    write_points(npy, {3, {7.5, -1e5, 1}});
     EXPECT_THAT(message_of([&] { read_obstacles(npy); }), HasSubstr("the points are in space"));
     std::ofstream(csv) << "a tree\n";
     EXPECT_THAT(message_of([&] { read_obstacles(csv); }), HasSubstr("is neither GeoJSON nor WKT, nor a picture"));

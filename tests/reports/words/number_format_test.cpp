@@ -1,7 +1,7 @@
 // Numbers as the page shows them.
 #include "reports/words/number_format.hpp"
 
-#include "base/files/noun.hpp"
+#include "base/text/noun.hpp"
 #include "results/statistic.hpp"
 
 #include <gtest/gtest.h>

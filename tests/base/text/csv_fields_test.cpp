@@ -1,5 +1,5 @@
 // Fields of CSV: the rules and examples of RFC 4180, section 2.
-#include "base/files/csv_fields.hpp"
+#include "base/text/csv_fields.hpp"
 
 #include <gmock/gmock.h>
 

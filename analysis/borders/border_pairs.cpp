@@ -1,4 +1,4 @@
-#include "analysis/measures/border_pairs.hpp"
+#include "analysis/borders/border_pairs.hpp"
 
 #include <algorithm>
 #include <array>

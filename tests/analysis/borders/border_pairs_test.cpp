@@ -1,6 +1,6 @@
 // Closest pairs across the border: counts against all pairs, chances against closed forms, and no alarm for sets that
 // are periodic.
-#include "analysis/measures/border_pairs.hpp"
+#include "analysis/borders/border_pairs.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/relative_radius.hpp"

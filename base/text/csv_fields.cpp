@@ -1,4 +1,4 @@
-#include "base/files/csv_fields.hpp"
+#include "base/text/csv_fields.hpp"
 
 namespace poissonlab {
 namespace {

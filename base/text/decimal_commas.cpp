@@ -1,4 +1,4 @@
-#include "base/files/decimal_commas.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include "base/files/text_lines.hpp"
 

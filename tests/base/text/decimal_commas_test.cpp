@@ -1,5 +1,5 @@
 // Numbers with decimal commas, which look like two.
-#include "base/files/decimal_commas.hpp"
+#include "base/text/decimal_commas.hpp"
 
 #include <gtest/gtest.h>
 
