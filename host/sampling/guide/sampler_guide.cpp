@@ -123,7 +123,7 @@ std::vector<SamplerGuide> guides_to_tiles()
          "For a constant density: its spectrum has peaks of the tiling in it."},
         {"recursive-wang-tiles", "Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang Tiles, 2006.",
          "For zooming without end, into a density that varies.",
-         "Its relative radius is below 0.5. Ranked corner tiles keep a proven distance."},
+         "Its relative radius is near 0.5, more or less by the tile set. Ranked corner tiles keep a proven distance."},
         {"polyominoes", "Ostromoukhov, Sampling with Polyominoes, 2007.",
          "For any number of points at a proven distance, from a small table.",
          "With a density that varies nothing is proven, and the spectrum has the tiling's peaks in it."},

@@ -68,7 +68,7 @@ const std::vector<PublishedNumber>& published_numbers()
         {"corner-tiles-C-4-sets-10", "relative_radius", "at least 0.75", 0.75, no_limit},
         {"edge-tiles-C-2-repulsion-sets-10", "relative_radius", "at least 0.75", 0.75, no_limit},
         {"template-tiles-T-64-sets-10", "relative_radius", "at least 0.75", 0.75, no_limit},
-        {"sphere-tiles-C-2-N-128-repulsion-sets-10-3d", "relative_radius", "at least 0.75", 0.75, no_limit},
+        {"sphere-tiles-C-2-N-128-repulsion-3d", "relative_radius", "at least 0.75", 0.75, no_limit},
         {"averaged-tiles-sets-10", "relative_radius", "at most 0.40", 0, 0.405, false},
         {"recursive-wang-tiles-sets-10", "relative_radius", "at most 0.44", 0, 0.445, false},
         {"penrose-random_window", "relative_radius", "0.65 to 0.75", 0.65, 0.75},
