@@ -110,7 +110,7 @@ TEST_F(FileSampler, RefusesSetsOfUnequalSize)
 
 TEST_F(FileSampler, RefusesSetsOfAnotherDimension)
 {
-    folder.write("a.dat", "0.1 0 0\n");
+    folder.write("a.dat", "0.1 0 0.5\n");
     EXPECT_EQ(error({"a.dat"}),
               "experiment.toml:12: path = \"a.dat\": holds 3D points; the experiment has dimension = 2");
     folder.write("b.dat", "0.1 0\n");
