@@ -66,7 +66,7 @@ CLI::Validator integer(const Option& option)
                 text = without_leading_zeros(text);
                 return {};
             }
-            return fmt::format("{}: must be {}{}", text, allowed, decimal_comma_words(text));
+            return fmt::format("{}: must be {}", text, allowed);
         },
         "");
 }

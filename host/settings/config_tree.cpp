@@ -62,15 +62,18 @@ std::string shown(const ConfigNode& node)
     return shortened(text);
 }
 
-std::string comma_words(const ConfigNode& node)
+std::string comma_words(const ConfigNode& node, const std::string& allowed)
 {
     const auto* text = node.get_if<std::string>();
-    return text && !text->empty() && decimal_comma_in(*text) == *text ? decimal_comma_words(*text) : "";
+    const bool is_decimal = text && !text->empty() && decimal_comma_in(*text) == *text;
+    if (!is_decimal || allowed.starts_with("must be an integer")) return "";
+    const std::string words = decimal_comma_words(*text);
+    return allowed.ends_with(words) ? "" : words;
 }
 
 InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed)
 {
-    return invalid_value(node.location, key, shown(node), allowed + comma_words(node));
+    return invalid_value(node.location, key, shown(node), allowed + comma_words(node, allowed));
 }
 
 InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known)

@@ -486,7 +486,7 @@ InputError Keys::invalid(const std::string& key, const std::string& allowed) con
     const ConfigNode& node = *given(key);
     if (!where_.is_argument) return invalid_node(key, node, allowed);
     // Its place is the option, and its text what was typed.
-    return InputError(fmt::format("{} {}: {}{}", node.location.file, node.text, allowed, comma_words(node)));
+    return InputError(fmt::format("{} {}: {}{}", node.location.file, node.text, allowed, comma_words(node, allowed)));
 }
 
 InputError Keys::problem(const std::string& what) const
