@@ -75,7 +75,7 @@ TEST(StoredResults, OnePointHasNoDistance)
     test::write_results_json(folder.path(), json);
     EXPECT_FALSE(read_run(folder.path()).series[0].min_distance);
     write_report({folder.path()}, folder.path());
-    EXPECT_THAT(read_whole_file(folder.path() / "index.html"), HasSubstr("<td data-key=\"min_distance\">–</td>"));
+    EXPECT_THAT(read_whole_file(folder.path() / "index.html"), HasSubstr("<td data-key=\"relative_radius\">–</td>"));
 }
 
 TEST(StoredResults, FoldersWithoutResults)

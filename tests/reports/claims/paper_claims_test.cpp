@@ -36,7 +36,7 @@ TEST(PaperClaimList, ShowsNyquistFrequencyAndOscillationOfEachLaterMethod)
     }
     for (const char* paper : {"schloemer-2011", "degoes-2012", "heck-2013", "yuksel-2015", "ahmed-2022"})
         EXPECT_THAT(report.outcome(paper + std::string("-spectrum"))->measured,
-                    HasSubstr("N = 16,384: 0.679 ± 0.007 and 1.25 ± 0.02"))
+                    HasSubstr("N = 16,384: 0.679 ± 0.007 and 1.250 ± 0.020"))
             << paper;
     EXPECT_FALSE(MadeUpReport().outcome("ahmed-2022-spectrum"));
 }

@@ -53,7 +53,8 @@ TEST_F(IterationReport, PlotsSeriesThatHaveThemAndAllOfThese)
     EXPECT_THAT(text, HasSubstr("From 0.1000 to 0.7000 in 16 iterations. Mean over 2 sets"));
     EXPECT_THAT(text, HasSubstr("From 0.3000 to 0.1700 in 20 iterations."));
     EXPECT_THAT(text, HasSubstr("<b>Energy</b> over iterations."));
-    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 7 + 2 * 2 + 2 * (3 + 2)) << "overlays are on two pages";
+    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 7 + 2 * 2 + 2 * (3 + 2) + 3 * 4)
+        << "overlays are on two pages, and the overview has four pictures of each series";
     for (const char* file :
          {"random/relative-radius", "random/energy", "jittered/energy", "relative-radius-all", "energy-all"}) {
         const auto png = read_whole_file(path() / (std::string(file) + ".png"));

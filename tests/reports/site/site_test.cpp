@@ -256,8 +256,8 @@ TEST_F(SiteTest, TheRankingIsSortedAndMarksTheBest)
     EXPECT_THAT(text, HasSubstr("Left out here for their preferred directions: Series 2."));
     EXPECT_LT(text.find("<section id=\"overview\">"), text.find("<section id=\"series\">"))
         << "the ranking comes before the pictures";
-    for (const char* stem : {"points", "spectrum", "radial", "anisotropy"})
-        EXPECT_THAT(text, HasSubstr(fmt::format("src=\"jittered/{}.", stem)));
+    for (const char* picture : {"points.", "spectrum-small.", "radial.", "anisotropy."})
+        EXPECT_THAT(text, HasSubstr(fmt::format("src=\"jittered/{}", picture)));
 }
 
 TEST_F(SiteTest, ThePageHasTheRadialCurvesToFiveDigits)

@@ -43,7 +43,7 @@ TEST_F(ZonePlateReport, ShowsPicturesPlotsAndNumbers)
     EXPECT_THAT(text, HasSubstr("RMS error 0.2500 (0.2400 to 0.2600) over the picture, 0.1234 up to half a "
                                 "cycle per pixel."));
     EXPECT_THAT(text, HasSubstr("64 × 64 pixels, 256 samples (first of 2 realizations)."));
-    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 7 + 2 * 2 + 2 * (3 + 1) + 1);
+    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 7 + 2 * 2 + 2 * (3 + 1) + 1 + 3 * 4);
     for (const char* file : {"random/zone-plate.png", "random/zone-plate-error.png", "jittered/zone-plate.png",
                              "zone-plate-error-all.png", "zone-plate-reference.png"})
         EXPECT_GT(test::decode_png(read_whole_file(path() / file)).variance(), 1) << file;
