@@ -77,6 +77,7 @@ bool SpaceFormula::is_constant() const { return parser_->is_constant; }
 
 std::optional<double> constant_of(const std::string& text)
 {
+    if (double number = 0; parse_number(text, number)) return number; // "nan" and "inf" as well, which no formula knows
     try {
         PlaneFormula formula(text);
         if (formula.is_constant()) return formula.at(0, 0);

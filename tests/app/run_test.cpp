@@ -151,7 +151,7 @@ TEST_F(Run, InterruptedSaysHowToGoOn)
         testing::EndsWith("poissonlab: interrupted; finished work is kept in out/tiny/.units: the same command goes "
                           "on from there (poissonlab run tiny.toml --set analysis.realizations=10000 --set "
                           "analysis.points=1024)\n"));
-    EXPECT_EQ(files_below(out_).size(), 0U) << "results appear all at once";
+    EXPECT_TRUE(!fs::exists(out_) || files_below(out_).empty()) << "results appear all at once";
 }
 
 TEST_F(Run, ReportCanBeBuiltAgain)

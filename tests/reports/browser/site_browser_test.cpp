@@ -271,7 +271,8 @@ TEST_F(SiteInBrowser, AllColumnsOfTheRankingFitADesk)
     for (const int width : {1200, 1400, 1600}) {
         browser_->resize(width, 900);
         browser_->open(site() / "index.html");
-        EXPECT_GT(evaluate("document.querySelectorAll('#ranking thead th:not(.detail)').length").get<int>(), 8);
+        // The series and the six measures that people choose by, and what sets of several sizes or numbers add.
+        EXPECT_GE(evaluate("document.querySelectorAll('#ranking thead th:not(.detail)').length").get<int>(), 7);
         EXPECT_EQ(evaluate("(f => f.scrollWidth - f.clientWidth)(document.querySelector('#overview .frame'))"), 0)
             << width;
     }
