@@ -4,6 +4,7 @@
 #include "reports/gallery/gallery.hpp"
 #include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
+#include "reports/words/number_format.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
 
@@ -62,7 +63,7 @@ TEST(GalleryConfigs, MakeTheGallery)
         const auto found = plans.find(method.name);
         ASSERT_NE(found, plans.end());
         const SeriesPlan& plan = found->second;
-        EXPECT_EQ(method.label, plan.label);
+        EXPECT_EQ(with_formatted_points(method.label), with_formatted_points(plan.label));
         EXPECT_EQ(method.sampler, plan.sampler->name);
         EXPECT_EQ(method.seed, fmt::format("{}", plan.request.seed));
         EXPECT_EQ(method.curve.dimension, plan.request.dimension);

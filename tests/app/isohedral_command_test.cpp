@@ -66,7 +66,8 @@ TEST_F(IsohedralCommand, WrongArguments)
     expect_error({"draw", "94", "--out", "a.png"}, "isohedral draw: TYPE 94: must be an integer from 1 to 93, or all");
     expect_error({"draw", "16", "--out", "a.jpg"}, "isohedral draw: --out a.jpg: must end in .svg or .png");
     expect_error({"draw", "16", "--parameters", "1,2", "--out", "a.png"},
-                 "isohedral draw: --parameters 1,2: must be as many as IH16 has: 1");
+                 "isohedral draw: --parameters 1,2: must be as many as IH16 has: 1; the comma of \"1,2\" is no "
+                 "decimal point: must be 1.2");
     expect_error({"draw", "16", "--parameters", "x", "--out", "a.png"},
                  "isohedral draw: --parameters x: \"x\" is no number");
     expect_error({"draw", "16", "--curve", "0.5", "--out", "a.png"},
