@@ -105,7 +105,7 @@ std::string small_config(const std::string& whole)
         add_after(result, "[[texture]]", "size = 16\ncandidates = 2");
     else
         result = std::regex_replace(result, tiles, "$&\nsize = 16\ncandidates = 2");
-    add_after(result, "sampler = \"averaged-tiles\"", "iterations = 2");
+    add_missing(result, "averaged-tiles", "iterations", "2");
     for (const char* sampler : {"corner-tiles", "edge-tiles", "template-tiles"})
         add_missing(result, sampler, "points_per_tile", "16");
     // Repulsion reaches the distance after few of them; without it the tiles need them all.
