@@ -39,8 +39,9 @@ TEST_F(DeviceLuck, VanishesDuringARun)
         EXPECT_THAT(outcome.error, ContainsRegex("cl[A-Z][A-Za-z]+ failed"));
         EXPECT_THAT(left_over(path(out)), IsEmpty());
         // A series that was done before is there, and the other is said to be missing.
-        if (std::filesystem::exists(path(out) / "results.json"))
+        if (std::filesystem::exists(path(out) / "results.json")) {
             EXPECT_THAT(read_whole_file(path(out) / "results.json"), ContainsRegex("\"missing\": \\["));
+        }
         EXPECT_EQ(run(out).status, 0);
         EXPECT_EQ(lasting_files(path(out)), lasting_files(path("whole")));
     }
