@@ -31,7 +31,7 @@ CalledCommand called_command(const CLI::App& program)
 
 bool begins_option(const std::string& word) { return word.starts_with("-"); }
 
-/// What is missing may be missing because its option is not known, such as a misspelt one.
+/// The arguments have an option that the command does not know: an option that seems to be missing may be misspelt.
 bool has_unknown_option(const CLI::App& program) { return std::ranges::any_of(program.remaining(true), begins_option); }
 
 /// The first option that there is not, or the first argument too many.

@@ -13,8 +13,8 @@ inline constexpr std::array own_pages{"index.html", "compare.html", "claims.html
 /// is none of a report: these say in their heads what has written them.
 void check_own_page(const std::filesystem::path& page);
 
-/// The same for the files of an output folder that a run and its report replace: results.json, collection.json and the
-/// pages of the report. Folders that are not there, and those without such files, are fine.
+/// Throws InputError where a file of an output folder that a run and its report replace is not theirs: results.json,
+/// collection.json and the pages of the report. Folders that are not there, and those without such files, are fine.
 void check_own_files(const std::filesystem::path& out);
 
 }

@@ -85,7 +85,7 @@ double squared_on_torus(const PointSet& points, std::size_t i, std::size_t j)
     return sum;
 }
 
-/// Of pairs closer than `reach`, the closest first, those whose points are in no pair before.
+/// Counts pairs closer than `reach`, the closest first; a point takes part in its first pair alone.
 std::size_t separate_pairs(const PointSet& points, double reach)
 {
     struct Pair

@@ -63,8 +63,8 @@ std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int
 /// that of the linear part, which counts in the mean of many, is 1 + 1/n = 1.02: 3 % in the error.
 LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles);
 
-/// What the peaks up to the first ring are made of, set by set, as their errors follow from how sets differ: all power
-/// up to where NearLatticePeaks end, then for each peak its own and the mean power of its ring. The list is linear in
+/// Returns the powers that the near lattice peaks of one set follow from: all power up to where NearLatticePeaks end,
+/// then for each peak its own and the mean power of its ring. Errors follow from how sets differ. The list is linear in
 /// periodograms, so that the measures of an average of spectra follow from that of such lists. Sets of a series have
 /// lists of one length for one number of `points`. Throws InputError for fewer `tiles` than 2.
 std::vector<double> near_lattice_powers(const HalfSpectrum& periodogram, std::size_t points, int tiles);

@@ -1,4 +1,4 @@
-// How much the spectra by the tapers of a region have to do with each other.
+// The covariance of the spectra by the tapers of a region.
 //
 // The tapers of a region are orthogonal, which makes their powers independent at one frequency. At two frequencies they
 // are not: where the powers of frequencies are those of chance, and change little over the width of the tapers'

@@ -17,9 +17,9 @@ namespace poissonlab {
 double jackknife_error(const std::vector<std::vector<double>>& curves,
                        const std::function<double(const std::vector<double>& mean)>& statistic);
 
-/// The same without what is too much where the statistic is quadratic in the mean, so that noise itself counts: from
-/// three curves on. Takes as many evaluations as there are pairs of curves, of more than 32 those of 32 means of some
-/// of them.
+/// The standard error of a statistic that is quadratic in the mean, so that noise itself adds to it: the jackknife of
+/// second order takes away what jackknife_error() has too much of there. Takes at least three curves for that. Takes as
+/// many evaluations as there are pairs of curves, of more than 32 those of 32 means of some of them.
 double jackknife_error_of_squares(const std::vector<std::vector<double>>& curves,
                                   const std::function<double(const std::vector<double>& mean)>& statistic);
 

@@ -24,7 +24,7 @@ struct OutputFiles
     /// Throws where one of them cannot be written: checked_output().
     void check(const std::string& command) const;
 
-    /// What is to be written.
+    /// The files that the command writes.
     std::vector<std::filesystem::path> files() const;
 };
 

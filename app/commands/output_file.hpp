@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// What an option that names a file can be.
+/// The formats that an option which names a file accepts.
 struct OutputFormats
 {
     std::vector<std::string> endings; ///< of names, ".svg"; the first is what "-" means where points cannot be written

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many as Linux follows.
+/// Linux follows so many links.
 constexpr int most_links = 40;
 
 /// The open file of this process that is meant, such as by /proc/self/fd/1, to which /dev/stdout leads.

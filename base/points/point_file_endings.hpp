@@ -1,4 +1,4 @@
-// What the names of point files end in that can be written.
+// The endings of point files that can be written.
 #pragma once
 
 #include <string>

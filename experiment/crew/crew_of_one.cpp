@@ -17,7 +17,7 @@ public:
         while (const auto id = schedule.next()) {
             stop_if_interrupted();
             const Job job = schedule.job(*id);
-            const Failure failure = executed(job, execute, static_cast<bool>(failed));
+            const Failure failure = Failure::of([&] { execute(job); }, static_cast<bool>(failed));
             schedule.finish(*id);
             if (failure.kind == Failure::Kind::none)
                 done(job, true);
@@ -40,21 +40,6 @@ public:
     std::optional<std::vector<std::vector<std::byte>>> exchange(std::vector<std::vector<std::byte>> messages) override
     {
         return messages;
-    }
-
-private:
-    /// What became of a job. Throws what ends the work.
-    static Failure executed(const Job& job, const Execute& execute, bool may_fail)
-    {
-        try {
-            execute(job);
-            return {};
-        } catch (...) {
-            stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
-            Failure failure = Failure::current();
-            if (!may_fail || !failure.spares_others()) throw;
-            return failure;
-        }
     }
 };
 

@@ -27,6 +27,19 @@ Failure Failure::current()
     }
 }
 
+Failure Failure::of(const std::function<void()>& work, bool is_tolerated)
+{
+    try {
+        work();
+        return {};
+    } catch (...) {
+        stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
+        Failure failure = current();
+        if (!is_tolerated || !failure.spares_others()) throw;
+        return failure;
+    }
+}
+
 void Failure::raise() const
 {
     switch (kind) {

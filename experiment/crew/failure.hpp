@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <string>
 
 namespace poissonlab {
@@ -27,6 +28,9 @@ struct Failure
 
     /// Throws an exception of that kind, or returns where nothing failed.
     void raise() const;
+
+    /// Does `work`, and returns its failure if that spares others and `is_tolerated`. Throws any other.
+    static Failure of(const std::function<void()>& work, bool is_tolerated);
 
     /// Is other work worth going on with? Not where somebody has interrupted it, or nothing can be stored.
     bool spares_others() const { return kind != Kind::interrupted && kind != Kind::storage; }

@@ -54,7 +54,7 @@ Failure elsewhere(Failure failure, const std::string& host)
     return failure;
 }
 
-/// What became of a job of another process.
+/// The outcome of a job.
 struct Outcome
 {
     Job job;
@@ -105,7 +105,8 @@ private:
             }
             for (const Outcome& outcome : finished) tell(outcome, false);
             if (id) {
-                const Failure failure = executed(schedule_.job(*id), execute);
+                const Job job = schedule_.job(*id);
+                const Failure failure = Failure::of([&] { execute(job); }, static_cast<bool>(failed_));
                 Outcome outcome;
                 {
                     const std::lock_guard lock(mutex_);
@@ -115,20 +116,6 @@ private:
             } else if (finished.empty()) {
                 std::this_thread::sleep_for(longest_pause);
             }
-        }
-    }
-
-    /// What became of a job of this process. Throws what ends the work.
-    Failure executed(const Job& job, const Crew::Execute& execute) const
-    {
-        try {
-            execute(job);
-            return {};
-        } catch (...) {
-            stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
-            Failure failure = Failure::current();
-            if (!is_of_one_job(failure)) throw;
-            return failure;
         }
     }
 

@@ -148,8 +148,8 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
 /// The number of curves that each set adds to the spectrum: one, or one a taper.
 std::size_t SeriesAnalysis::tapers() const { return tapered_ ? options_.region->tapers->count() : 1; }
 
-/// What curves must have in common to depend on each other, where a set has so many of them: the tile set, where there
-/// are several, else the set. None where each curve stands for itself.
+/// The group of each curve, where a set has so many of them; curves of one group depend on each other. A group is a
+/// tile set, where there are several, else the set. None where each curve stands for itself.
 std::vector<std::size_t> SeriesAnalysis::independent_groups(std::size_t curves_of_set) const
 {
     std::vector<std::size_t> groups;

@@ -39,7 +39,7 @@ struct RunSettings
     std::function<void(const PlannedRun&)> on_published; ///< in the order of the runs
 };
 
-/// What became of runs.
+/// The outcome of runs: where their results are, and which series have failed.
 struct RunsOutcome
 {
     bool is_complete = false;       ///< all results are in place, but for what has failed

@@ -71,7 +71,7 @@ public:
     const std::vector<NumberVarianceBin>& number_variance() const { return number_variance_; }
     const std::vector<RegionCurveRow>& region() const { return region_; }
     const std::vector<PointSet>& sets() const { return sets_; }
-    /// What the caller must know, a sentence or two each.
+    /// The notices for the caller, a sentence or two each.
     const std::vector<std::string>& warnings() const { return warnings_; }
     const std::vector<Spectrum>& spectra() const { return spectra_; }
     static bool are_planes() { return false; }

@@ -1,4 +1,4 @@
-// What the numbers of a series say in words, and which series can be judged at all.
+// Verdicts say in words what the numbers of a series mean, and which series can be judged at all.
 #pragma once
 
 #include "reports/layout/followed_density.hpp"
