@@ -1,5 +1,6 @@
 #include "analysis/measures/hyperuniformity.hpp"
 
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/random/random_words.hpp"
 
 #include <algorithm>
@@ -16,30 +17,29 @@ constexpr double most_tested_2d = 16, most_tested_3d = 6;
 constexpr std::size_t least_shells = 3;
 constexpr int draws = 9999;
 
-/// Calls visit(|f|^2, power(u, v, w)) for one of each two opposite frequencies with |f| <= reach along each axis.
-template <class Power, class Visit>
-void for_each_pair(int dimension, std::int64_t reach, const Power& power, const Visit& visit)
+/// Calls visit(f) for one of each two opposite frequencies along x, y and z of at most `reach` each.
+template <class Visit>
+void for_each_pair(int dimension, int reach, const Visit& visit)
 {
-    const std::int64_t slices = dimension == 3 ? reach : 0;
-    for (std::int64_t w = 0; w <= slices; ++w)
-        for (std::int64_t v = w > 0 ? -reach : 0; v <= reach; ++v)
-            for (std::int64_t u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u)
-                visit(u * u + v * v + w * w, power(u, v, w));
+    const int slices = dimension == 3 ? reach : 0;
+    for (int w = 0; w <= slices; ++w)
+        for (int v = w > 0 ? -reach : 0; v <= reach; ++v)
+            for (int u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) visit(std::array{u, v, w});
 }
 
-/// The shells of a range in a spectrum of that dimension and size, whose powers are power(u, v, w).
-template <class Power>
-std::vector<PowerShell> shells_of(int dimension, int size, const FrequencyRange& range, const Power& power)
+/// The shells of a range in a spectrum, or in a half of one.
+std::vector<PowerShell> shells_in(const auto& spectrum, const FrequencyRange& range)
 {
-    const double end = std::min(range.end, size / 2 - 1.0);
+    const double end = std::min(range.end, spectrum.size / 2 - 1.0);
     if (end < 1) return {};
     const auto most = static_cast<std::size_t>(end * end);
     std::vector<PowerShell> all(most + 1);
-    for_each_pair(dimension, static_cast<std::int64_t>(end), power, [&](std::int64_t squared, double power_there) {
-        if (static_cast<std::size_t>(squared) > most) return;
-        PowerShell& shell = all[static_cast<std::size_t>(squared)];
-        shell.power += power_there;
-        ++shell.pairs;
+    for_each_pair(spectrum.dimension, static_cast<int>(end), [&](const std::array<int, 3>& f) {
+        const auto squared =
+            static_cast<std::size_t>(std::int64_t{f[0]} * f[0] + std::int64_t{f[1]} * f[1] + std::int64_t{f[2]} * f[2]);
+        if (squared > most) return;
+        all[squared].power += frequency_power(spectrum, f);
+        ++all[squared].pairs;
     });
     std::vector<PowerShell> shells;
     for (std::size_t squared = 1; squared <= most; ++squared) {
@@ -232,24 +232,12 @@ double gamma_of_mean_1(RandomWords& words, double shape)
 
 std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range)
 {
-    const std::int64_t m = spectrum.size, half = m / 2;
-    return shells_of(spectrum.dimension, spectrum.size, range, [&](std::int64_t u, std::int64_t v, std::int64_t w) {
-        const std::int64_t slice = spectrum.dimension == 3 ? w + half : 0;
-        return spectrum.power[static_cast<std::size_t>((slice * m + v + half) * m + u + half)];
-    });
+    return shells_in(spectrum, range);
 }
 
 std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range)
 {
-    const std::int64_t half = periodogram.size / 2;
-    return shells_of(
-        periodogram.dimension, periodogram.size, range, [&](std::int64_t u, std::int64_t v, std::int64_t w) {
-            const std::int64_t sign = u < 0 ? -1 : 1; // of f and -f, the one that is stored
-            auto at = static_cast<std::size_t>(sign * u) * periodogram.lines();
-            if (periodogram.dimension == 3) at += static_cast<std::size_t>(sign * v + half);
-            const std::int64_t last = periodogram.dimension == 3 ? w : v;
-            return periodogram.power[at * periodogram.rows() + static_cast<std::size_t>(sign * last + half)];
-        });
+    return shells_in(periodogram, range);
 }
 
 std::vector<double> powers_of(const std::vector<PowerShell>& shells)

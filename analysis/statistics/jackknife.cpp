@@ -98,6 +98,7 @@ double standard_error_of_mean(const std::vector<double>& values)
 std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves,
                                              const std::vector<std::size_t>& groups)
 {
+    if (groups.empty()) return curves;
     if (groups.size() != curves.size()) throw std::invalid_argument("group_means: each curve must have a group");
     std::vector<std::size_t> names; // in the order of `means`
     std::vector<std::vector<double>> means;
@@ -120,7 +121,7 @@ std::vector<std::vector<double>> group_means(const std::vector<std::vector<doubl
 
 std::vector<double> errors_of_mean(const std::vector<std::vector<double>>& all, const std::vector<std::size_t>& groups)
 {
-    const auto curves = groups.empty() ? all : group_means(all, groups);
+    const auto curves = group_means(all, groups);
     if (curves.size() < 2) return {};
     std::vector<double> errors, values;
     for (std::size_t i = 0; i < curves.front().size(); ++i) {

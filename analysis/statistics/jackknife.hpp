@@ -27,8 +27,8 @@ double jackknife_error_of_squares(const std::vector<std::vector<double>>& curves
 double standard_error_of_mean(const std::vector<double>& values);
 
 /// The mean curve of each group, in the order in which groups come first: curve k belongs to group groups[k].
-/// Realizations that share something, such as a tile set, are not independent, their groups are. Takes curves of one
-/// size and a group for each; throws std::invalid_argument otherwise.
+/// Realizations that share something, such as a tile set, are not independent, their groups are. Without groups each
+/// curve stands for itself. Takes curves of one size and a group for each; throws std::invalid_argument otherwise.
 std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves,
                                              const std::vector<std::size_t>& groups);
 

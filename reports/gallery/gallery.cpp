@@ -78,7 +78,7 @@ std::optional<double> standard_error_in(const MeasuredValue& value, const Series
     std::optional<double> error = value.standard_error;
     if (!error && value.each.size() > 1) {
         const std::vector<std::size_t> groups = tile_set_of_each(stored);
-        const auto each = groups.empty() ? value.each : group_means(value.each, groups);
+        const auto each = group_means(value.each, groups);
         if (each.size() > 1) error = standard_error_of_mean(each);
     }
     if (error && *error < rounding * std::abs(value.value)) error = 0;
