@@ -53,6 +53,14 @@ void check_place(const std::string& begin, const fs::path& file)
         refuse_access();
 }
 
+/// True for each name that standard output has, also once it is kept and has another number.
+bool is_standard_output(const fs::path& name)
+{
+    if (names_standard_output(name)) return true;
+    const int descriptor = output_place(name).descriptor;
+    return descriptor >= 0 && (descriptor == STDOUT_FILENO || descriptor == kept_standard_output());
+}
+
 }
 
 fs::path output_name(const fs::path& file, const OutputFormats& formats)
@@ -70,7 +78,7 @@ fs::path checked_output(const std::string& command, const std::string& option, c
     const bool is_alone = formats.with_second_file.empty() || name.extension() != formats.with_second_file;
     if (names_standard_output(name) && !is_alone)
         throw InputError(fmt::format("{}has a second file beside it, for which standard output has no place", begin));
-    if (names_standard_output(name) || output_place(name).descriptor == STDOUT_FILENO) {
+    if (is_standard_output(name)) {
         if (kept_standard_output() >= 0) throw InputError(begin + "standard output takes one file");
         keep_standard_output();
         return name;

@@ -46,7 +46,8 @@ public:
     using SpaceFormula::name;
 };
 
-/// The number that a text is, or that a formula without x and y gives, such as "1/2". Nothing for any other text.
+/// The number that a text is ("nan" and "inf" as well), or that a formula without x and y gives, such as "1/2". Nothing
+/// for any other text.
 std::optional<double> constant_of(const std::string& text);
 
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <set>
+#include <span>
 
 #include <sys/stat.h>
 
@@ -24,8 +24,8 @@ protected:
     static void SetUpTestSuite()
     {
         folder_ = std::make_unique<TemporaryFolder>();
-        std::string picture = "P2 16 16 255\n";
-        for (int i = 0; i < 256; ++i) picture += std::to_string(i) + "\n";
+        std::string picture = "P2 64 64 255\n";
+        for (int i = 0; i < 64 * 64; ++i) picture += std::to_string(i / 16) + "\n";
         folder_->write("grey.pgm", picture);
         ASSERT_EQ(
             shell("tiles build corner --colors 2 --points 8 --relative-radius 0.4 --lloyd 1 --quiet --out a.ptiles")
@@ -167,16 +167,16 @@ TEST_F(OutputFiles, WithUnknownEndingsAreRefused)
                                             "distribute hatch --image grey.pgm --points 20 ",
                                             "distribute warp --density x+1 --points 9 ",
                                             "distribute rank --density x+1 --points 9 ",
-                                            "distribute icons --u x --v y ",
+                                            "distribute icons --u x --v y --points 9 ",
                                             "distribute instances forest ",
                                             "distribute classes --points 5 5 ",
-                                            "distribute surface none.obj ",
+                                            "distribute surface none.obj --points 9 ",
                                             "distribute mri-mask --shape 16 16 --acceleration 2 ",
                                             "distribute dither-mask --size 16 ",
                                             "points dart-throwing --points 9 --relative-radius 0.5 ",
-                                            "points lloyd --points 9 ",
-                                            "points gaussian-blue-noise --points 9 ",
-                                            "tiles build corner ",
+                                            "points lloyd --points 9 --iterations 1 ",
+                                            "points gaussian-blue-noise --points 200 ",
+                                            "tiles build corner --colors 2 --points 9 --relative-radius 0.5 ",
                                             "tiles points a.ptiles --torus 2 ",
                                             "tiles page a.ptiles ",
                                             "tiles picture a.ptiles --torus 2 ",
@@ -189,10 +189,11 @@ TEST_F(OutputFiles, WithUnknownEndingsAreRefused)
                                             "texture tile none --window 0 0 2 2 ",
                                             "texture map grey.pgm --method hexagons "};
     folder_->write("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::vector<std::string> endings{".PNG", ".xyz", ".geojson", ".json5", ".wkt", ".dxf", ".gltf"};
     for (const std::string& command : commands)
-        for (const char* ending : {".geojson", ".json5", ".PNG", ".wkt", ".dxf", ".xyz", ".gltf"}) {
+        for (const std::string& ending : std::span(endings).first(command == darts ? endings.size() : 2)) {
             SCOPED_TRACE(command + ending);
-            const std::string name = std::string("t") + ending;
+            const std::string name = "t" + ending;
             const Outcome outcome = shell(command + "--out " + name);
             EXPECT_EQ(outcome.status, 2);
             EXPECT_THAT(outcome.error, HasSubstr(": --out " + name + ": must end in ."));

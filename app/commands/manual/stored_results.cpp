@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -28,15 +27,6 @@ std::string with_error(const Estimate& estimate, int decimals)
 {
     if (!estimate.standard_error) return format_fixed(estimate.value, decimals);
     return format_estimate(estimate.value, estimate.standard_error, decimals).text();
-}
-
-/// A value and its error with as many decimals as the first digit of the error has; one more where that digit is 1.
-std::string with_digits_of_error(double value, double error, const char* unit = "")
-{
-    const double leading = std::floor(std::log10(error));
-    const bool begins_with_one = error < 1.95 * std::pow(10, leading);
-    const int decimals = std::max(0, (begins_with_one ? 1 : 0) - static_cast<int>(leading));
-    return fmt::format("{} ± {}{}", format_fixed(value, decimals), format_fixed(error, decimals), unit);
 }
 
 /// An estimate of the gallery by the words "NAME KEY DECIMALS" of a source.
@@ -106,7 +96,7 @@ std::string averaged_table()
         const auto [least, largest] = std::ranges::minmax(each);
         const double mean = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
         text += fmt::format("| {} | {} | {} | {} |\n", format_count(static_cast<std::uint64_t>(moves)),
-                            with_digits_of_error(mean, standard_error_of_mean(each)), format_fixed(least, 3),
+                            format_estimate(mean, standard_error_of_mean(each)).text(), format_fixed(least, 3),
                             format_fixed(largest, 3));
     }
     return text;
@@ -130,7 +120,7 @@ std::string even_table()
     for (const Row& row : rows) {
         const Estimate exponent = measure_of_sets(measures, row.name, "hyperuniformity_exponent");
         text += fmt::format("| {} | {} | {} |\n", row.title, row.proven,
-                            with_digits_of_error(exponent.value, *exponent.standard_error));
+                            format_estimate(exponent.value, exponent.standard_error).text());
     }
     return text;
 }
