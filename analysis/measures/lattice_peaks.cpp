@@ -58,34 +58,42 @@ private:
     double least_power_;
 };
 
-template <class Power>
-LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, const Power& power)
+/// Calls visit(f, power around f) for each multiple of `tiles` whose ring lies in the spectrum.
+template <class Power, class Visit>
+void for_each_peak(const Rings<Power>& rings, int dimension, int size, int tiles, const Visit& visit)
 {
-    if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
-    const Rings<Power> rings(dimension, size, points, tiles, power);
     std::vector<int> multiples;
     for (int f = -(size / 2 / tiles) * tiles; f < size / 2; f += tiles) {
         if (rings.fits(f)) multiples.push_back(f);
     }
+    for (const int z : dimension == 3 ? multiples : std::vector{0})
+        for (const int y : multiples)
+            for (const int x : multiples)
+                if (x != 0 || y != 0 || z != 0) visit(Frequency{x, y, z}, rings.around({x, y, z}));
+}
 
+void check_tiles(int tiles)
+{
+    if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
+}
+
+template <class Power>
+LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, const Power& power)
+{
+    check_tiles(tiles);
+    const Rings<Power> rings(dimension, size, points, tiles, power);
     LatticePeaks result;
     result.tiles = tiles;
-    for (const int z : dimension == 3 ? multiples : std::vector{0}) {
-        for (const int y : multiples) {
-            for (const int x : multiples) {
-                if (x == 0 && y == 0 && z == 0) continue;
-                const double around = rings.around({x, y, z});
-                const double ratio = rings.ratio({x, y, z}, around);
-                if (result.peaks == 0 || ratio > result.max_ratio) {
-                    result.max_ratio = ratio;
-                    result.frequency = {x, y, z};
-                }
-                result.mean_ratio += ratio;
-                result.empty_rings += rings.is_empty(around);
-                ++result.peaks;
-            }
+    for_each_peak(rings, dimension, size, tiles, [&](const Frequency& f, double around) {
+        const double ratio = rings.ratio(f, around);
+        if (result.peaks == 0 || ratio > result.max_ratio) {
+            result.max_ratio = ratio;
+            result.frequency = f;
         }
-    }
+        result.mean_ratio += ratio;
+        result.empty_rings += rings.is_empty(around);
+        ++result.peaks;
+    });
     if (result.peaks > 0) result.mean_ratio /= static_cast<double>(result.peaks);
     return result;
 }
@@ -102,7 +110,7 @@ constexpr double near_end = 1.05;
 template <class Power>
 std::vector<double> near_powers(int dimension, int size, std::size_t points, int tiles, const Power& power)
 {
-    if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
+    check_tiles(tiles);
     const Rings rings(dimension, size, points, tiles, power);
     const double limit = near_end * principal_frequency(points, dimension);
     const auto reach = std::min(static_cast<int>(limit), size / 2 - 1);
@@ -153,9 +161,32 @@ std::optional<NearLatticePeaks> near_lattice_peaks(const std::vector<double>& po
     return NearLatticePeaks{ratios / static_cast<double>(peaks), excess / powers[0]};
 }
 
-LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles)
+std::vector<double> lattice_shell_powers(const HalfSpectrum& periodogram, std::size_t points, int tiles)
 {
-    return peaks_of(periodogram.dimension, periodogram.size, points, tiles, powers_of_frequencies(periodogram));
+    check_tiles(tiles);
+    const auto power = powers_of_frequencies(periodogram);
+    const Rings rings(periodogram.dimension, periodogram.size, points, tiles, power);
+    std::vector<double> shells;
+    for_each_peak(rings, periodogram.dimension, periodogram.size, tiles, [&](const Frequency& f, double around) {
+        const double length = std::hypot(f[0], f[1], f[2]);
+        const std::size_t begin = 3 * static_cast<std::size_t>(2 * length / tiles);
+        if (begin >= shells.size()) shells.resize(begin + 3);
+        shells[begin] += 1;
+        shells[begin + 1] += power(f);
+        shells[begin + 2] += around;
+    });
+    return shells;
+}
+
+double mean_ratio_of_shells(const std::vector<double>& shells, std::size_t points)
+{
+    double peaks = 0, ratios = 0;
+    for (std::size_t i = 0; i < shells.size(); i += 3) {
+        if (!(shells[i] > 0)) continue; // a shell between multiples
+        peaks += shells[i];
+        ratios += shells[i] * shells[i + 1] / std::max(shells[i + 2], shells[i] * least_power(points));
+    }
+    return peaks > 0 ? ratios / peaks : 0;
 }
 
 }

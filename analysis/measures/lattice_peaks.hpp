@@ -55,13 +55,15 @@ struct NearLatticePeaks
 /// The result is empty where no multiple of `tiles` is as low.
 std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles);
 
-/// The lattice peaks of the periodogram of a set of so many points.
-///
-/// The standard error of mean_ratio over K realizations is taken from the spread of their own mean ratios. That is a
-/// little too large, as a ring of one periodogram is noisier than one of K: for rings of n = 48 samples of chance
-/// alone, a ratio of exponential variables has the variance 2 n^2 / ((n - 1) (n - 2)) - (n / (n - 1))^2 = 1.09 where
-/// that of the linear part, which counts in the mean of many, is 1 + 1/n = 1.02: 3 % in the error.
-LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles);
+/// Returns what the error of LatticePeaks::mean_ratio follows from, of the periodogram of one set: the peaks in shells
+/// half a multiple of `tiles` thick, three numbers each: how many they are, the sum of their powers, and of the mean
+/// powers around them. Linear in periodograms, as near_lattice_powers() are: a ratio of one periodogram, whose ring may
+/// have next to no power, spreads far more than that of a mean. Throws InputError for fewer `tiles` than 2.
+std::vector<double> lattice_shell_powers(const HalfSpectrum& periodogram, std::size_t points, int tiles);
+
+/// The mean ratio of such a list, or of an average of lists, where peaks of a shell count by their powers: it differs
+/// as mean_ratio does from set to set. 0 without peaks.
+double mean_ratio_of_shells(const std::vector<double>& shells, std::size_t points);
 
 /// Returns the powers that the near lattice peaks of one set follow from: all power up to where NearLatticePeaks end,
 /// then for each peak its own and the mean power of its ring. Errors follow from how sets differ. The list is linear in

@@ -14,18 +14,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 
 namespace poissonlab {
 namespace {
-
-/// The mean ratio of a set's own periodogram; none, which is not a number, where a set of one tile that is repeated has
-/// nothing between its peaks: such a ratio would be all of a spread.
-double own_lattice_peak(const LatticePeaks& peaks)
-{
-    return peaks.empty_rings == 0 ? peaks.mean_ratio : std::numeric_limits<double>::quiet_NaN();
-}
 
 int dimension_of(const PointSet& points) { return points.dimension; }
 int dimension_of(const PointStrips& points) { return points.dimension(); }
@@ -158,7 +150,7 @@ bool SeriesAnalysis::add_set(const Points& points)
             shell_powers_.push_back(powers_of(power_shells(estimate_->last_periodogram(), range)));
         }
         if (options_.tiles > 0) {
-            set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
+            set.lattice_shells = lattice_shell_powers(estimate_->last_periodogram(), begin_.points, options_.tiles);
             set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
             set.near_lattice = near_lattice_powers(estimate_->last_periodogram(), begin_.points, options_.tiles);
         }

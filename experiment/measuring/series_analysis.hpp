@@ -167,21 +167,21 @@ private:
         double min_distance = 0; ///< unit lengths; infinite for a set of one point
         double relative_radius = 0;
         double covered_fraction = 0;
-        double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
-        double lattice_share = 0;     ///< of tiled sets
-        double window_radius = 0;     ///< relative, without wrapping, of sets that were made elsewhere
-        double window_nearest = 0;    ///< like mean_nearest, without wrapping, of the same
-        std::uint64_t across = 0;     ///< pairs across the border that are closer than all inside, of the same
-        double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
-        double prefix_radius = 0;     ///< of sets in progressive order
-        double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
-        std::vector<double> near_lattice = {}; ///< near_lattice_powers() of tiled sets
+        double lattice_share = 0;  ///< of tiled sets
+        double window_radius = 0;  ///< relative, without wrapping, of sets that were made elsewhere
+        double window_nearest = 0; ///< like mean_nearest, without wrapping, of the same
+        std::uint64_t across = 0;  ///< pairs across the border that are closer than all inside, of the same
+        double mean_nearest = 0;   ///< of the largest possible minimum distance; infinite for a set of one point
+        double prefix_radius = 0;  ///< of sets in progressive order
+        double radius_within = 0;  ///< within tiles, of tiled sets; infinite where no tile has two points
+        std::vector<double> lattice_shells = {}; ///< lattice_shell_powers() of tiled sets
+        std::vector<double> near_lattice = {};   ///< near_lattice_powers() of tiled sets
 
         template <class Archive>
         void serialize(Archive& archive)
         {
-            archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
-                    lattice_share, mean_nearest, prefix_radius, radius_within, near_lattice, window_radius,
+            archive(points, realization, mark, min_distance, relative_radius, covered_fraction, lattice_share,
+                    mean_nearest, prefix_radius, radius_within, lattice_shells, near_lattice, window_radius,
                     window_nearest, across);
         }
     };

@@ -91,11 +91,17 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, const Spectru
 
 void SeriesAnalysis::measure_lattice_errors()
 {
-    measures_.lattice_peaks->mean_ratio_standard_error = mean_of(&SetMeasures::mean_lattice_peak).standard_error;
+    const auto errors_of = [&](std::vector<double> SetMeasures::*list) {
+        std::vector<std::vector<double>> powers;
+        for (const SetMeasures& set : sets_) powers.push_back(set.*list);
+        return CurveErrors(group_means(powers, independent_groups()));
+    };
+    const CurveErrors of_shells = errors_of(&SetMeasures::lattice_shells);
+    if (of_shells.are_known() && measures_.lattice_peaks->empty_rings == 0)
+        measures_.lattice_peaks->mean_ratio_standard_error = of_shells.of(
+            [&](const std::vector<double>& mean) { return mean_ratio_of_shells(mean, sets_.front().points); });
     if (!measures_.numbers.contains("near_lattice_peaks")) return;
-    std::vector<std::vector<double>> powers;
-    for (const SetMeasures& set : sets_) powers.push_back(set.near_lattice);
-    const CurveErrors errors(group_means(powers, independent_groups()));
+    const CurveErrors errors = errors_of(&SetMeasures::near_lattice);
     if (!errors.are_known()) return;
     const auto error_of = [&](double NearLatticePeaks::*member) {
         return errors.of([&](const std::vector<double>& mean) {

@@ -1,12 +1,15 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/errors/errors.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/statistics.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace poissonlab {
 namespace {
@@ -133,20 +136,35 @@ TEST(LatticePeaks, RejectOrLeaveOutWhatHasNoSurroundings)
     EXPECT_EQ(lattice_peaks(dark, 4).max_ratio, 0); // 0 over the floor, not 0 / 0
 }
 
-TEST(LatticePeaks, OfAHalfSpectrumAreTheSame)
+/// The list of shells holds every peak and all power of peaks, and where the peaks of a shell have the same power
+/// around them its ratio is the mean ratio.
+TEST(LatticePeaks, FollowFromListsOfShellsOfEachSet)
 {
     for (const int d : {2, 3}) {
-        const int size = d == 2 ? 64 : 16;
+        const int size = d == 2 ? 64 : 16, tiles = 4;
         std::mt19937_64 random(3);
-        const PointSet points = random_points(100, d, random);
-        const std::vector<double> power = exact_periodogram(points, size);
-        const LatticePeaks whole = lattice_peaks(Spectrum{d, size, 100, 1, power}, 4);
-        const LatticePeaks half = lattice_peaks(half_of(power, d, size), 100, 4);
-        EXPECT_EQ(half.peaks, whole.peaks);
-        EXPECT_GT(half.peaks, 0U);
-        EXPECT_NEAR(half.mean_ratio, whole.mean_ratio, 1e-9 * whole.mean_ratio);
-        EXPECT_NEAR(half.max_ratio, whole.max_ratio, 1e-9 * whole.max_ratio);
+        const std::vector<double> power = exact_periodogram(random_points(100, d, random), size);
+        const std::vector<double> shells = lattice_shell_powers(half_of(power, d, size), 100, tiles);
+        double peaks = 0, of_peaks = 0;
+        for (std::size_t i = 0; i < shells.size(); i += 3) peaks += shells[i], of_peaks += shells[i + 1];
+        const Spectrum whole{d, size, 100, 1, power};
+        EXPECT_EQ(peaks, lattice_peaks(whole, tiles).peaks);
+        double sum = 0;
+        const int reach = size / 2 - 1, slices = d == 3 ? reach : 0;
+        for (int z = -slices; z <= slices; ++z)
+            for (int y = -reach; y <= reach; ++y)
+                for (int x = -reach; x <= reach; ++x) {
+                    const bool is_multiple = x % tiles == 0 && y % tiles == 0 && z % tiles == 0;
+                    const int along = std::max({std::abs(x), std::abs(y), std::abs(z)});
+                    if (is_multiple && along > 0 && along + 3 < size / 2) sum += frequency_power(whole, {x, y, z});
+                }
+        EXPECT_NEAR(of_peaks, sum, 1e-9 * sum);
+        const Spectrum even = spectrum_with_peaks(d, size, tiles, 250);
+        const std::vector<double> of_even = lattice_shell_powers(half_of(even.power, d, size), even.points, tiles);
+        EXPECT_NEAR(mean_ratio_of_shells(of_even, even.points), lattice_peaks(even, tiles).mean_ratio, 1e-9);
     }
+    EXPECT_EQ(mean_ratio_of_shells({}, 100), 0);
+    EXPECT_THROW(lattice_shell_powers(half_of(std::vector<double>(64 * 64), 2, 64), 100, 1), InputError);
 }
 
 /// The list that near peaks are made of is linear: a mean of lists has the peaks of the mean spectrum.
