@@ -91,12 +91,6 @@ std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radi
     return PeakAnisotropy{peak->anisotropy_db, peak->frequency, peak->samples};
 }
 
-bool is_of_chance(const PeakAnisotropy& peak, int realizations)
-{
-    return peak.db <= background_anisotropy_db(realizations) +
-                          errors_beyond_chance * anisotropy_standard_error_db(peak.samples, realizations);
-}
-
 double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const PeakAnisotropy& peak, const Spectrum& mean)
 {
     const int realizations = mean.realizations;

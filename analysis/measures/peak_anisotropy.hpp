@@ -38,10 +38,6 @@ std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radi
 /// deviation is that which follows from the variance of its powers between realizations.
 double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const PeakAnisotropy& peak, const Spectrum& mean);
 
-/// Chance alone makes a ring as anisotropic as the peak: that is at most four standard errors above the level of
-/// chance.
-bool is_of_chance(const PeakAnisotropy& peak, int realizations);
-
 /// The anisotropy that stands out of chance, in dB above it: that of the largest of all rings that do; 0 where none
 /// does, so that sets of different numbers of realizations K compare. Nothing where no ring takes part. `radial` has
 /// rings one sample wide, one after the other, of the mean of K periodograms.

@@ -112,16 +112,15 @@ void SeriesAnalysis::measure_lattice_errors()
     measures_.numbers["lattice_excess"].standard_error = error_of(&NearLatticePeaks::excess_share);
 }
 
-/// Sets the error of the peak anisotropy where it is known: not of one set, whose tapers are not independent, nor of
-/// peaks that realizations owe to a tile set that they share.
+/// Sets the error of the peak anisotropy where it is known: not of one set, whose tapers are not independent, nor where
+/// realizations share tile sets, in which their rings are alike.
 void SeriesAnalysis::measure_peak_error(const std::vector<RadialBin>& radial, const Spectrum& mean)
 {
     auto& peak = measures_.peak_anisotropy;
     const auto groups = independent_groups();
     const bool are_independent =
         groups.empty() || group_means(std::vector<double>(groups.size()), groups).size() == groups.size();
-    if (!peak || tapered_ || mean.realizations < 2) return;
-    if (are_independent || is_of_chance(*peak, mean.realizations))
+    if (peak && are_independent && !tapered_ && mean.realizations >= 2)
         peak->standard_error_db = peak_anisotropy_error_db(radial, *peak, mean);
 }
 
