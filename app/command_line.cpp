@@ -1,8 +1,7 @@
 #include "app/command_line.hpp"
 
 #include "app/argument_errors.hpp"
-#include "app/commands/work_options.hpp"
-#include "app/completion.hpp"
+#include "app/command_tree.hpp"
 #include "app/man_page.hpp"
 #include "app/opening.hpp"
 #include "base/errors/errors.hpp"
@@ -21,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 namespace poissonlab {
@@ -140,78 +140,11 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
         if (!option.excludes.empty()) added->excludes(option.excludes);
     }
     for (const Command& part : command.commands) add_command(app, part, called);
+    if (!command.absent_module.empty()) return; // check_is_built() has seen that no arguments call for it
     if (command.action)
         app.callback([&called, action = command.action] { called.push_back(action); });
     else
         app.require_subcommand(1);
-}
-
-std::vector<Command> all_commands(const std::string& typed);
-
-constexpr auto completion_notes =
-    R"(bash: source the script, or put it into ~/.local/share/bash-completion/completions/poissonlab.
-zsh: put it into a folder of $fpath, as _poissonlab. `make install` has done both.
-  source <(poissonlab completion bash))";
-
-/// The command that prints what a shell needs, of all commands.
-Command completion_command()
-{
-    const auto shell = std::make_shared<std::string>();
-    return {"completion",
-            "Print what a shell needs to complete commands and options",
-            {{.name = "SHELL", .target = shell.get(), .help = "bash or zsh", .words = completed_shells()}},
-            completion_notes,
-            [shell] {
-                if (std::ranges::find(completed_shells(), *shell) == completed_shells().end())
-                    throw unknown_word("completion", "SHELL", *shell, completed_shells());
-                fmt::print("{}", completion_script(*shell, all_commands("")));
-                return 0;
-            }};
-}
-
-std::vector<Command> all_commands(const std::string& typed)
-{
-    std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_picture_command(),
-                                  tiles_page_command(), tiles_verify_command()};
-    std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
-                                      aperiodic_tile_command(), aperiodic_tables_command()};
-    std::vector<Command> of_densities{
-        distribute_warp_command(),    distribute_rank_command(),     distribute_stipple_command(),
-        distribute_hatch_command(),   distribute_icons_command(),    distribute_instances_command(),
-        distribute_darts_command(),   distribute_points_command(),   distribute_classes_command(),
-        distribute_surface_command(), distribute_mri_mask_command(), distribute_dither_mask_command()};
-    std::vector<Command> of_textures{texture_build_command(), texture_verify_command(),  texture_tile_command(),
-                                     texture_map_command(),   texture_endless_command(), texture_export_command(),
-                                     texture_cells_command()};
-    return {run_command(typed),
-            merge_command(),
-            analyze_command(typed),
-            report_command(),
-            export_command(),
-            diff_command(),
-            tiling_command(),
-            packing_command(),
-            {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
-            {"points",
-             "Sets of any size, written to a file",
-             {},
-             "",
-             {},
-             {points_dart_throwing_command(), points_lloyd_command(), points_gaussian_blue_noise_command()}},
-            {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
-            {"distribute",
-             "Points and objects that follow densities, and points in regions",
-             {},
-             "",
-             {},
-             std::move(of_densities)},
-            {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
-            {"texture", "Texture tile sets, and other endless textures", {}, "", {}, std::move(of_textures)},
-            devices_command(),
-            samplers_command(),
-            kinds_command(),
-            completion_command(),
-            manual_command([] { return all_commands(""); })};
 }
 
 /// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the
@@ -230,12 +163,12 @@ std::string typed_command(int argc, const char* const* argv)
 }
 
 /// The parser of all commands: the actions of those that arguments call for join `called`.
-void add_everything(CLI::App& app, const std::string& typed, std::vector<Action>& called)
+void add_everything(CLI::App& app, const std::vector<Command>& commands, std::vector<Action>& called)
 {
     app.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING "\n" POISSONLAB_BUILT_WITH,
                          "Print the version, and what was built in");
     app.footer(main_notes);
-    for (const Command& command : all_commands(typed)) add_command(app, command, called);
+    for (const Command& command : commands) add_command(app, command, called);
     // For lists of commands and `help --help`; see explanation().
     app.add_subcommand("help", "Explain a command, or the samplers")
         ->add_option_function<std::string>(
@@ -306,7 +239,8 @@ std::vector<Action> actions_called_for(int argc, const char* const* argv)
 {
     CLI::App app{fmt::format("poissonlab: {}.", main_summary), "poissonlab"};
     std::vector<Action> called;
-    add_everything(app, typed_command(argc, argv), called);
+    const std::vector<Command> commands = all_commands(typed_command(argc, argv));
+    add_everything(app, commands, called);
     const std::vector<std::string> names = names_of_commands(app);
     if (argc < 2) {
         called.push_back(opening);
@@ -318,8 +252,10 @@ std::vector<Action> actions_called_for(int argc, const char* const* argv)
                                      fmt::join(names, ", ")));
     // Topics are names of commands, which the parser would run instead of explaining.
     if (first == "help" && (argc == 2 || argv[2][0] != '-')) {
+        check_is_built(commands, std::span(argv, static_cast<std::size_t>(argc)).subspan(2));
         called.push_back(explanation(app, {argv + 2, argv + argc}));
     } else {
+        check_is_built(commands, std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
         parse(app, argc, argv);
     }
     return called;

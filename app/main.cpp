@@ -1,14 +1,19 @@
 // The program: does what the arguments call for, and ends with an exit status and errors of one line.
 #include "app/command_line.hpp"
 #include "app/commands/command.hpp"
+#include "base/errors/missing_module.hpp"
 #include "base/files/standard_streams.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/crew/crew.hpp"
 #include "experiment/crew/failure.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
+#include <vector>
+
+#include <unistd.h>
 
 namespace poissonlab {
 namespace {
@@ -31,6 +36,19 @@ int flushed(int status)
 {
     const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
     return is_lost ? fail(exit_other, "cannot write to standard output") : status;
+}
+
+/// Hands the command on to ./lab, which has started this program and says so by POISSONLAB_LAB: it adds the module and
+/// starts the program anew, in this process. Returns where there is no such script.
+void call_for_module(const std::string& module, const char* const* argv)
+{
+    const char* const lab = std::getenv("POISSONLAB_LAB");
+    if (!lab || is_crew_follower()) return;
+    std::fflush(stdout);
+    std::vector<const char*> words{lab, "--with", module.c_str()};
+    for (const char* const* word = argv + 1; *word; ++word) words.push_back(*word);
+    words.push_back(nullptr);
+    ::execv(lab, const_cast<char* const*>(words.data())); // comes back where it fails
 }
 
 /// Says what the exception being handled is. Returns the exit status.
@@ -67,6 +85,9 @@ int run_program(int argc, const char* const* argv)
         for (const Action& action : actions)
             if (status == 0) status = action();
         return flushed(status);
+    } catch (const MissingModule& error) {
+        call_for_module(error.module(), argv);
+        return fail(exit_other, error.what());
     } catch (const std::exception&) {
         return tell_of_exception();
     }

@@ -1,15 +1,19 @@
-# lab_room(TARGET FOLDERS... EXCEPT FILES... ALONE FILES... PUBLIC LIBRARIES... PRIVATE LIBRARIES...): a library of every
-# source file in these folders and below, but for those EXCEPT. A new file belongs to it without being listed anywhere.
+# lab_room(TARGET FOLDERS... FILES... EXCEPT FILES... ALONE FILES... PUBLIC LIBRARIES... PRIVATE LIBRARIES...): a library
+# of every source file in these folders and below, and of FILES, but for those EXCEPT, regular expressions for the ends of
+# paths below the current folder. A new file belongs to it without being listed anywhere.
 #
 # Files ALONE have a heavy header to themselves when the others are compiled together.
 function(lab_room target)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;EXCEPT;ALONE;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "FOLDERS;FILES;EXCEPT;ALONE;PUBLIC;PRIVATE" ${ARGN})
   list(TRANSFORM ARG_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
+  set(sources "")
+  if(patterns)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${patterns})
+  endif()
   foreach(name IN LISTS ARG_EXCEPT)
-    list(FILTER sources EXCLUDE REGEX "/${name}$")
+    list(FILTER sources EXCLUDE REGEX "(^|/)${name}$")
   endforeach()
-  add_library(${target} STATIC ${sources})
+  add_library(${target} STATIC ${sources} ${ARG_FILES})
   target_link_libraries(${target} PUBLIC lab_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} fmt::fmt)
   lab_precompile(${target})
   lab_unity(${target} 24)

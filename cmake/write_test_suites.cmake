@@ -5,7 +5,7 @@
 # suite's tests have in common, again and again.
 #
 # Suites of tests that are instantiated as Nightly have the label nightly: `./lab nightly` runs them, `./lab test` does
-# not.
+# not, and they may take two hours.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${listed}")
 set(text "")
@@ -18,7 +18,7 @@ foreach(line IN LISTS lines)
   string(APPEND text "add_test([=[${NAME}.${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n"
                      "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT})\n")
   if(suite MATCHES "^Nightly/")
-    string(APPEND text "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES LABELS nightly)\n")
+    string(APPEND text "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES LABELS nightly TIMEOUT 7200)\n")
   endif()
 endforeach()
 file(WRITE ${OUTPUT} "${text}")

@@ -76,6 +76,9 @@ struct Command
     std::string notes;           ///< below the options in the command's help; empty: those of the program
     Action action;
     std::vector<Command> commands{}; ///< of a group, which has no action of its own
+    /// The module that this program lacks and that alone knows the command, of which name and summary are all that is
+    /// there; empty: it is all there.
+    std::string absent_module{};
 };
 
 /// The action of a command that throws where it cannot do all of its work.
@@ -94,7 +97,7 @@ inline constexpr int exit_wrong_input = 2;
 /// The exit status of `diff` where something changed; other commands return 0 or throw.
 inline constexpr int exit_changed = 4;
 
-// One file a command. `typed` is the whole command as the user would type it again; results remember it.
+// One file a command, in the folder of its module. `typed` is the whole command as the user would type it again; results remember it.
 Command run_command(const std::string& typed);
 Command merge_command();
 Command analyze_command(const std::string& typed);
@@ -140,6 +143,7 @@ Command isohedral_draw_command();
 Command devices_command();
 Command samplers_command();
 Command kinds_command();
+Command completion_command(std::function<std::vector<Command>()> all_commands);
 Command manual_command(std::function<std::vector<Command>()> all_commands);
 
 }

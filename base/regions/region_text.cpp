@@ -7,13 +7,13 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_raster.hpp"
+#include "base/regions/region_words.hpp"
 #include "base/regions/space_region.hpp"
 #include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -25,36 +25,6 @@ namespace {
 /// Coordinates that are ten times as far from 0 as they are from each other are places on the globe, where they
 /// could be.
 constexpr double far_away = 10;
-
-bool begins_with(std::string_view text, std::string_view word)
-{
-    return text.size() >= word.size() && std::ranges::equal(text.substr(0, word.size()), word, [](char a, char b) {
-               return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
-           });
-}
-
-/// The word alone, before a bracket or before blanks: what goes on otherwise is a file's name, such as points.geojson.
-bool begins_with_whole(std::string_view text, std::string_view word)
-{
-    if (!begins_with(text, word)) return false;
-    return text.size() == word.size() || std::string_view("( \t\r\n").find(text[word.size()]) != std::string_view::npos;
-}
-
-bool is_wkt(std::string_view text)
-{
-    if (begins_with(text, "MULTI")) text.remove_prefix(5);
-    return begins_with_whole(text, "POLYGON") || begins_with_whole(text, "POINT") ||
-           begins_with_whole(text, "LINESTRING") || begins_with(text, "SRID=");
-}
-
-std::string_view without_blanks_around(std::string_view text)
-{
-    constexpr std::string_view blanks = " \t\r\n";
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a mark of byte order
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 /// The numbers after the first word, if there are so many and no others, and if none can have a decimal comma.
 std::optional<std::vector<double>> numbers_after_word(std::string_view text, std::size_t count)
@@ -192,7 +162,7 @@ struct TypedRegion
         content = without_blanks_around(is_file ? read_whole_file(text) : text);
         if (is_space_region_text(content))
             throw InputError(name + ": is a region of space; this takes regions of the plane");
-        if (is_region_text(content) && !is_json() && !is_wkt(content)) shape = shape_of(content);
+        if (is_region_text(content) && !is_json() && !is_wkt_text(content)) shape = shape_of(content);
     }
 
     bool is_json() const { return content.starts_with('{'); }
@@ -242,18 +212,11 @@ void check_obstacles(const Obstacles& obstacles, const std::string& name)
 
 }
 
-bool is_region_text(std::string_view text)
-{
-    const std::string_view begin = without_blanks_around(text);
-    return begin.starts_with('{') || is_wkt(begin) || begins_with(begin, "rectangle ") || begins_with(begin, "disk ") ||
-           begins_with(begin, "formula ") || begins_with(begin, "path ") || is_space_region_text(begin);
-}
-
 PlaneRegion read_region(const std::string& text, bool is_planar)
 {
     const TypedRegion typed(text);
     if (!typed.is_known()) throw InputError(fmt::format("{}: {}", typed.name, no_region));
-    if (is_wkt(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
+    if (is_wkt_text(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
     bool says_metres = false;
     PlaneRegion region = typed.shape ? *typed.shape : region_of_geojson(typed.content, typed.name, says_metres);
     check_region(region, typed.name);
@@ -271,7 +234,7 @@ Obstacles read_obstacles(const std::string& text, bool is_planar)
         obstacles.points = points_of_file(text);
     } else if (typed.shape) {
         obstacles.polygons = typed.shape->polygons;
-    } else if (is_wkt(typed.content)) {
+    } else if (is_wkt_text(typed.content)) {
         const WktBegin begin = wkt_begin(typed.content, typed.name);
         obstacles = obstacles_of_wkt(begin.text, typed.name);
         if (begin.says_degrees) degrees = "its SRID is one of degrees";

@@ -11,9 +11,6 @@ namespace poissonlab {
 /// Corners of the polygon that stands for a disk; its area is 6.3e-6 of the disk's less.
 inline constexpr int disk_corners = 1024;
 
-/// Is this a region by itself, of the plane or of space? Any other text is the name of a file.
-bool is_region_text(std::string_view text);
-
 /// The region that a text describes, or the file of this name:
 ///   rectangle X0 Y0 X1 Y1
 ///   disk X Y RADIUS

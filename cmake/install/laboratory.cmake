@@ -1,4 +1,8 @@
 # The program with its manual page, configs and documentation, and the Debian package of everything.
+if(NOT lab_has_all_modules)
+  install(CODE "message(FATAL_ERROR \"this build lacks modules: ./lab build adds them\")")
+  return()
+endif()
 install(TARGETS poissonlab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS poissonlab_pictures poissonlab_particles poissonlab_meshes LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poissonlab)
 install(DIRECTORY configs DESTINATION ${data_folder})

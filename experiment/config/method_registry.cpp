@@ -1,6 +1,6 @@
 #include "experiment/config/method_registry.hpp"
 
-#include "host/distribution/region_samplers/region_samplers.hpp"
+#include "host/settings/region_sampler_registry.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "host/distribution/even_points.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
-#include "host/settings/sampler_registry.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
@@ -241,7 +241,7 @@ EvenTileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double
 
 SamplerChoice default_even_method()
 {
-    const SamplerSpec& spec = *find_sampler("corner-tiles");
+    static const SamplerSpec spec = corner_tile_sampler();
     Parameters parameters(spec.parameters);
     parameters.set("colors", std::int64_t{3});
     parameters.set("points_per_tile", std::int64_t{32});
@@ -259,7 +259,7 @@ SquarePoints even_points(const EvenMethod& method, std::size_t points, int width
         return sampled_points(sampler, points, width, height, seed, place);
     if (sampler.spec->check) sampler.spec->check(sampler.parameters, {points, 2, tile_set_seed}, {sampler.spec->name});
     const CachedTileSet cached =
-        cached_tile_set(*built, place.engine, place.device, tile_cache_folder(), place.on_step);
+        cached_tile_set(*built, place.engine, place.device, cache_folder(), place.on_step);
     return tiling_points(cached.set, points, width, height, seed, place, seam);
 }
 

@@ -1,6 +1,7 @@
 #include "host/distribution/object_tiles.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -22,7 +23,7 @@ PoissonTileSet default_object_tiles(int dimension, const DistributionPlace& plac
     p.lloyd_iterations = 20;
     p.repulsion = dimension == 3; // without it, edges fall short of the radius
     p.seed = 1;
-    return cached_tile_set(p, place.engine, place.device, tile_cache_folder(), place.on_step).set;
+    return cached_tile_set(p, place.engine, place.device, cache_folder(), place.on_step).set;
 }
 
 }

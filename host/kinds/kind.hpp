@@ -52,6 +52,10 @@ struct Kind : KindNames
     /// The folder of a result in those of runs; empty: named after the kind.
     std::function<std::string(const KindSettings& settings)> folder = {};
 
+    /// The module that this program lacks and that alone knows the kind, of which names are all that is there; empty:
+    /// it is all there.
+    std::string absent_module = {};
+
     std::vector<KeySpec> keys() const;
 
     /// The word for its results.

@@ -8,10 +8,11 @@
 
 namespace poissonlab {
 
-/// In the order in which messages and the documentation list them.
+/// In the order in which messages and the documentation list them; host/modules has what modules bring.
 const std::vector<Kind>& all_kinds();
 
-/// The kind of a table with this word; null where there is none.
+/// The kind of a table with this word; null where there is none. Throws MissingModule where only a module has it that
+/// this program lacks.
 const Kind* find_kind(const std::string& table, const std::string& word);
 
 /// The words for the key `kind` of a table, the default first.

@@ -1,6 +1,6 @@
 // The interface of every method of making point sets to the rest of the laboratory.
 //
-// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in host/settings/sampler_registry.cpp.
+// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in a file of host/modules.
 // Config keys, checks, defaults, help, series names and the report follow from the description.
 #pragma once
 
@@ -135,6 +135,10 @@ struct SamplerSpec
 
     std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine, const DeviceProvider&)>
         create;
+
+    /// The module that this program lacks and that alone knows the sampler, of which name, title and summary are all
+    /// that is there; empty: it is all there.
+    std::string absent_module = {};
 };
 
 /// Samplers in the order in which help and errors list them.

@@ -4,7 +4,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.
 #pragma once
 
-#include "host/settings/keys/tile_set_keys.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "tiles/tilings/tiling.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What tables [[tile_set]] and [[tiling]] of a config, and the command `tiling`, ask for.
 #pragma once
 
-#include "host/settings/tiling_request.hpp"
+#include "host/settings/tilings/tiling_request.hpp"
 
 #include <cstdint>
 #include <string>

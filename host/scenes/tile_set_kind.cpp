@@ -1,7 +1,7 @@
 // What `tiles build` and poissonlab.tiles.build() make: a Poisson tile set with the proof of its minimum distance.
 #include "base/programs/interrupt.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/settings/keys/tile_set_keys.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 

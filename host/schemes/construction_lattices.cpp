@@ -4,7 +4,7 @@
 // lines, corner tiles with dashed ones.
 #include "host/schemes/mark_canvas.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/settings/aperiodic/aperiodic_tiles.hpp"
+#include "host/settings/tilings/aperiodic_tiles.hpp"
 
 #include <fmt/format.h>
 

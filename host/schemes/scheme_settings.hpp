@@ -2,7 +2,7 @@
 // sets.
 #pragma once
 
-#include "host/settings/tiling_request.hpp"
+#include "host/settings/tilings/tiling_request.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
 #include "tiles/isohedral/isohedral_tile.hpp"
 

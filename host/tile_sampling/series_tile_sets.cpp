@@ -1,5 +1,6 @@
 #include "host/tile_sampling/series_tile_sets.hpp"
 
+#include "base/programs/cache_folder.hpp"
 #include "host/device/device.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -18,7 +19,7 @@ SeriesTileSets::SeriesTileSets(const TileSetChoice& choice, const SampleRequest&
     for (std::uint32_t i = 0; i < choice.sets; ++i) {
         PoissonTileParameters parameters = choice.first;
         parameters.seed += i;
-        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
+        CachedTileSet cached = cached_tile_set(parameters, engine, device, cache_folder(), request.on_step);
         sets_.push_back(std::move(cached.set));
         if (i == 0) record_ = std::move(cached.record);
         waiting_seconds += cached.waiting_seconds;

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -142,18 +141,6 @@ DeviceMemory build_memory(const PoissonTileParameters& parameters, const DeviceI
 {
     return parameters.classes.is_empty() ? construction_memory(parameters, device)
                                          : class_construction_memory(parameters);
-}
-
-std::filesystem::path tile_cache_folder()
-{
-    const auto folder_of = [](const char* variable) {
-        const char* value = std::getenv(variable);
-        return std::filesystem::path(value ? value : "");
-    };
-    if (const auto folder = folder_of("POISSONLAB_CACHE"); !folder.empty()) return folder;
-    if (const auto folder = folder_of("XDG_CACHE_HOME"); !folder.empty()) return folder / "poissonlab";
-    if (const auto folder = folder_of("HOME"); !folder.empty()) return folder / ".cache" / "poissonlab";
-    return {};
 }
 
 std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* device)

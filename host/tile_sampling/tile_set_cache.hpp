@@ -20,11 +20,7 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
 /// The memory that this takes on such a device, nearly.
 DeviceMemory build_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
 
-/// The folder of built tile sets: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else ~/.cache/poissonlab; empty
-/// if the environment has none of these.
-std::filesystem::path tile_cache_folder();
-
-/// The name of a tile set's file there: all its parameters, the version of the code that builds it, and what it is
+/// The name of a tile set's file in the cache_folder(): all its parameters, the version of the code that builds it, and what it is
 /// built on: a device, or with null the reference engine.
 std::string tile_cache_name(const PoissonTileParameters& parameters, const DeviceInfo* device);
 

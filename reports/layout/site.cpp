@@ -5,6 +5,7 @@
 #include "reports/layout/page_template.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "results/curve_tables.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -111,6 +112,19 @@ bool Site::has_curves_to_compare() const
 std::filesystem::path page_of(const ReportSeries& series) { return series.pictures / "index.html"; }
 
 std::filesystem::path page_of(const ReportRun& run) { return run.root / "index.html"; }
+
+std::filesystem::path tile_set_of(const ReportSeries& series)
+{
+    return series.run->folder / series.stored->name / file_names::tile_set;
+}
+
+bool has_endless_page(const ReportSeries& series)
+{
+    std::error_code error;
+    return series.run->dimension == 2 && std::filesystem::exists(tile_set_of(series), error);
+}
+
+std::filesystem::path endless_page_of(const ReportSeries& series) { return series.pictures / "endless.html"; }
 
 Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title,
                Gallery gallery)

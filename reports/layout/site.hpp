@@ -51,6 +51,13 @@ inline constexpr auto asset_folder = "site";
 std::filesystem::path page_of(const ReportSeries& series);
 std::filesystem::path page_of(const ReportRun& run);
 
+/// The file of the tile set of a series of tilings, where it is stored.
+std::filesystem::path tile_set_of(const ReportSeries& series);
+
+/// True for series of tilings with a tile set in the plane that is stored: endless_page_of() shows it.
+bool has_endless_page(const ReportSeries& series);
+std::filesystem::path endless_page_of(const ReportSeries& series);
+
 /// The runs laid out, with all that is to be drawn. `title` may be empty: it is made of the runs'. Throws InputError.
 Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title,
                Gallery gallery = Gallery::offered);

@@ -7,6 +7,7 @@
 #include "reports/drawings/drawing_pictures.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "reports/drawings/tile_regions_image.hpp"
+#include "results/pictures/stored_tiles.hpp"
 
 #include <fmt/format.h>
 
@@ -71,11 +72,6 @@ void draw_autocorrelation(const ReportTiling& tiling, const ColorStatistics& col
     write_png(tiling.pictures / autocorrelation_picture(colors), image);
 }
 
-}
-
-std::string autocorrelation_picture(const ColorStatistics& colors)
-{
-    return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
 }
 
 void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store)

@@ -22,7 +22,10 @@ struct ReportTiling
 inline constexpr double shown_z = 6;
 
 /// The picture of an autocorrelation, for example "corners-autocorrelation.png".
-std::string autocorrelation_picture(const ColorStatistics& colors);
+inline std::string autocorrelation_picture(const ColorStatistics& colors)
+{
+    return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
+}
 
 /// Writes tiles.svg, tiles.png and a picture of each autocorrelation. Throws InputError when stored files are
 /// not what results.json says.

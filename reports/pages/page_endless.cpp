@@ -30,11 +30,6 @@ std::string facts_of_set(const PoissonTileSet& set)
                        format_count(p.points_per_tile), noun(p.points_per_tile, "point"), p.ranked ? ", ranked" : "");
 }
 
-std::filesystem::path tile_set_of(const ReportSeries& series)
-{
-    return series.run->folder / series.stored->name / file_names::tile_set;
-}
-
 /// The part of the page that is the same in a report and alone. `bytes`: of a tile set file, whose name is `name`.
 PageData endless_view(std::string_view bytes, const std::string& name)
 {
@@ -64,14 +59,6 @@ std::string render_endless_page(std::string_view file, const std::string& name)
     page.set("scripts", texts);
     return render_template("endless", page);
 }
-
-bool has_endless_page(const ReportSeries& series)
-{
-    std::error_code error;
-    return series.run->dimension == 2 && std::filesystem::exists(tile_set_of(series), error);
-}
-
-std::filesystem::path endless_page_of(const ReportSeries& series) { return series.pictures / "endless.html"; }
 
 std::string render_endless_page(const Site& site, const ReportSeries& series)
 {

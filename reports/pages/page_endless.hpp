@@ -3,7 +3,6 @@
 
 #include "reports/layout/site.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -14,11 +13,7 @@ namespace poissonlab {
 /// for tiles in space.
 std::string render_endless_page(std::string_view file, const std::string& name);
 
-/// True for series of tilings with a tile set in the plane that is stored.
-bool has_endless_page(const ReportSeries& series);
-
-/// The page of a series that has one, and its file.
+/// The page of a series that has_endless_page().
 std::string render_endless_page(const Site& site, const ReportSeries& series);
-std::filesystem::path endless_page_of(const ReportSeries& series);
 
 }

@@ -1,5 +1,5 @@
 // The page of a series: panels, measures, and the stored files.
-#include "reports/pages/page_endless.hpp"
+#include "reports/layout/site.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"

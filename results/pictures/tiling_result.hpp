@@ -71,8 +71,4 @@ std::string autocorrelation_file(const ColorStatistics& colors);
 void members(JsonMembers& m, const TilingResult& tiling);
 void members(JsonMembers& m, TilingResult& tiling);
 
-/// The tile indices that a tiling's file holds, as many as shown(), row after row as they are stored. Throws
-/// InputError for another number of them, and for indices that no tile has.
-std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const TilingResult& tiling);
-
 }

@@ -1,6 +1,6 @@
 // Pages of methods: pictures, parameters, advice, and what the gallery measured.
 #include "app/commands/manual/manual.hpp"
-#include "host/distribution/region_samplers/region_samplers.hpp"
+#include "host/settings/region_sampler_registry.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"

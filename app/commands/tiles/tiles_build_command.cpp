@@ -3,7 +3,7 @@
 #include "app/commands/kind_options.hpp"
 #include "experiment/run/progress.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/settings/keys/tile_set_keys.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 

@@ -1,7 +1,8 @@
 #include "host/distribution/classes/class_tiling.hpp"
 
 #include "base/errors/errors.hpp"
-#include "host/settings/keys/tile_set_keys.hpp"
+#include "base/programs/cache_folder.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
@@ -29,7 +30,7 @@ void check_is_proven(const PoissonTileSet& set, const std::string& file)
 PoissonTileSet set_with_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
     PoissonTileSet set = settings.colors > 0 ? cached_tile_set(class_tile_parameters(settings, seed), place.engine,
-                                                               place.device, tile_cache_folder(), place.on_step)
+                                                               place.device, cache_folder(), place.on_step)
                                                    .set
                                              : read_tile_set(settings.tiles);
     if (set.parameters.classes.is_empty())

@@ -1,4 +1,4 @@
-// The samplers in regions that are listed in region_samplers.cpp.
+// The samplers in regions that host/modules/regions.cpp lists.
 #pragma once
 
 #include "host/sampling/sampler.hpp"

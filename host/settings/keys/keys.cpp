@@ -5,7 +5,7 @@
 #include "base/densities/plane_formula.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
-#include "base/regions/region_text.hpp"
+#include "base/regions/region_words.hpp"
 #include "host/settings/comma_words.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"

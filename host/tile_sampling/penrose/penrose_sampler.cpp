@@ -1,12 +1,12 @@
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 
+#include "base/programs/cache_folder.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_importance.hpp"
 #include "host/tile_sampling/penrose/penrose_table_cache.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <chrono>
 #include <optional>
@@ -45,7 +45,7 @@ public:
         : DeviceSampler(engine, device), seed_(request.seed), has_random_window_(given.flag(window_key))
     {
         const auto begin = std::chrono::steady_clock::now();
-        BuiltOnce<PenroseTable> cached = cached_penrose_table(tile_cache_folder(), request.on_step);
+        BuiltOnce<PenroseTable> cached = cached_penrose_table(cache_folder(), request.on_step);
         tiling_ = std::make_unique<PenroseTiling>(cached.built, density_bounds_of(given));
         importance_ = importance_for_points(*tiling_, points_of_square(given, request.points));
         if (device_) generator_.emplace(*device_, *tiling_);

@@ -2,12 +2,12 @@
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_kernel.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/polyominoes/polyomino_points.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ public:
     {
         const auto begin = std::chrono::steady_clock::now();
         BuiltOnce<PolyominoTable> cached =
-            cached_polyomino_table(shape_of(given), tile_cache_folder(), request.on_step);
+            cached_polyomino_table(shape_of(given), cache_folder(), request.on_step);
         table_ = std::move(cached.built);
         if (device_) generator_.emplace(*device_, shape_of(given));
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;

@@ -1,13 +1,13 @@
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_kernel.hpp"
 #include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ public:
         double waiting_seconds = 0;
         for (std::uint32_t i = 0; i < small_parameter(given, sets_key); ++i) {
             CachedRecursiveTiles cached = cached_recursive_tiles(
-                small_parameter(given, recursive_size_key), request.seed + i, tile_cache_folder(), request.on_step);
+                small_parameter(given, recursive_size_key), request.seed + i, cache_folder(), request.on_step);
             sets_.push_back(std::move(cached.tiles));
             if (i == 0) record_ = std::move(cached.record);
             waiting_seconds += cached.waiting_seconds;

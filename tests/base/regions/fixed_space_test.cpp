@@ -2,6 +2,7 @@
 #include "base/regions/fixed_space.hpp"
 
 #include "base/regions/region_text.hpp"
+#include "base/regions/region_words.hpp"
 #include "base/regions/solid_lattice.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

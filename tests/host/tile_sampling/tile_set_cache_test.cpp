@@ -2,6 +2,7 @@
 #include "host/tile_sampling/tile_set_cache.hpp"
 
 #include "base/files/file_lock.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -169,13 +170,13 @@ TEST(TileCacheFolder, IsTheFirstThatTheEnvironmentNames)
     setenv("POISSONLAB_CACHE", "/a", 1);
     setenv("XDG_CACHE_HOME", "/b", 1);
     setenv("HOME", "/c", 1);
-    EXPECT_EQ(tile_cache_folder(), "/a");
+    EXPECT_EQ(cache_folder(), "/a");
     unsetenv("POISSONLAB_CACHE");
-    EXPECT_EQ(tile_cache_folder(), "/b/poissonlab");
+    EXPECT_EQ(cache_folder(), "/b/poissonlab");
     unsetenv("XDG_CACHE_HOME");
-    EXPECT_EQ(tile_cache_folder(), "/c/.cache/poissonlab");
+    EXPECT_EQ(cache_folder(), "/c/.cache/poissonlab");
     unsetenv("HOME");
-    EXPECT_TRUE(tile_cache_folder().empty());
+    EXPECT_TRUE(cache_folder().empty());
     if (home) setenv("HOME", kept.c_str(), 1);
 }
 

@@ -1,0 +1,158 @@
+// poissonlab analyze: point sets made elsewhere, through the same analysis and report.
+#include "app/commands/command.hpp"
+#include "app/commands/core/finish_report.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/text_lines.hpp"
+#include "base/text/decimal_commas.hpp"
+#include "experiment/crew/thread_limit.hpp"
+#include "experiment/run/runner.hpp"
+#include "experiment/series/imported_points.hpp"
+#include "experiment/series/region_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto analyze_notes =
+    R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
+a line with # alone separates realizations), CSV, PLY, NumPy .npy or UTK .bin. All realizations must have as many points.
+Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
+  poissonlab analyze set-*.dat --label "My method" --out mine
+--set takes the keys of a config's [analysis] that are about the analysis:
+  --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
+  --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders (2D:
+                                      --periodic no corrects spectra and curves for the border as well)
+  --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
+  --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
+  --set analysis.tapers=8             with --region: the spectrum is the mean by so many orthogonal tapers
+  --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
+  --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
+
+struct AnalyzeOptions
+{
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path out; ///< empty: out/<label>
+    std::string label;
+    std::string domain;   ///< as for parse_range(); empty: what the files say
+    std::string region;   ///< as for read_region(); empty: sets fill their square
+    std::string periodic; ///< yes or no; empty: what the closest pairs say
+    std::vector<std::string> overrides;
+    bool gallery = false;
+    bool in_pieces = false;
+    int threads = 0;
+    bool quiet = false;
+    std::string command;
+};
+
+/// An option as the key of [analysis] that it stands for.
+ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::value) value, const std::string& text)
+{
+    ConfigTable entries(1);
+    entries.front().key = key;
+    ConfigNode& node = entries.front().node;
+    node.value = std::move(value);
+    node.location.file = fmt::format("analyze: {}", option);
+    node.location.is_argument = true;
+    node.text = text;
+    return entries;
+}
+
+ConfigTable region_entry(const std::string& region)
+{
+    return region.empty() ? ConfigTable{} : entry_of("--region", "region", region, region);
+}
+
+/// Sets that are not periodic are measured as sets in the square as a region, whose border is corrected for. Windows,
+/// whose border leaves a cross in the spectrum, are what else can be: in space, on the disk, and with measures that
+/// regions do not have.
+ConfigTable window_entry(const Experiment& experiment, const std::vector<std::string>& overrides)
+{
+    const auto is_of_squares = [](const std::string& text) {
+        return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
+               text.starts_with("analysis.zone_plate");
+    };
+    if (experiment.dimension == 2 && experiment.series.front().strips.empty() &&
+        std::ranges::none_of(overrides, is_of_squares))
+        return entry_of("--periodic", "region", std::string(unit_square_region), "no");
+    return entry_of("--periodic", "window", true, "no");
+}
+
+void check_periodic(const AnalyzeOptions& options)
+{
+    if (options.periodic.empty()) return;
+    if (options.periodic != "yes" && options.periodic != "no")
+        throw InputError("analyze: --periodic " + options.periodic + ": must be yes or no");
+    if (!options.region.empty())
+        throw InputError("analyze: --periodic does not go with --region: nothing goes around a torus there");
+}
+
+void analyze(const AnalyzeOptions& options)
+{
+    const ThreadLimit limit(options.threads);
+    std::optional<CoordinateRange> domain;
+    if (!options.domain.empty()) {
+        domain = parse_range(options.domain);
+        if (!domain)
+            throw InputError("analyze: --domain " + options.domain +
+                             ": must be LOW:HIGH, two numbers, the first smaller; or HIGH" +
+                             decimal_comma_words(options.domain));
+    }
+    check_periodic(options);
+    ConfigTable entries = region_entry(options.region);
+    const auto region = overridden_region(options.overrides, entries);
+    if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
+    if (region && options.in_pieces) throw InputError("analyze: --in-pieces does not go with --region");
+    const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
+    const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
+                             options.in_pieces};
+    Experiment experiment = region ? import_region_points(options.files, options.label, *region->region)
+                                   : import_points(options.files, options.label, domain, large);
+    if (options.periodic == "no") entries = window_entry(experiment, options.overrides);
+    experiment.overrides = options.overrides;
+    experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
+    experiment.analysis.is_periodic = options.periodic == "yes";
+    check_imported(experiment);
+    experiment.command = options.command;
+    const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
+    Progress progress(Progress::detect(options.quiet));
+    for (const std::string& note : experiment.notes) progress.message(note);
+    run_experiment(experiment, out, progress);
+    finish_report({out}, out, progress, PrintPictures::none, options.gallery ? Gallery::laid_behind : Gallery::offered);
+}
+
+}
+
+Command analyze_command(const std::string& typed)
+{
+    const auto o = std::make_shared<AnalyzeOptions>();
+    o->command = typed;
+    return {"analyze",
+            "Analyse point sets made elsewhere and write a report",
+            {{"FILE", &o->files, "Point sets, one series"},
+             {"--out", &o->out, "The output folder; default: out/ and the label", "DIR"},
+             {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
+             {"--domain", &o->domain,
+              "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+             {"--region", &o->region,
+              "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
+              "X0 Y0 X1 Y1, disk X Y RADIUS",
+              "REGION"},
+             {"--periodic", &o->periodic,
+              "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "
+              "default: yes, with a word where the closest pairs say no",
+              "yes|no"},
+             {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
+             {"--in-pieces", &o->in_pieces,
+              "Read each file in pieces and keep its points on the disk, as is done of more than 16,777,216"},
+             {"--set", &o->overrides, "Set a key of [analysis]; may be repeated", "analysis.KEY=VALUE"},
+             {"--threads", &o->threads, "Use so many threads; default: all", "N"},
+             {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
+            analyze_notes,
+            action_on(o, analyze)};
+}
+
+}

@@ -1,0 +1,194 @@
+// poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
+#include "app/commands/kind_options.hpp"
+#include "app/commands/picture_output.hpp"
+#include "app/commands/tilings/tile_rows.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/distribution/textures/chosen_packing.hpp"
+#include "host/kinds/kinds.hpp"
+#include "reports/drawings/tile_image.hpp"
+#include "reports/drawings/tilings/puzzle_image.hpp"
+#include "tiles/packing/closed_packing.hpp"
+#include "tiles/packing/packing_search.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <span>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto packing_notes =
+    R"(A packing has all C^4 tiles of a complete set on a torus of C^2 x C^2 places, each once, so that neighbours fit.
+Prints tile indices, a row of tiles a line, north first, as `tiling` does.
+  closed     any C, place and tile follow from each other in constant time (the default)
+  printed    C = 2, 3, 4: the dissertation's, found by search
+  product    wang, C = 3: the dissertation's, by the product of two circuits of dominoes
+  eulerian   wang: the product of two random Eulerian circuits of dominoes, all of them equally likely
+  search     C = 2, 3, 4 (4 takes years): the first one with tiles tried in random order; good for puzzles
+  grown      corner, C = 3: a random one around the printed one of two colours; seconds
+--all prints every packing of two colours, with empty lines between: 32 of corner tiles, 203520 of Wang tiles.
+--verify reads such a table: exit status 2 if it is no packing.
+--puzzle writes jigsaw pieces for a laser cutter, in millimetres: red lines are cut, blue ones point to the north.
+  poissonlab packing corner --colors 3
+  poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2)";
+
+const OutputFormats packing_formats{{".png", ".svg"}}, puzzle_formats{{".svg"}};
+
+struct PackingOptions : KindOptions
+{
+    using KindOptions::KindOptions;
+    bool all = false;
+    std::filesystem::path verified; ///< empty: none
+    std::filesystem::path out;      ///< the same for pictures
+    std::filesystem::path puzzle;
+    PuzzleCut cut;
+};
+
+/// Prints the tiles of rows from north to south.
+template <class TileAt>
+void print_rows(TileRows& rows, Color side, const TileAt& tile_at)
+{
+    std::vector<TileIndex> row(side);
+    for (Color y = side; y-- > 0;) {
+        for (Color x = 0; x < side; ++x) row[x] = tile_at(PackingPlace{x, y});
+        rows.add(std::span<const TileIndex>(row), true);
+    }
+}
+
+void print_packing(TileRows& rows, const TilePacking& packing)
+{
+    print_rows(rows, packing.side(), [&](PackingPlace place) { return packing.at(place); });
+}
+
+void print_all_packings(const PackingOptions& options, const PackingSettings& asked)
+{
+    if (asked.colors != 2)
+        throw InputError(
+            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", asked.colors));
+    TileRows rows(options.prints_json(), "packings");
+    bool is_first = true;
+    search_packings(asked.kind, asked.colors, {}, [&](const TilePacking& packing) {
+        if (!is_first) rows.next_block();
+        is_first = false;
+        print_packing(rows, packing);
+        return true;
+    });
+    rows.finish();
+}
+
+void check_drawn_colors(Color colors)
+{
+    if (colors > most_drawn_colors) throw InputError(fmt::format("packing: --colors {}: {}", colors, most_drawn_words));
+}
+
+void write_packing_picture(const TilePacking& packing, const std::filesystem::path& file)
+{
+    TileGrid grid{packing.kind, {packing.colors, packing.colors}, packing.side(), {}};
+    for (Color y = packing.side(); y-- > 0;)
+        for (Color x = 0; x < packing.side(); ++x) grid.tiles.push_back(packing.at({x, y}));
+    const Drawing drawing = draw_tiles(grid);
+    write_picture_file(file, drawing, static_cast<int>(drawing.width));
+}
+
+void check_cut(const PackingOptions& options)
+{
+    const auto [piece, kerf] = options.cut;
+    if (!(piece >= 5 && piece <= 500))
+        throw InputError(fmt::format("packing: --piece {}: must be a number from 5 to 500, in millimetres", piece));
+    // A cut as wide as a third of a knob's neck leaves no knob.
+    if (!(kerf >= 0 && kerf <= piece / 50))
+        throw InputError(
+            fmt::format("packing: --kerf {}: must be a number from 0 to {:.4g}, in millimetres", kerf, piece / 50));
+}
+
+void check_packing_options(const PackingOptions& options, const PackingSettings& asked)
+{
+    const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
+    if (is_drawn) check_drawn_colors(asked.colors);
+    if (options.all && (is_drawn || !options.verified.empty()))
+        throw InputError("packing: --all prints only: not with --verify, --out or --puzzle");
+    check_cut(options);
+    if (!options.out.empty()) checked_output("packing", "--out", options.out, packing_formats);
+    if (!options.puzzle.empty()) checked_output("packing", "--puzzle", options.puzzle, puzzle_formats);
+}
+
+/// A table of a file, which is a packing.
+TilePacking verified_packing(const PackingOptions& options, const PackingSettings& asked)
+{
+    // A table of 64^2 rows is 120 MB of text.
+    constexpr Color most_verified_colors = 64;
+    if (asked.colors > most_verified_colors)
+        throw InputError(
+            fmt::format("packing: --colors {}: must be at most {} to verify", asked.colors, most_verified_colors));
+    const TilePacking packing = read_packing(options.verified, asked.kind, asked.colors);
+    if (const auto fault = packing_fault(packing)) throw InputError::at({options.verified.string()}, *fault);
+    return packing;
+}
+
+void draw_packing(const PackingOptions& options, const TilePacking& packing)
+{
+    if (!options.out.empty()) write_packing_picture(packing, output_name(options.out, packing_formats));
+    if (!options.puzzle.empty())
+        write_whole_file(output_name(options.puzzle, puzzle_formats), drawing_svg(draw_puzzle(packing, options.cut)));
+}
+
+void say_verified(const PackingOptions& options, const PackingSettings& asked)
+{
+    const std::string file = printable(options.verified.string());
+    const std::uint64_t tiles = std::uint64_t{asked.colors} * asked.colors * asked.colors * asked.colors;
+    if (options.prints_json())
+        fmt::print("{}\n",
+                   nlohmann::ordered_json{
+                       {"file", file}, {"kind", tile_kinds[asked.kind]}, {"colors", asked.colors}, {"tiles", tiles}}
+                       .dump(2));
+    else
+        fmt::print("{}: a packing of the complete {} tile set over {} colours: {} tiles, each once, all neighbours "
+                   "fit\n",
+                   file, tile_kinds[asked.kind], asked.colors, tiles);
+}
+
+void pack(const PackingOptions& options)
+{
+    const KindSettings read = options.settings();
+    const auto& asked = read.as<PackingSettings>();
+    check_packing_options(options, asked);
+    if (options.all) return print_all_packings(options, asked);
+    if (!options.verified.empty()) {
+        draw_packing(options, verified_packing(options, asked));
+        return say_verified(options, asked);
+    }
+    const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
+    if (asked.method == "closed" && !is_drawn) {
+        TileRows rows(options.prints_json());
+        print_rows(rows, asked.colors * asked.colors,
+                   [&](PackingPlace place) { return packed_tile(asked.kind, place, asked.colors); });
+        return rows.finish();
+    }
+    const TilePacking packing = chosen_packing(asked, options.seed());
+    draw_packing(options, packing);
+    TileRows rows(options.prints_json());
+    print_packing(rows, packing);
+    rows.finish();
+}
+
+}
+
+Command packing_command()
+{
+    const auto o = std::make_shared<PackingOptions>(*find_kind("", "packing"), "kind");
+    return kind_command(
+        o,
+        {{"--verify", &o->verified, "Check this table instead of making one", "FILE"},
+         {"--all", &o->all, "Print every packing of two colours"},
+         {"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
+         {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
+         {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
+         {"--kerf", &o->cut.kerf,
+          "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}},
+        packing_notes, pack);
+}
+
+}

@@ -1,0 +1,78 @@
+# Modules: what a program may have beside the core. A module is one stem in parallel rooms: host/modules/NAME.cpp with what
+# it brings to configs, and app/commands/NAME/commands.cpp with its commands.
+#
+# POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
+# tests, benchmarks and the Python package take all.
+set(lab_host_modules tiles tilings textures regions distributions)
+set(lab_command_modules tiles tilings textures distributions large_sets manual)
+set(lab_all_modules ${lab_host_modules} ${lab_command_modules})
+list(REMOVE_DUPLICATES lab_all_modules)
+
+# Modules that another one stands on.
+set(lab_needs_of_distributions tiles regions)
+set(lab_needs_of_textures tiles regions distributions)
+
+set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
+set(lab_modules_of_program ${POISSONLAB_MODULES})
+if(POISSONLAB_TESTS OR POISSONLAB_BENCHMARKS OR POISSONLAB_PYTHON OR POISSONLAB_FUZZ OR "all" IN_LIST POISSONLAB_MODULES
+   OR "manual" IN_LIST POISSONLAB_MODULES)
+  set(lab_modules_of_program ${lab_all_modules})
+endif()
+foreach(name IN LISTS POISSONLAB_MODULES)
+  list(APPEND lab_modules_of_program ${lab_needs_of_${name}})
+  if(NOT name STREQUAL "all" AND NOT name IN_LIST lab_all_modules)
+    list(JOIN lab_all_modules ", " known)
+    message(FATAL_ERROR "POISSONLAB_MODULES: \"${name}\" is no module; there are ${known}, and all")
+  endif()
+endforeach()
+
+list(REMOVE_DUPLICATES lab_modules_of_program)
+set(lab_has_all_modules YES)
+foreach(name IN LISTS lab_all_modules)
+  if(NOT name IN_LIST lab_modules_of_program)
+    set(lab_has_all_modules NO)
+  endif()
+endforeach()
+
+# What parts of the core call that only modules have: a program without these has host/modules/without_regions.cpp and
+# reports/site/without_tiles.cpp, which ask for the module.
+set(lab_program_has_regions NO)
+set(lab_program_has_tiles NO)
+foreach(name IN LISTS lab_modules_of_program)
+  if(name STREQUAL regions)
+    set(lab_program_has_regions YES)
+  endif()
+  if(name MATCHES "^(tiles|tilings|textures|distributions)$")
+    set(lab_program_has_tiles YES)
+  endif()
+endforeach()
+
+# lab_module_list(TARGET HEADER TYPE FUNCTION ADDS LIBRARY NAMES...): objects of a source file that lists modules as
+# FUNCTION() of HEADER, {"NAME", ADDS}, and that link LIBRARY of each. NAME in these two stands for the module's.
+function(lab_module_list target header type function adds library)
+  set(rows "")
+  set(libraries "")
+  foreach(name IN LISTS ARGN)
+    string(REPLACE NAME ${name} row "        {\"NAME\", ${adds}},\n")
+    string(APPEND rows "${row}")
+    string(REPLACE NAME ${name} library_of_module ${library})
+    list(APPEND libraries ${library_of_module})
+  endforeach()
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT "// Written by cmake/modules.cmake.
+#include \"${header}\"
+
+namespace poissonlab {
+
+const std::vector<${type}>& ${function}()
+{
+    static const std::vector<${type}> all{
+${rows}    };
+    return all;
+}
+
+}
+")
+  add_library(${target} OBJECT ${file})
+  target_link_libraries(${target} PUBLIC lab_options ${libraries})
+endfunction()

@@ -1,0 +1,12 @@
+// Textures of tiles, and endless ones of other kinds.
+#include "host/kinds/kinds.hpp"
+#include "host/modules/laboratory.hpp"
+
+namespace poissonlab {
+
+void add_textures(Laboratory& laboratory)
+{
+    for (Kind (*const kind)() : {texture_kind, packing_kind, printed_packing_kind, texture_set_kind, endless_kind}) laboratory.kinds.push_back(kind());
+}
+
+}

@@ -1,0 +1,15 @@
+// What the core calls of regions, for programs without them: a region in a config is what asks for the module.
+#include "base/errors/missing_module.hpp"
+#include "base/regions/region_text.hpp"
+#include "base/regions/solid_lattice.hpp"
+
+namespace poissonlab {
+
+PlaneRegion read_region(const std::string& /*text*/, bool /*is_planar*/) { throw MissingModule("regions"); }
+
+SolidLattice inset_solid(const SolidLattice& /*solid*/, double /*distance*/, const std::string& /*name*/)
+{
+    throw MissingModule("regions");
+}
+
+}

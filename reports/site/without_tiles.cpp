@@ -1,0 +1,36 @@
+// What pages call of tiles, for programs without them: a result that has tiles is what asks for the module.
+#include "base/errors/missing_module.hpp"
+#include "reports/drawings/construction_image.hpp"
+#include "reports/layout/tiling_pictures.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/page_endless.hpp"
+#include "reports/pages/page_parts.hpp"
+
+namespace poissonlab {
+namespace {
+
+constexpr auto module_of_tiles = "tilings";
+
+}
+
+Drawing draw_construction(const Scene& /*scene*/) { throw MissingModule(module_of_tiles); }
+
+void draw_tiling_pictures(const ReportTiling& /*tiling*/, PictureStore& /*store*/) { throw MissingModule(module_of_tiles); }
+
+PageData construction_section(const ReportConstruction& /*construction*/, std::size_t /*index*/,
+                              const std::filesystem::path& /*from*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+std::string render_endless_page(const Site& /*site*/, const ReportSeries& /*series*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+std::string render_steps_page(const Site& /*site*/, const ReportRun& /*run*/, const ReportConstruction& /*construction*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+}
