@@ -12,12 +12,12 @@ class MissingModule : public std::runtime_error
 {
 public:
     explicit MissingModule(std::string module)
-        : std::runtime_error("this program was built without " +
-                             (module == "all" ? "some of its modules" : "the module \"" + module + "\"") +
-                             ": build it with cmake -D POISSONLAB_MODULES=all, or call ./lab, which adds what is missing"),
+        : std::runtime_error(
+              "this program was built without " +
+              (module == "all" ? "some of its modules" : "the module \"" + module + "\"") +
+              ": build it with cmake -D POISSONLAB_MODULES=all, or call ./lab, which adds what is missing"),
           module_(std::move(module))
-    {
-    }
+    {}
 
     const std::string& module() const { return module_; }
 

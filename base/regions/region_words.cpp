@@ -44,8 +44,9 @@ std::string_view without_blanks_around(std::string_view text)
 bool is_region_text(std::string_view text)
 {
     const std::string_view begin = without_blanks_around(text);
-    return begin.starts_with('{') || is_wkt_text(begin) || begins_with(begin, "rectangle ") || begins_with(begin, "disk ") ||
-           begins_with(begin, "formula ") || begins_with(begin, "path ") || is_space_region_text(begin);
+    return begin.starts_with('{') || is_wkt_text(begin) || begins_with(begin, "rectangle ") ||
+           begins_with(begin, "disk ") || begins_with(begin, "formula ") || begins_with(begin, "path ") ||
+           is_space_region_text(begin);
 }
 
 }

@@ -258,8 +258,7 @@ SquarePoints even_points(const EvenMethod& method, std::size_t points, int width
     if (!built || sampler.parameters.number("density") < 1)
         return sampled_points(sampler, points, width, height, seed, place);
     if (sampler.spec->check) sampler.spec->check(sampler.parameters, {points, 2, tile_set_seed}, {sampler.spec->name});
-    const CachedTileSet cached =
-        cached_tile_set(*built, place.engine, place.device, cache_folder(), place.on_step);
+    const CachedTileSet cached = cached_tile_set(*built, place.engine, place.device, cache_folder(), place.on_step);
     return tiling_points(cached.set, points, width, height, seed, place, seam);
 }
 

@@ -6,7 +6,10 @@ namespace poissonlab {
 
 void add_distributions(Laboratory& laboratory)
 {
-    for (Kind (*const kind)() : {warp_kind, object_kind, self_similar_kind, rank_kind, dart_kind, region_point_kind, class_kind, surface_point_kind, sampling_mask_kind, dither_mask_kind, cell_kind, stippling_kind, hatching_kind, icon_kind, instance_kind}) laboratory.kinds.push_back(kind());
+    for (Kind (*const kind)() : {warp_kind, object_kind, self_similar_kind, rank_kind, dart_kind, region_point_kind,
+                                 class_kind, surface_point_kind, sampling_mask_kind, dither_mask_kind, cell_kind,
+                                 stippling_kind, hatching_kind, icon_kind, instance_kind})
+        laboratory.kinds.push_back(kind());
 }
 
 }

@@ -65,8 +65,7 @@ Laboratory ordered_laboratory()
     Laboratory brought;
     for (const Module& module : built_modules()) module.add(brought);
     Laboratory ordered;
-    ordered.samplers =
-        in_order(std::move(brought.samplers), ManifestWord::sampler, &SamplerSpec::name, absent_sampler);
+    ordered.samplers = in_order(std::move(brought.samplers), ManifestWord::sampler, &SamplerSpec::name, absent_sampler);
     ordered.region_samplers =
         in_order(std::move(brought.region_samplers), ManifestWord::region_sampler, &SamplerSpec::name, absent_sampler);
     ordered.kinds = in_order(std::move(brought.kinds), ManifestWord::kind, manifest_name, absent_kind);
@@ -83,11 +82,10 @@ void add_entries(std::vector<ManifestEntry>& entries, ManifestWord word, const s
 std::size_t place_of(const ManifestEntry& entry)
 {
     const auto& all = manifest();
-    return static_cast<std::size_t>(std::ranges::find_if(all,
-                                                         [&](const ManifestEntry& each) {
-                                                             return each.word == entry.word && each.name == entry.name;
-                                                         }) -
-                                    all.begin());
+    return static_cast<std::size_t>(
+        std::ranges::find_if(
+            all, [&](const ManifestEntry& each) { return each.word == entry.word && each.name == entry.name; }) -
+        all.begin());
 }
 
 }

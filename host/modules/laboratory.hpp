@@ -1,7 +1,7 @@
 // The modules of the laboratory: what each brings, and which of them this program has.
 //
-// To add a module: list it in cmake/modules.cmake, write host/modules/NAME.cpp, and print the manifest anew (`poissonlab
-// manual --stored`). A program that lacks a module knows its words from the manifest.
+// To add a module: list it in cmake/modules.cmake, write host/modules/NAME.cpp, and print the manifest anew
+// (`poissonlab manual --stored`). A program that lacks a module knows its words from the manifest.
 #pragma once
 
 #include "host/kinds/kind.hpp"

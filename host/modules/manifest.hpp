@@ -19,9 +19,9 @@ struct ManifestEntry
 {
     ManifestWord word{};
     std::string module;
-    std::string name;    ///< of a kind: its table and its word, "distribution stippling"; of a command: "tiles build"
-    std::string title;   ///< of samplers and kinds
-    std::string summary; ///< one line for the help
+    std::string name;      ///< of a kind: its table and its word, "distribution stippling"; of a command: "tiles build"
+    std::string title;     ///< of samplers and kinds
+    std::string summary;   ///< one line for the help
     std::string command{}; ///< of a kind
 };
 

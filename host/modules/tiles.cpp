@@ -14,10 +14,10 @@ namespace poissonlab {
 
 void add_tiles(Laboratory& laboratory)
 {
-    for (SamplerSpec (*const sampler)() : {corner_tile_sampler, edge_tile_sampler, template_tile_sampler,
-                                           sphere_tile_sampler, shade_tile_sampler, averaged_tile_sampler,
-                                           penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler,
-                                           isohedral_tile_sampler})
+    for (SamplerSpec (*const sampler)() :
+         {corner_tile_sampler, edge_tile_sampler, template_tile_sampler, sphere_tile_sampler, shade_tile_sampler,
+          averaged_tile_sampler, penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler,
+          isohedral_tile_sampler})
         laboratory.samplers.push_back(sampler());
     laboratory.region_samplers.push_back(region_tile_sampler({PoissonTileKind::corner, 2}, corner_tile_sampler()));
     laboratory.region_samplers.push_back(region_tile_sampler({PoissonTileKind::edge, 2}, edge_tile_sampler()));

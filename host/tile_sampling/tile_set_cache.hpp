@@ -20,8 +20,8 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
 /// The memory that this takes on such a device, nearly.
 DeviceMemory build_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
 
-/// The name of a tile set's file in the cache_folder(): all its parameters, the version of the code that builds it, and what it is
-/// built on: a device, or with null the reference engine.
+/// The name of a tile set's file in the cache_folder(): all its parameters, the version of the code that builds it, and
+/// what it is built on: a device, or with null the reference engine.
 std::string tile_cache_name(const PoissonTileParameters& parameters, const DeviceInfo* device);
 
 /// A tile set and where it came from.

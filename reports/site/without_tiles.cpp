@@ -15,7 +15,10 @@ constexpr auto module_of_tiles = "tilings";
 
 Drawing draw_construction(const Scene& /*scene*/) { throw MissingModule(module_of_tiles); }
 
-void draw_tiling_pictures(const ReportTiling& /*tiling*/, PictureStore& /*store*/) { throw MissingModule(module_of_tiles); }
+void draw_tiling_pictures(const ReportTiling& /*tiling*/, PictureStore& /*store*/)
+{
+    throw MissingModule(module_of_tiles);
+}
 
 PageData construction_section(const ReportConstruction& /*construction*/, std::size_t /*index*/,
                               const std::filesystem::path& /*from*/)
@@ -28,7 +31,8 @@ std::string render_endless_page(const Site& /*site*/, const ReportSeries& /*seri
     throw MissingModule(module_of_tiles);
 }
 
-std::string render_steps_page(const Site& /*site*/, const ReportRun& /*run*/, const ReportConstruction& /*construction*/)
+std::string render_steps_page(const Site& /*site*/, const ReportRun& /*run*/,
+                              const ReportConstruction& /*construction*/)
 {
     throw MissingModule(module_of_tiles);
 }

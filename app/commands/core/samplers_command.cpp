@@ -2,10 +2,10 @@
 #include "app/commands/core/described_values.hpp"
 #include "app/commands/core/stored_text.hpp"
 #include "app/commands/work_options.hpp"
-#include "host/settings/region_sampler_registry.hpp"
 #include "host/modules/laboratory.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
+#include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_registry.hpp"
 

@@ -1,7 +1,6 @@
 // What a program with all modules prints about itself, for one that lacks some.
 #pragma once
 
-
 #include <string_view>
 
 namespace poissonlab {

@@ -47,23 +47,22 @@ void write_stored_texts(const std::filesystem::path& checkout, const std::vector
 Command manual_command(std::function<std::vector<Command>()> all_commands)
 {
     const auto o = std::make_shared<ManualOptions>();
-    return {
-        "manual",
-        "Write the pages of the documentation that follow from descriptions: methods, kinds, measures, commands",
-        {{"--out", &o->out, "Where the pages and their curves go", "DIR"},
-         {"--results", &o->pages, "Put the stored results into these pages, such as docs/results.md, anew", "FILE"},
-         {"--stored", &o->stored,
-          "Write the words of all modules, and what programs that lack some print, in this checkout", "DIR"}},
-        "",
-        [o, all_commands = std::move(all_commands)] {
-            if (o->out.empty() && o->pages.empty() && o->stored.empty())
-                throw InputError("--out, --results or --stored is needed");
-            need_all_modules();
-            for (const std::filesystem::path& page : o->pages) put_results_into(page);
-            if (!o->stored.empty()) write_stored_texts(o->stored, all_commands());
-            if (!o->out.empty()) write_manual(o->out, all_commands());
-            return 0;
-        }};
+    return {"manual",
+            "Write the pages of the documentation that follow from descriptions: methods, kinds, measures, commands",
+            {{"--out", &o->out, "Where the pages and their curves go", "DIR"},
+             {"--results", &o->pages, "Put the stored results into these pages, such as docs/results.md, anew", "FILE"},
+             {"--stored", &o->stored,
+              "Write the words of all modules, and what programs that lack some print, in this checkout", "DIR"}},
+            "",
+            [o, all_commands = std::move(all_commands)] {
+                if (o->out.empty() && o->pages.empty() && o->stored.empty())
+                    throw InputError("--out, --results or --stored is needed");
+                need_all_modules();
+                for (const std::filesystem::path& page : o->pages) put_results_into(page);
+                if (!o->stored.empty()) write_stored_texts(o->stored, all_commands());
+                if (!o->out.empty()) write_manual(o->out, all_commands());
+                return 0;
+            }};
 }
 
 }

@@ -1,8 +1,8 @@
 // Pages of methods: pictures, parameters, advice, and what the gallery measured.
 #include "app/commands/manual/manual.hpp"
-#include "host/settings/region_sampler_registry.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
+#include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "reports/claims/claim_table.hpp"

@@ -1,6 +1,6 @@
 // poissonlab isohedral draw: a tiling of a type with parameters and curves, or one of each type.
-#include "app/commands/tilings/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
+#include "app/commands/tilings/aperiodic_choice.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/text/decimal_commas.hpp"

@@ -2,8 +2,8 @@
 
 #include "base/errors/errors.hpp"
 #include "base/programs/cache_folder.hpp"
-#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/settings/sampler_table.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"

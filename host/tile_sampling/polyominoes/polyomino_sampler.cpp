@@ -51,8 +51,7 @@ public:
           side_(side_of(given, request.points)), density_(given_density(given))
     {
         const auto begin = std::chrono::steady_clock::now();
-        BuiltOnce<PolyominoTable> cached =
-            cached_polyomino_table(shape_of(given), cache_folder(), request.on_step);
+        BuiltOnce<PolyominoTable> cached = cached_polyomino_table(shape_of(given), cache_folder(), request.on_step);
         table_ = std::move(cached.built);
         if (device_) generator_.emplace(*device_, shape_of(given));
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;

@@ -55,8 +55,8 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         double waiting_seconds = 0;
         for (std::uint32_t i = 0; i < small_parameter(given, sets_key); ++i) {
-            CachedRecursiveTiles cached = cached_recursive_tiles(
-                small_parameter(given, recursive_size_key), request.seed + i, cache_folder(), request.on_step);
+            CachedRecursiveTiles cached = cached_recursive_tiles(small_parameter(given, recursive_size_key),
+                                                                 request.seed + i, cache_folder(), request.on_step);
             sets_.push_back(std::move(cached.tiles));
             if (i == 0) record_ = std::move(cached.record);
             waiting_seconds += cached.waiting_seconds;
