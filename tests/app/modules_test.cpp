@@ -1,0 +1,140 @@
+// Programs with some of the modules: what the core knows of the others, and how it asks for them.
+#include "app/command_tree.hpp"
+#include "app/commands/core/stored_text.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/modules/laboratory.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The program that has no module, beside the one that has all.
+std::string core_file() { return (fs::path(program_file()).parent_path() / "poissonlab_core").string(); }
+
+constexpr auto small_config = "[analysis]\npoints = 64\nrealizations = 2\nspectrum_size = 16\n";
+
+class CoreProgram : public testing::Test
+{
+protected:
+    Outcome core(const std::string& arguments, const std::string& environment = "")
+    {
+        return run_in_shell(folder_.path(), environment + " " + quoted(core_file()) + " " + arguments);
+    }
+    Outcome whole(const std::string& arguments)
+    {
+        return run_in_shell(folder_.path(), quoted(program_file()) + " " + arguments);
+    }
+    Outcome run_of(const std::string& tables, const std::string& environment = "")
+    {
+        folder_.write("c.toml", small_config + tables);
+        return core("run c.toml --quiet --out out", environment);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST(Manifest, HasTheWordsOfAllModules)
+{
+    std::vector<ManifestEntry> entries = entries_of_laboratory();
+    std::ranges::move(entries_of_commands(), std::back_inserter(entries));
+    EXPECT_EQ(manifest_text(entries), read_whole_file(fs::path(source_folder()) / "host/modules/manifest.tsv"))
+        << "print it anew: poissonlab manual --stored .";
+    EXPECT_TRUE(has_all_modules());
+}
+
+/// A mistyped name in the list of another module would be a word that no module brings.
+TEST(Manifest, NamesModulesThatAreBuilt)
+{
+    std::set<std::string> built;
+    for (const Module& module : built_modules()) built.insert(module.name);
+    for (const ManifestEntry& entry : entries_of_commands()) built.insert(entry.module);
+    for (const ManifestEntry& entry : manifest()) EXPECT_TRUE(built.contains(entry.module)) << entry.name;
+}
+
+TEST_F(CoreProgram, SaysWhatTheWholeProgramSays)
+{
+    for (const char* arguments :
+         {"help", "samplers", "kinds", "completion bash", "completion zsh", "smaplers", "tiles biuld", "tiles",
+          "help tiles", "help tlies", "texture bulid --out a", "--version", "run c.toml --set method.0.sampler=lyod"}) {
+        SCOPED_TRACE(arguments);
+        folder_.write("c.toml", std::string(small_config) + "[[method]]\nsampler = \"random\"\n");
+        const Outcome expected = whole(arguments), outcome = core(arguments);
+        EXPECT_EQ(outcome.status, expected.status);
+        EXPECT_EQ(outcome.out, expected.out);
+        EXPECT_EQ(outcome.error, expected.error);
+    }
+}
+
+TEST_F(CoreProgram, MakesTheSameResults)
+{
+    folder_.write("c.toml", std::string(small_config) +
+                                "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
+                                "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
+    ASSERT_EQ(core("run c.toml --quiet --out a").status, 0);
+    ASSERT_EQ(whole("run c.toml --quiet --out b").status, 0);
+    for (const char* file : {"dart-throwing/points-0000.txt", "lloyd/points-0000.txt"}) {
+        const std::string made = content_of(folder_.path() / "a" / file);
+        EXPECT_FALSE(made.empty());
+        EXPECT_EQ(made, content_of(folder_.path() / "b" / file)) << file;
+    }
+}
+
+TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
+{
+    for (const auto& [tables, module] : std::vector<std::pair<std::string, std::string>>{
+             {"[[method]]\nsampler = \"corner-tiles\"\n", "tiles"},
+             {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "tiles"},
+             {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
+             {"[[method]]\nsampler = \"random\"\nregion = \"disk 0 0 1\"\n", "regions"},
+             {"[[distribution]]\nkind = \"darts\"\n", "distributions"},
+             {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
+             {"[[tiling]]\nkind = \"corner\"\n", "tilings"}}) {
+        SCOPED_TRACE(tables);
+        const Outcome outcome = run_of(tables);
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.error, HasSubstr("poissonlab: error: this program was built without the module \"" +
+                                             module + "\": build it with "));
+        EXPECT_FALSE(fs::exists(folder_.path() / "out/results.json"));
+    }
+    for (const auto& [arguments, module] :
+         std::vector<std::pair<std::string, std::string>>{{"tiles build corner", "tiles"},
+                                                          {"help texture map", "textures"},
+                                                          {"distribute darts --help", "distributions"},
+                                                          {"points lloyd --points 9", "large_sets"},
+                                                          {"tiling corner", "tilings"},
+                                                          {"manual", "manual"}})
+        EXPECT_THAT(core(arguments).error, HasSubstr("the module \"" + module + "\"")) << arguments;
+    EXPECT_THAT(core("samplers --json").error, HasSubstr("without some of its modules"));
+}
+
+/// ./lab gets the whole command, word for word, and what it does is what the command does.
+TEST_F(CoreProgram, HandsTheCommandToTheScriptThatAddsModules)
+{
+    folder_.write("lab", "#!/bin/sh\nprintf '<%s>' \"$@\"\ncat\nexit 7\n");
+    fs::permissions(folder_.path() / "lab", fs::perms::owner_all);
+    const std::string environment = "POISSONLAB_LAB=" + quoted((folder_.path() / "lab").string());
+    folder_.write("c.toml", std::string(small_config) + "[[method]]\nsampler = \"corner-tiles\"\n");
+    const Outcome outcome = run_in_shell(folder_.path(), "echo input | " + environment + " " + quoted(core_file()) +
+                                                             " run c.toml --set 'title=\"a b\"' --out 'x y'");
+    EXPECT_EQ(outcome.status, 7);
+    EXPECT_EQ(outcome.out, "<--with><tiles><run><c.toml><--set><title=\"a b\"><--out><x y>input\n");
+    EXPECT_THAT(outcome.error, IsEmpty());
+    // Words that no module knows call for none.
+    EXPECT_EQ(core("tiles biuld", environment).status, 2);
+    EXPECT_EQ(run_of("[[method]]\nsampler = \"corner-tlies\"\n", environment).status, 2);
+}
+
+}
+}
