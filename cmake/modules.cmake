@@ -5,7 +5,8 @@
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules tiles tilings textures regions distributions)
 set(lab_command_modules tiles tilings textures distributions large_sets manual)
-set(lab_all_modules ${lab_host_modules} ${lab_command_modules})
+set(lab_file_modules particles) # shared libraries beside the program, which it loads when a file asks for them
+set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_file_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
 # Modules that another one stands on.

@@ -1,6 +1,7 @@
 #include "base/programs/loaded_module.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/errors/missing_module.hpp"
 
 #include <dlfcn.h>
 
@@ -39,7 +40,10 @@ fs::path module_file(const std::string& name)
 
 void* function_of_module(const std::string& name, const char* function, const char* need)
 {
-    void* const module = ::dlopen(module_file(name).c_str(), RTLD_NOW | RTLD_LOCAL);
+    const fs::path file = module_file(name);
+    std::error_code error;
+    if (!fs::exists(file, error)) throw MissingModule(name.substr(name.find('_') + 1));
+    void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const found = module ? ::dlsym(module, function) : nullptr;
     if (!found) throw StorageError(std::string(need) + ": " + ::dlerror());
     return found;
