@@ -55,7 +55,7 @@ _poissonlab()
         ['isohedral draw']='--parameters --curve --random --seed --window --out --help'
         ['isohedral list']='--json --help'
         ['kinds']='--markdown --json --help'
-        ['manual']='--out --results --help'
+        ['manual']='--out --results --stored --help'
         ['merge']='--out --quiet --json --help'
         ['packing']='corner wang --colors --method --seed --engine --device --quiet --json --verify --all --out --puzzle --piece --kerf --help'
         ['packing --engine']='opencl reference'

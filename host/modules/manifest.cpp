@@ -60,8 +60,8 @@ std::string manifest_text(const std::vector<ManifestEntry>& entries)
     std::string text = "# The words of all modules, written by `poissonlab manual --stored FOLDER`: what it is, the "
                        "module, the word, title, summary, command\n";
     for (const ManifestEntry& entry : entries)
-        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", manifest_words[entry.word], entry.module, entry.name,
-                            entry.title, entry.summary, entry.command);
+        text += fmt::format("{}\t{}\t{}\t{}\t{}{}{}\n", manifest_words[entry.word], entry.module, entry.name,
+                            entry.title, entry.summary, entry.command.empty() ? "" : "\t", entry.command);
     return text;
 }
 

@@ -1,7 +1,7 @@
 // Stored tables: radial.csv, pair-correlation.csv, number-variance.csv and zone-plate.csv, told apart by their headers,
 // and tiles.txt.
 #include "results/curve_tables.hpp"
-#include "results/pictures/tiling_result.hpp"
+#include "results/pictures/stored_tiles.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 #include <cmath>

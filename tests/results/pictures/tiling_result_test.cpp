@@ -1,5 +1,5 @@
 // The member "tilings" of results.json, whole and damaged.
-#include "results/pictures/tiling_result.hpp"
+#include "results/pictures/stored_tiles.hpp"
 
 #include "base/files/json_members.hpp"
 #include "tests/support/errors.hpp"
