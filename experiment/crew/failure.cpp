@@ -1,6 +1,7 @@
 #include "experiment/crew/failure.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/errors/missing_module.hpp"
 #include "base/programs/interrupt.hpp"
 
 #include <new>
@@ -32,6 +33,8 @@ Failure Failure::of(const std::function<void()>& work, bool is_tolerated)
     try {
         work();
         return {};
+    } catch (const MissingModule&) {
+        throw; // the program starts anew with the module
     } catch (...) {
         stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no failure
         Failure failure = current();

@@ -29,7 +29,8 @@ struct Failure
     /// Throws an exception of that kind, or returns where nothing failed.
     void raise() const;
 
-    /// Does `work`, and returns its failure if that spares others and `is_tolerated`. Throws any other.
+    /// Does `work`, and returns its failure if that spares others and `is_tolerated`. Throws any other, and
+    /// MissingModule.
     static Failure of(const std::function<void()>& work, bool is_tolerated);
 
     /// Is other work worth going on with? Not where somebody has interrupted it, or nothing can be stored.

@@ -1,4 +1,5 @@
 // What the core calls of regions, for programs without them: a region in a config is what asks for the module.
+#include "analysis/regions/drum_modes.hpp"
 #include "base/errors/missing_module.hpp"
 #include "base/regions/region_text.hpp"
 #include "base/regions/solid_lattice.hpp"
@@ -8,6 +9,12 @@ namespace poissonlab {
 PlaneRegion read_region(const std::string& /*text*/, bool /*is_planar*/) { throw MissingModule("regions"); }
 
 SolidLattice inset_solid(const SolidLattice& /*solid*/, double /*distance*/, const std::string& /*name*/)
+{
+    throw MissingModule("regions");
+}
+
+DrumModes drum_modes(std::span<const std::size_t> /*number*/, std::size_t /*columns*/, std::array<double, 2> /*step*/,
+                     std::size_t /*count*/)
 {
     throw MissingModule("regions");
 }
