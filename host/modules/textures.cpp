@@ -6,8 +6,7 @@ namespace poissonlab {
 
 void add_textures(Laboratory& laboratory)
 {
-    for (Kind (*const kind)() : {texture_kind, packing_kind, printed_packing_kind, texture_set_kind, endless_kind})
-        laboratory.kinds.push_back(kind());
+    for (Kind (*const kind)() : {texture_kind, texture_set_kind, endless_kind}) laboratory.kinds.push_back(kind());
 }
 
 }
