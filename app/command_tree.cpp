@@ -70,12 +70,6 @@ Command& group_in(std::vector<Command>& commands, const std::string& name)
     return commands.emplace_back(Command{name, group == groups.end() ? "" : group->second, {}, "", {}});
 }
 
-std::size_t place_of(const ManifestEntry& entry)
-{
-    const auto same = [&](const ManifestEntry& each) { return each.word == entry.word && each.name == entry.name; };
-    return static_cast<std::size_t>(std::ranges::find_if(manifest(), same) - manifest().begin());
-}
-
 }
 
 std::vector<Command> all_commands(const std::string& typed)
@@ -101,7 +95,7 @@ std::vector<ManifestEntry> entries_of_commands()
     for (const CommandModule& module : built_command_modules())
         for (const GroupedCommand& each : module.commands(context_of("")))
             entries.push_back({ManifestWord::command, module.name, path_of(each), "", each.command.summary});
-    std::ranges::stable_sort(entries, {}, place_of);
+    sort_as_manifest(entries);
     return entries;
 }
 

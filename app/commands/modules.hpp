@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What commands are made of beside their own options.
+/// A command that needs more than its own options takes it from the context.
 struct ProgramContext
 {
     std::string typed; ///< the whole command as the user would type it again

@@ -1,4 +1,4 @@
-// What the words say that a region is typed with; region_text.hpp reads it.
+// These functions tell from its first words whether a text is a region, and of which kind; region_text.hpp reads it.
 #pragma once
 
 #include <string_view>

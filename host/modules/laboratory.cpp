@@ -39,8 +39,8 @@ Kind absent_kind(const ManifestEntry& entry)
     return kind;
 }
 
-/// What modules have brought, in the order of the manifest, with what is absent; what the manifest does not know comes
-/// last.
+/// Sorts what modules have brought as the manifest lists it, and puts absent items where it names what they have not.
+/// Items that it does not know come last.
 template <class Item, class NameOf>
 std::vector<Item> in_order(std::vector<Item> brought, ManifestWord word, NameOf name_of,
                            Item (*absent)(const ManifestEntry& entry))
@@ -79,15 +79,6 @@ void add_entries(std::vector<ManifestEntry>& entries, ManifestWord word, const s
         entries.push_back({word, module, sampler.name, sampler.title, sampler.summary});
 }
 
-std::size_t place_of(const ManifestEntry& entry)
-{
-    const auto& all = manifest();
-    return static_cast<std::size_t>(
-        std::ranges::find_if(
-            all, [&](const ManifestEntry& each) { return each.word == entry.word && each.name == entry.name; }) -
-        all.begin());
-}
-
 }
 
 const Laboratory& laboratory()
@@ -121,7 +112,7 @@ std::vector<ManifestEntry> entries_of_laboratory()
             entries.push_back(
                 {ManifestWord::kind, module.name, manifest_name(kind), kind.title, kind.summary, kind.command});
     }
-    std::ranges::stable_sort(entries, {}, place_of);
+    sort_as_manifest(entries);
     return entries;
 }
 

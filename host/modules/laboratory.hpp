@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// What configs, commands and Python can ask for.
+/// The laboratory holds the samplers and kinds of work that configs, commands and Python can ask for.
 struct Laboratory
 {
     SamplerRegistry samplers;

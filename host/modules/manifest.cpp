@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -53,6 +54,16 @@ const std::vector<ManifestEntry>& manifest()
 {
     static const std::vector<ManifestEntry> entries = parsed(manifest_file("manifest.tsv"));
     return entries;
+}
+
+void sort_as_manifest(std::vector<ManifestEntry>& entries)
+{
+    std::ranges::stable_sort(entries, {}, [](const ManifestEntry& entry) {
+        return std::ranges::find_if(
+                   manifest(),
+                   [&](const ManifestEntry& each) { return each.word == entry.word && each.name == entry.name; }) -
+               manifest().begin();
+    });
 }
 
 std::string manifest_text(const std::vector<ManifestEntry>& entries)

@@ -6,7 +6,7 @@
 
 namespace poissonlab {
 
-/// What a word of the manifest is.
+/// The manifest lists words of four kinds.
 enum class ManifestWord
 {
     sampler,
@@ -30,6 +30,9 @@ const std::vector<ManifestEntry>& manifest();
 
 /// The entries for the samplers and kinds of this program, each with its module.
 std::vector<ManifestEntry> entries_of_laboratory();
+
+/// Sorts entries as the manifest lists them; those that it does not know come last.
+void sort_as_manifest(std::vector<ManifestEntry>& entries);
 
 /// The text of a manifest: a line an entry.
 std::string manifest_text(const std::vector<ManifestEntry>& entries);

@@ -1,4 +1,4 @@
-// What the core calls of regions, for programs without them: a region in a config is what asks for the module.
+// These functions stand in for regions where a program lacks them: a region in a config asks for the module.
 #include "analysis/regions/drum_modes.hpp"
 #include "base/errors/missing_module.hpp"
 #include "base/regions/region_text.hpp"

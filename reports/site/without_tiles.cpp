@@ -1,4 +1,5 @@
-// What pages call of tiles, for programs without them: a result that has tiles is what asks for the module.
+// These functions stand in for pictures of tiles where a program lacks them: a result that has tiles asks for the
+// module.
 #include "base/errors/missing_module.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/layout/tiling_pictures.hpp"

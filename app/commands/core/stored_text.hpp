@@ -1,4 +1,4 @@
-// What a program with all modules prints about itself, for one that lacks some.
+// The stored texts are what a program with all modules prints about itself. A program that lacks some prints them.
 #pragma once
 
 #include <string_view>
