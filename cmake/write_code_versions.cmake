@@ -5,6 +5,12 @@ set(listed "")
 # hash_of(VARIABLE PATTERNS...): a hash of the names and contents of the files that match.
 function(hash_of variable)
   list(TRANSFORM ARGN PREPEND "${SOURCE}/")
+  foreach(pattern IN LISTS ARGN)
+    file(GLOB_RECURSE files LIST_DIRECTORIES false ${pattern})
+    if(NOT files)
+      message(FATAL_ERROR "cmake/write_code_versions.cmake: no file is ${pattern}")
+    endif()
+  endforeach()
   file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${SOURCE} ${ARGN})
   list(FILTER files EXCLUDE REGEX "CMakeLists.txt$")
   list(SORT files)
@@ -31,7 +37,7 @@ hash_of(analysis_version base/* analysis/* results/* experiment/measuring/* expe
 hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/tile_points/* host/tile_sampling/*
         host/kinds/* host/scenes/* experiment/exhibits/* experiment/series/*)
 hash_of(distribution_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/* host/schemes/*
-        host/texture/* host/kinds/* host/settings/aperiodic/* analysis/tilings/* results/pictures/* experiment/exhibits/*
+        host/texture/* host/kinds/* host/settings/tilings/* analysis/tilings/* results/pictures/* experiment/exhibits/*
         experiment/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"

@@ -1,5 +1,5 @@
 # Run as a script after a test program is built: writes OUTPUT, which tells CTest of each test suite of PROGRAM as
-# NAME.<suite>.
+# NAME.<suite>, with LABELS.
 #
 # A suite is one process. gtest_discover_tests() makes one of each test, which starts the program, and makes what the
 # suite's tests have in common, again and again.
@@ -16,7 +16,7 @@ foreach(line IN LISTS lines)
   endif()
   set(suite ${CMAKE_MATCH_1})
   string(APPEND text "add_test([=[${NAME}.${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n"
-                     "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT})\n")
+                     "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT} LABELS [=[${LABELS}]=])\n")
   if(suite MATCHES "^Nightly/")
     string(APPEND text "set_tests_properties([=[${NAME}.${suite}]=] PROPERTIES LABELS nightly TIMEOUT 7200)\n")
   endif()

@@ -58,14 +58,18 @@ double deviation_of_largest(const std::vector<Deviate>& deviates)
 }
 
 /// The standard error of the anisotropy of a ring, in dB, from that of each of its powers (delta method): the ratio of
-/// variance to squared mean m has the slope 2 (P - m) / (n - 1) / m^2 - 2 ratio / (n m) over a power P.
+/// variance to squared mean m has the slope 2 (P - m) / (n - 1) / m^2 - 2 ratio / (n m) over a power P, and bends by
+/// 2 / (n - 1) / m^2. A slope is taken at a measured power, so that its square is too large by bend^2 times the
+/// variance of the power: that is taken off, and a half of it is what the bend itself adds to the variance of the ratio
+/// (second order). Where powers are equal, nearly all of the slope is such noise, and a half remains.
 double ring_error_db(const RadialBin& ring, const Spectrum& mean)
 {
     const double m = ring.power, n = static_cast<double>(ring.samples);
     const double ratio = std::pow(10, ring.anisotropy_db / 10);
     const auto radius = static_cast<std::int64_t>(std::lround(ring.frequency)), half = std::int64_t{mean.size / 2};
     const std::int64_t slices = mean.dimension == 3 ? radius : 0;
-    double variance = 0;
+    const double bend = 2 / (n - 1) / (m * m);
+    double by_slope = 0, by_noise = 0;
     for (std::int64_t w = -slices; w <= slices; ++w)
         for (std::int64_t v = -radius; v <= radius; ++v)
             for (std::int64_t u = -radius; u <= radius; ++u) {
@@ -74,10 +78,12 @@ double ring_error_db(const RadialBin& ring, const Spectrum& mean)
                 const std::int64_t slice = mean.dimension == 3 ? w + half : 0;
                 const auto at = static_cast<std::size_t>((slice * mean.size + v + half) * mean.size + u + half);
                 const double slope = 2 * (mean.power[at] - m) / (n - 1) / (m * m) - 2 * ratio / (n * m);
+                const double noise = mean.variance[at] / mean.realizations;
                 // f and -f have one power, and each counts here: a half of the square of twice the slope.
-                variance += 2 * slope * slope * mean.variance[at] / mean.realizations;
+                by_slope += 2 * slope * slope * noise;
+                by_noise += 2 * bend * bend * noise * noise;
             }
-    return 10 / std::numbers::ln10 * std::sqrt(variance) / ratio;
+    return 10 / std::numbers::ln10 * std::sqrt(std::max(by_slope / 2, by_slope - by_noise / 2)) / ratio;
 }
 
 }

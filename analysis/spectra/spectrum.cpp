@@ -4,8 +4,7 @@
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-
-#include <tbb/parallel_invoke.h>
+#include "base/programs/side_by_side.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -98,12 +97,12 @@ Spectrum SpectrumEstimate::mean() const
 {
     if (power_.count() == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
     Spectrum mean{dimension_, size_, points_, power_.count(), {}};
-    tbb::parallel_invoke([&] { mean.power = all_frequencies(power_.mean(), dimension_, size_); },
-                         [&] {
-                             if (power_.count() == 1) return;
-                             mean.variance =
-                                 all_frequencies(power_.squares(), dimension_, size_, 1.0 / (power_.count() - 1));
-                         });
+    do_side_by_side([&] { mean.power = all_frequencies(power_.mean(), dimension_, size_); },
+                    [&] {
+                        if (power_.count() == 1) return;
+                        mean.variance =
+                            all_frequencies(power_.squares(), dimension_, size_, 1.0 / (power_.count() - 1));
+                    });
     if (method_ == PeriodogramMethod::fast) mean.transform_error = FastPeriodogram::default_tolerance;
     return mean;
 }

@@ -6,10 +6,9 @@
 #include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/square_image_file.hpp"
+#include "base/programs/side_by_side.hpp"
 #include "results/curve_tables.hpp"
 #include "results/file_names.hpp"
-
-#include <tbb/parallel_invoke.h>
 
 #include <chrono>
 #include <utility>
@@ -78,7 +77,7 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         write_whole_file(store.file(key, name), text);
         files.emplace_back(name);
     };
-    tbb::parallel_invoke(
+    do_side_by_side(
         [&] {
             if (series_.has_spectrum()) files = write_spectrum_files(store, key, metadata);
         },

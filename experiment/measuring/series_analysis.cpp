@@ -10,11 +10,11 @@
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/side_by_side.hpp"
 #include "experiment/measuring/region_picture.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -247,10 +247,10 @@ void SeriesAnalysis::measure_first()
         return;
     }
     if (first.size() > most_points_triangulated) return; // not of millions of points
-    tbb::parallel_invoke([&] { measures_.largest_empty = largest_empty_ball(first); },
-                         [&] {
-                             if (first.dimension == 2) measures_.voronoi = voronoi_statistics(voronoi_diagram(first));
-                         });
+    do_side_by_side([&] { measures_.largest_empty = largest_empty_ball(first); },
+                    [&] {
+                        if (first.dimension == 2) measures_.voronoi = voronoi_statistics(voronoi_diagram(first));
+                    });
 }
 
 void SeriesAnalysis::measure_spectrum(const Spectrum& mean)

@@ -2,6 +2,7 @@
 
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/programs/side_by_side.hpp"
 #include "experiment/measuring/analysis_unit.hpp"
 #include "results/file_names.hpp"
 #include "results/records/archive.hpp"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/parallel_invoke.h>
 
 #include <utility>
 
@@ -180,7 +180,7 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
             unit.add(points_in(*file));
         } else {
             const Sample sample = make({k, range.first + range.count - k}, listener);
-            tbb::parallel_invoke([&] { unit.add(sample.points); }, [&] { store(k, sample); });
+            do_side_by_side([&] { unit.add(sample.points); }, [&] { store(k, sample); });
         }
         if (listener.analysed) listener.analysed();
     }

@@ -1,11 +1,6 @@
-// Poisson disk tiles: corner, edge, template and sphere tiles, averaged ones, and those of other shapes that chapter 6
-// compares them with.
+// Poisson disk tiles: corner, edge, template and sphere tiles, Shade's and averaged ones.
 #include "host/kinds/kinds.hpp"
 #include "host/modules/laboratory.hpp"
-#include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
-#include "host/tile_sampling/penrose/penrose_sampler.hpp"
-#include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
-#include "host/tile_sampling/recursive/recursive_sampler.hpp"
 #include "host/tile_sampling/region_tile_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
@@ -14,10 +9,8 @@ namespace poissonlab {
 
 void add_tiles(Laboratory& laboratory)
 {
-    for (SamplerSpec (*const sampler)() :
-         {corner_tile_sampler, edge_tile_sampler, template_tile_sampler, sphere_tile_sampler, shade_tile_sampler,
-          averaged_tile_sampler, penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler,
-          isohedral_tile_sampler})
+    for (SamplerSpec (*const sampler)() : {corner_tile_sampler, edge_tile_sampler, template_tile_sampler,
+                                           sphere_tile_sampler, shade_tile_sampler, averaged_tile_sampler})
         laboratory.samplers.push_back(sampler());
     laboratory.region_samplers.push_back(region_tile_sampler({PoissonTileKind::corner, 2}, corner_tile_sampler()));
     laboratory.region_samplers.push_back(region_tile_sampler({PoissonTileKind::edge, 2}, edge_tile_sampler()));

@@ -4,9 +4,9 @@
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/errors/errors.hpp"
 #include "base/images/square_image_file.hpp"
+#include "base/programs/side_by_side.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <charconv>
@@ -68,7 +68,7 @@ ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series, std::vector<co
     for (const auto* plate : plates) references.try_emplace(plate->stored->zone_plate->size);
     for (auto& [size, reference] : references) reference = zone_plate_reference(size);
     std::vector<Rings> found(plates.size());
-    tbb::parallel_for(std::size_t{0}, plates.size(), [&](std::size_t i) {
+    for_all_side_by_side(plates.size(), [&](std::size_t i) {
         const auto file = plates[i]->run->folder / plates[i]->stored->zone_plate->file;
         const auto picture = read_square_image(file);
         const auto reference = references.find(picture.size);

@@ -1,8 +1,7 @@
 #include "reports/diff/run_comparison.hpp"
 
+#include "base/programs/side_by_side.hpp"
 #include "results/collection_file.hpp"
-
-#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <map>
@@ -139,7 +138,7 @@ RunComparison compare_results(const std::filesystem::path& before, const std::fi
     comparison.before = read_runs(before);
     comparison.after = read_runs(after);
     match_runs(comparison);
-    tbb::parallel_for_each(comparison.series, [](SeriesComparison& pair) {
+    for_each_side_by_side(comparison.series, [](SeriesComparison& pair) {
         pair.numbers = pair.before ? compare_series(pair) : compare_distributions(pair);
     });
     std::vector<NumberComparison*> numbers;

@@ -1,6 +1,7 @@
 #include "reports/layout/site.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/programs/side_by_side.hpp"
 #include "reports/layout/overlay_panels.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/layout/series_panels.hpp"
@@ -8,8 +9,6 @@
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <array>
@@ -68,17 +67,17 @@ std::vector<const GalleryMethod*> gallery_for(const Site& site)
 /// Everything that a run's pages show, as values.
 void lay_out_panels(ReportRun& run)
 {
-    tbb::parallel_for_each(run.series, read_curves);
+    for_each_side_by_side(run.series, read_curves);
     const auto plots = run_plots(run);
     std::vector<std::vector<Panel>> panels(run.series.size());
-    tbb::parallel_for(std::size_t{0}, panels.size(), [&](std::size_t i) { panels[i] = series_panels(run, i, plots); });
+    for_all_side_by_side(panels.size(), [&](std::size_t i) { panels[i] = series_panels(run, i, plots); });
     for (std::size_t i = 0; i < panels.size(); ++i) run.series[i].panels = std::move(panels[i]);
     const auto series = series_of(run);
     run.overlays = overlay_panels(series);
     run.integration = integration_panels(series);
     run.regions = region_panels(series);
     run.tile_radii = tile_radius_panels(series);
-    tbb::parallel_for_each(run.distributions, lay_out_curves);
+    for_each_side_by_side(run.distributions, lay_out_curves);
 }
 
 }
@@ -131,7 +130,7 @@ Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, c
 {
     Site site{out,    title.empty() ? title_of(runs) : title, lay_out(runs, out), {}, {{overview_page, "Overview"}}, {},
               gallery};
-    tbb::parallel_for_each(site.runs, lay_out_panels);
+    for_each_side_by_side(site.runs, lay_out_panels);
     if (gallery == Gallery::laid_behind)
         for (ReportRun& run : site.runs)
             std::ranges::move(gallery_panels(series_of(run), gallery_choice(run.stored->dimension)),

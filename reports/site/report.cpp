@@ -3,6 +3,7 @@
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/programs/side_by_side.hpp"
 #include "reports/claims/paper_claims.hpp"
 #include "reports/images/picture_store.hpp"
 #include "reports/images/zone_plate_image.hpp"
@@ -14,10 +15,6 @@
 #include "results/collection_file.hpp"
 #include "results/own_files.hpp"
 #include "results/run.hpp"
-
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -89,15 +86,14 @@ std::vector<GnuplotPicture> all_plots(const Site& site)
 
 void draw_images(const ReportRun& run, PictureStore& store)
 {
-    tbb::parallel_for_each(run.series, [&](const ReportSeries& series) {
+    for_each_side_by_side(run.series, [&](const ReportSeries& series) {
         for (const auto& panel : series.panels) draw_panel(panel, series.pictures, store);
     });
-    tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
-    tbb::parallel_for_each(run.constructions,
-                           [&](const auto& construction) { draw_construction_picture(construction, store); });
+    for_each_side_by_side(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
+    for_each_side_by_side(run.constructions,
+                          [&](const auto& construction) { draw_construction_picture(construction, store); });
     for (const auto* all : {&run.distributions, &run.schemes})
-        tbb::parallel_for_each(*all,
-                               [&](const auto& distribution) { draw_distribution_pictures(distribution, store); });
+        for_each_side_by_side(*all, [&](const auto& distribution) { draw_distribution_pictures(distribution, store); });
     draw_zone_plate_reference(run);
     draw_run_thumbnail(run);
 }
@@ -121,7 +117,7 @@ void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
         for (const ReportConstruction& construction : run.constructions)
             if (has_steps(construction))
                 write_whole_file(steps_page_of(construction), render_steps_page(site, run, construction));
-        tbb::parallel_for(std::size_t{0}, run.series.size(), [&](std::size_t index) {
+        for_all_side_by_side(run.series.size(), [&](std::size_t index) {
             const ReportSeries& series = run.series[index];
             write_whole_file(page_of(series), render_series_page(site, run, index));
             if (has_endless_page(series)) write_whole_file(endless_page_of(series), render_endless_page(site, series));
@@ -150,8 +146,8 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     say("drawing pictures");
     PictureStore store(out, out / asset_folder / picture_keys);
     // gnuplot works in its own processes while this one draws the images.
-    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site), print, &store); },
-                         [&] { tbb::parallel_for_each(site.runs, [&](const auto& run) { draw_images(run, store); }); });
+    do_side_by_side([&] { draw_with_gnuplot(all_plots(site), print, &store); },
+                    [&] { for_each_side_by_side(site.runs, [&](const auto& run) { draw_images(run, store); }); });
     store.save();
 
     const auto claims = judge_claims(site.series(), site.distributions());

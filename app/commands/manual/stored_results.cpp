@@ -74,10 +74,11 @@ std::string seam_table()
             "| {} | {} |", colors,
             format_count(static_cast<std::uint64_t>(colors * colors) * static_cast<std::uint64_t>(colors * colors)));
         for (const char* border : {"repulsion", "repulsion-joint-20", "border-chain"}) {
-            const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-4", colors, border);
-            const double peak = measures.at({name, "near_lattice_peaks"}).value;
-            text += fmt::format(" {} | {} % |", format_significant(peak, peak < 100 ? 2 : 3),
-                                format_significant(100 * measures.at({name, "lattice_excess"}).value, 2));
+            const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-12", colors, border);
+            const Estimate peak = measure_of_sets(measures, name, "near_lattice_peaks"),
+                           share = measure_of_sets(measures, name, "lattice_excess");
+            text += fmt::format(" {} | {} |", with_digits_of_error(peak.value, *peak.standard_error),
+                                with_digits_of_error(100 * share.value, 100 * *share.standard_error, " %"));
         }
         text += "\n";
     }

@@ -1,0 +1,17 @@
+// Sets by tiles that chapter 6 compares Poisson disk tiles with: Penrose's, polyominoes, isohedral and recursive ones.
+#include "host/modules/laboratory.hpp"
+#include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
+#include "host/tile_sampling/penrose/penrose_sampler.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
+#include "host/tile_sampling/recursive/recursive_sampler.hpp"
+
+namespace poissonlab {
+
+void add_other_tiles(Laboratory& laboratory)
+{
+    for (SamplerSpec (*const sampler)() :
+         {penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler, isohedral_tile_sampler})
+        laboratory.samplers.push_back(sampler());
+}
+
+}
