@@ -169,7 +169,7 @@ void add_everything(CLI::App& app, const std::vector<Command>& commands, std::ve
                          "Print the version, and what was built in");
     app.footer(main_notes);
     for (const Command& command : commands) add_command(app, command, called);
-    // For lists of commands and `help --help`; see explanation().
+    // This entry is for lists of commands and `help --help`; explanation() does the work.
     app.add_subcommand("help", "Explain a command, or the samplers")
         ->add_option_function<std::string>(
             "TOPIC", [](const std::string&) {},

@@ -10,8 +10,8 @@
 
 namespace poissonlab {
 
-/// In the order of the manifest. `typed` is the whole command as the user would type it again. What this program lacks
-/// has its name and summary, and Command::absent_module.
+/// All commands, in the order of the manifest. `typed` is the whole command as the user would type it again. A command
+/// that this program lacks has its name and summary, and Command::absent_module.
 std::vector<Command> all_commands(const std::string& typed);
 
 /// Throws MissingModule where the words after the program's name are those of a command that this program lacks.

@@ -26,7 +26,7 @@ int fail(int status, const std::string& message)
 {
     if (is_crew_follower()) return status; // the process that leads says it
     std::fflush(stdout);
-    // Not by fmt, which throws where standard error is closed, too.
+    // fmt would throw where standard error is closed, too.
     std::fputs(("poissonlab: error: " + message + "\n").c_str(), stderr);
     return status;
 }

@@ -93,7 +93,7 @@ bool is_covered_by(const ClassedPoints* all, uint other, const Position* low, ui
     return false;
 }
 
-/// The same of any class.
+/// Is the box nearer to one point of any class than the class's pair says, all of it?
 bool is_covered(const ClassedPoints* all, const Position* low, uint extent)
 {
     for (uint other = 0; other < all->classes; ++other)

@@ -92,7 +92,7 @@ ALWAYS_INLINE uint cell_of(const Elimination* e, uint coordinate)
 
 ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; }
 
-/// What stands for the weight of a removed point: a negative number that keeps the weight that it had.
+/// Turns the weight of a point that is removed into a negative number, which keeps the weight that it had.
 ALWAYS_INLINE long of_removed(long weight) { return ~weight; }
 
 ALWAYS_INLINE bool is_heavier(global const long* weights, global const uint* ids, uint item, uint other)

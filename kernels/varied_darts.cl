@@ -80,7 +80,7 @@ bool is_covered_by_octave(const Thrown* all, uint octave, uint from, uint x, uin
     return false;
 }
 
-/// The same of any octave.
+/// Is a box nearer than what is kept to one point of any octave, from number `from` on, all of it?
 bool is_covered(const Thrown* all, uint from, uint x, uint y, uint extent, uint distance)
 {
     const struct DistanceRule* rule = &all->field.rule;

@@ -69,13 +69,13 @@ bool find_cell(struct Torus torus, constant const struct Offset* offsets, global
     return false;
 }
 
-/// The angle of a direction with y >= 0, from 0 to offset a turn.
+/// The angle of a direction with y >= 0, from 0 to half a turn.
 double angle_of(double x, double y)
 {
     const double across = x < 0 ? -x : x;
     const double big = across > y ? across : y;
     const double small = across > y ? y : across;
-    // To a sixteenth of offset a turn by rotation, then the series of the arcus tangent.
+    // A rotation reduces the angle to a sixteenth of half a turn, for which the series of the arcus tangent is summed.
     double base = 0, along = big, up = small;
     if (small > big * 0.66817863791929888) {
         base = QUARTER_TURN / 2;

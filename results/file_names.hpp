@@ -9,7 +9,7 @@ namespace poissonlab::file_names {
 inline constexpr const char* results = "results.json";
 inline constexpr const char* collection = "collection.json";
 
-/// In the folder of a series.
+/// These files are in the folder of a series.
 inline constexpr const char* spectrum = "spectrum.exr";
 inline constexpr const char* spectrum_volume = "spectrum-volume.exr";
 inline constexpr const char* radial = "radial.csv";
@@ -23,11 +23,11 @@ inline constexpr const char* zone_plate = "zone-plate.exr";
 inline constexpr const char* zone_plate_error = "zone-plate.csv";
 inline constexpr const char* tile_set = "tile-set.ptiles";
 
-/// In the folder of a tiling or tile set, and of a construction.
+/// These files are in the folder of a tiling or tile set, and of a construction.
 inline constexpr const char* tiles = "tiles.txt";
 inline constexpr const char* construction = "construction.json";
 
-/// In the folder of a distribution.
+/// This file is in the folder of a distribution.
 inline constexpr const char* distribution_numbers = "numbers.csv";
 
 /// "realization-007.dat": the points of a realization.

@@ -121,7 +121,7 @@ auto from(std::optional<Member> Measures::*member, double Member::*value)
     };
 }
 
-/// The same with its standard error.
+/// The way in which a row gets its value and its standard error from a member of Measures, of series that have it.
 template <class Member, class Error>
 auto from(std::optional<Member> Measures::*member, double Member::*value, Error Member::*standard_error)
 {

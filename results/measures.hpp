@@ -78,7 +78,7 @@ struct Measure
     std::string title() const;
 };
 
-/// All of them, in the order in which they are shown.
+/// All measures, in the order in which they are shown.
 const std::vector<Measure>& measures();
 
 /// The measure of that key. Throws std::out_of_range for others.

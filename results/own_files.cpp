@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 namespace poissonlab {
 namespace {
 
-/// Of files of the program one of these stands near the beginning. Pages of version 0.2 are known by their style sheet
-/// alone.
+/// Each file of the program has one of these marks near its beginning. Pages of version 0.2 are known by their style
+/// sheet alone.
 constexpr std::array<std::string_view, 2> page_marks{R"(<meta name="generator" content="poissonlab")",
                                                      R"(/report.css"/>)"};
 constexpr std::array<std::string_view, 1> results_marks{"\"poissonlab-results\""};

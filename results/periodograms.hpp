@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// One of each set, or of each set by each taper.
+/// The number of periodograms: one of each set, or of each set by each taper.
 inline int periodograms_of(const Series& series)
 {
     const std::size_t tapers = series.region ? std::max<std::size_t>(series.region->tapers, 1) : 1;

@@ -147,7 +147,7 @@ struct Series
     void set_sizes(const std::vector<std::size_t>& sizes);
 };
 
-/// Their members in results.json, see json_members.hpp.
+/// These list the members of series and measures in results.json, see json_members.hpp.
 void members(JsonMembers& m, const Series& series);
 void members(JsonMembers& m, Series& series);
 void members(JsonMembers& m, const Measures& measures);

@@ -70,8 +70,8 @@ public:
         });
     }
 
-    /// The same before the density is known: `emit(p, threshold)`; points with a density below the threshold are to be
-    /// left out.
+    /// Makes points before the density is known: calls `emit(p, threshold)`; points with a density below the threshold
+    /// are to be left out.
     template <class Box, class PointFunction>
     void operator()(const Box& bounds, float density, PointFunction&& emit) const
     {

@@ -111,7 +111,7 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     const uint64_t before_ranks = points * set->dimension + lengths; /* numbers */
     set->ranks = ranked ? set->points + before_ranks : 0;
     const uint64_t end = 128 + 2 * (before_ranks + (ranked ? points : 0)), c = version > 2 ? ptiles_word(bytes + 36) : 0;
-    /* Of each class the number of its points, then two distances of each pair of classes, which nothing here needs. */
+    /* Then come the number of points of each class, and two distances of each pair of classes, which are not read. */
     if (c > 32 || (version > 2 && c == 0) || size != end + 4 * c + 8 * c * (c + 1)) return "too short or too long for its points";
     set->classes = (uint32_t)c;
     set->class_points = c > 0 ? bytes + end : 0;
@@ -325,7 +325,7 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
         const int32_t layers = d == 3 ? ring : 0;
         for (o[2] = -layers; o[2] <= layers; ++o[2])
             for (o[1] = -ring; o[1] <= ring; ++o[1]) {
-                /* Of rows inside the ring, only the ends. */
+                /* A row inside the ring has only its ends in it. */
                 const int outer = o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
                 for (o[0] = -ring; o[0] <= ring; o[0] += outer || ring == 0 ? 1 : 2 * ring)
                     if (ptiles_gap(f[0], o[0], below, above) + ptiles_gap(f[1], o[1], below, above) +

@@ -56,7 +56,7 @@ const PoissonTiles = (() => {
       const beforeRanks = points * this.dimension + (chains ? 2 * this.colors * this.colors : 0);
       const end = 128 + 2 * (beforeRanks + (ranked ? points : 0));
       const classes = version > 2 ? word(36) : 0;
-      // Of each class the number of its points, then two distances of each pair of classes, which nothing here needs.
+      // Then come the number of points of each class, and two distances of each pair of classes, which are not read.
       check(classes <= 32 && (version < 3 || classes > 0) && size === end + 4 * classes + 8 * classes * (classes + 1),
             "too short or too long for its points");
       this.classPoints = Array.from({ length: classes }, (_, i) => word(end + 4 * i)); // empty: points have no classes

@@ -126,7 +126,7 @@ PTILES_FUNCTION uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint
     return (tile * t.colors + ptiles_color(t, x, y, z)) * t.colors + ptiles_color(t, x, north, z);
 }
 
-/// Two more digits: the edges that go east from (x0, y0) and north from (x1, y1).
+/// Appends two digits to a tile's number: the colours of the edges that go east from (x0, y0) and north from (x1, y1).
 PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1, uint y1)
 {
     return (tile * t.colors + ptiles_color(t, x0, y0, 0u)) * t.colors + ptiles_color(t, x1, y1, 1u);

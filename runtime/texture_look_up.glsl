@@ -88,7 +88,7 @@ int ttiles_level_of(float texels, out float coarser)
     return level;
 }
 
-// Each texel through its own tile, from the packed atlas: right at all levels, and at corners of Wang tiles.
+// Looks each texel up through its own tile, in the packed atlas: right at all levels, and at corners of Wang tiles.
 vec4 ttiles_exact(sampler2D atlas, uint seed, ivec2 tile, vec2 inside, float texels)
 {
     float coarser;
@@ -98,7 +98,7 @@ vec4 ttiles_exact(sampler2D atlas, uint seed, ivec2 tile, vec2 inside, float tex
     return mix(fine, ttiles_packed_level(atlas, seed, tile, inside, level + 1), coarser);
 }
 
-// The same from layers.
+// Looks each texel up through its own tile, in layers.
 vec4 ttiles_layered(highp sampler2DArray layers, uint seed, ivec2 tile, vec2 inside, float texels)
 {
     float coarser;
@@ -108,8 +108,9 @@ vec4 ttiles_layered(highp sampler2DArray layers, uint seed, ivec2 tile, vec2 ins
     return mix(fine, ttiles_layer_level(layers, seed, tile, inside, level + 1), coarser);
 }
 
-// By the filters of hardware, one look-up: right at levels with 2^level <= ring. dx, dy: derivatives of the place, in
-// tiles a pixel. The atlas repeats at its borders, and the sampler has no levels beyond TTILES_LEVELS - 1.
+// Looks a texel up by the filters of hardware, in one look-up: right at levels with 2^level <= ring. dx, dy:
+// derivatives of the place, in tiles a pixel. The atlas repeats at its borders, and the sampler has no levels beyond
+// TTILES_LEVELS - 1.
 vec4 ttiles_packed(sampler2D atlas, uint seed, ivec2 tile, vec2 inside, vec2 dx, vec2 dy)
 {
     uint place = ttiles_place_of(seed, tile);

@@ -77,7 +77,7 @@ int ttiles_level_of(float texels, out float coarser)
     return level;
 }
 
-// Each texel through its own tile, from the packed atlas.
+// Looks each texel up through its own tile, in the packed atlas.
 float4 ttiles_exact(Texture2D<float4> atlas, uint seed, int2 tile, float2 inside, float texels)
 {
     float coarser;
@@ -87,7 +87,7 @@ float4 ttiles_exact(Texture2D<float4> atlas, uint seed, int2 tile, float2 inside
     return lerp(fine, ttiles_packed_level(atlas, seed, tile, inside, level + 1), coarser);
 }
 
-// The same from layers.
+// Looks each texel up through its own tile, in layers.
 float4 ttiles_layered(Texture2DArray<float4> layers, uint seed, int2 tile, float2 inside, float texels)
 {
     float coarser;
@@ -97,7 +97,7 @@ float4 ttiles_layered(Texture2DArray<float4> layers, uint seed, int2 tile, float
     return lerp(fine, ttiles_layer_level(layers, seed, tile, inside, level + 1), coarser);
 }
 
-// By the filters of hardware; dx, dy: derivatives of the place, in tiles a pixel.
+// Looks a texel up by the filters of hardware, in the packed atlas; dx, dy: derivatives of the place, in tiles a pixel.
 float4 ttiles_packed(Texture2D<float4> atlas, SamplerState repeating, uint seed, int2 tile, float2 inside, float2 dx,
                      float2 dy)
 {

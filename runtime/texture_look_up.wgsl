@@ -48,7 +48,8 @@ fn ttiles_odd_place(ne: u32, se: u32, sw: u32, nw: u32) -> u32 {
     return (west + side - shift % side) % side * side + x;
 }
 
-/// The same for an even number: the lowest digits of the corners say which of 4 x 4 places, the others which block.
+/// The place of the tile with these corners in a packing of an even number of colours: the lowest digits of the corners
+/// say which of 4 x 4 places, the others which block.
 fn ttiles_even_place(ne: u32, se: u32, sw: u32, nw: u32) -> u32 {
     let base = max(ttiles_colors / 2u, 1u);
     let low = sw % 2u + 2u * (se % 2u) + 4u * (nw % 2u) + 8u * (ne % 2u);
@@ -131,8 +132,8 @@ fn ttiles_layered(layers: texture_2d_array<f32>, seed: u32, tile: vec2<i32>, ins
     return mix(fine, coarse, clamp(texels / wide - 1.0, 0.0, 1.0));
 }
 
-/// By the filters of hardware, from the packed atlas, which repeats at its borders; dx, dy: derivatives of the place, in
-/// tiles a pixel.
+/// Looks a texel up by the filters of hardware, in the packed atlas, which repeats at its borders; dx, dy: derivatives
+/// of the place, in tiles a pixel.
 fn ttiles_packed(atlas: texture_2d<f32>, repeating: sampler, seed: u32, tile: vec2<i32>, inside: vec2<f32>,
                  dx: vec2<f32>, dy: vec2<f32>) -> vec4<f32> {
     let place = ttiles_place(seed, tile);

@@ -71,7 +71,8 @@ TTILES_FUNCTION ttiles_uint ttiles_odd_place(ttiles_uint colors, ttiles_uint ne,
     return (west + side - shift % side) % side * side + x;
 }
 
-/// The same for an even number: the lowest digits of the corners say which of 4 x 4 places, the others which block.
+/// The place of the tile with these corners in a packing of an even number of colours: the lowest digits of the corners
+/// say which of 4 x 4 places, the others which block.
 TTILES_FUNCTION ttiles_uint ttiles_even_place(ttiles_uint colors, ttiles_uint ne, ttiles_uint se, ttiles_uint sw,
                                               ttiles_uint nw)
 {
@@ -101,7 +102,7 @@ TTILES_FUNCTION ttiles_uint ttiles_corner_place(ttiles_uint colors, ttiles_uint 
     return ttiles_even_place(colors, ne, se, sw, nw);
 }
 
-/// The same of the tile whose lower left corner is the lattice point (x, y).
+/// The place in the atlas of the tile whose lower left corner is the lattice point (x, y).
 TTILES_FUNCTION ttiles_uint ttiles_place(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y)
 {
     return ttiles_corner_place(colors, ttiles_color(seed, colors, x + 1u, y + 1u), ttiles_color(seed, colors, x + 1u, y),
@@ -109,7 +110,7 @@ TTILES_FUNCTION ttiles_uint ttiles_place(ttiles_uint seed, ttiles_uint colors, t
 }
 
 /// The colour of the edge that goes east (is_vertical = 0) or north (1) from a lattice point, coordinates modulo 2^32.
-/// The same as that of edge tiles of poisson_tiles.h.
+/// Edge tiles of poisson_tiles.h have this colour, too.
 TTILES_FUNCTION ttiles_uint ttiles_edge_color(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y,
                                               ttiles_uint is_vertical)
 {
@@ -131,7 +132,7 @@ TTILES_FUNCTION ttiles_uint ttiles_wang_place_of(ttiles_uint colors, ttiles_uint
     return ttiles_domino_place(s, n) * colors * colors + ttiles_domino_place(w, e);
 }
 
-/// The same of the Wang tile whose lower left corner is the lattice point (x, y).
+/// The place in the atlas of the Wang tile whose lower left corner is the lattice point (x, y).
 TTILES_FUNCTION ttiles_uint ttiles_wang_place(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y)
 {
     return ttiles_wang_place_of(
@@ -156,7 +157,7 @@ TTILES_FUNCTION ttiles_uint ttiles_texel(ttiles_uint seed, ttiles_uint colors, t
     return ttiles_texel_at(ttiles_place(seed, colors, x, y), colors, size, column, row);
 }
 
-/// The same of Wang tiles.
+/// The texel of the endless texture of Wang tiles so far from the lower left of the tile (x, y).
 TTILES_FUNCTION ttiles_uint ttiles_wang_texel(ttiles_uint seed, ttiles_uint colors, ttiles_uint size, ttiles_uint x,
                                               ttiles_uint y, ttiles_uint column, ttiles_uint row)
 {

@@ -26,7 +26,7 @@ double min_distance_in_window(const PointSet& points);
 /// The mean nearest distance of a window of the plane (of space).
 double mean_nearest_distance_in_window(const PointSet& points);
 
-/// Both distances of a set.
+/// The least and the mean nearest distance of a set.
 struct NearestDistances
 {
     double least = 0, mean = 0;

@@ -16,7 +16,7 @@ namespace poissonlab {
 class FoldedDensity
 {
 public:
-    /// For tilings of `tiles` tiles along each axis, with about as many points.
+    /// Chooses bins for tilings of `tiles` tiles along each axis with about `points` points.
     FoldedDensity(int tiles, std::size_t points);
 
     /// Counts all points of a tiling.

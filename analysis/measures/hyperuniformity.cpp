@@ -51,7 +51,8 @@ std::vector<PowerShell> shells_in(const auto& spectrum, const FrequencyRange& ra
     return shells;
 }
 
-/// The same shells with no power below `least`; empty where there is nothing to measure.
+/// Raises powers below `least` to it. Returns no shells where they are too few to fit, or where most have no more than
+/// `least`.
 std::vector<PowerShell> shells_above(std::vector<PowerShell> shells, double least)
 {
     const auto empty = std::ranges::count_if(shells, [&](const PowerShell& shell) { return !(shell.power > least); });

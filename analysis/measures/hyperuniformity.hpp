@@ -48,7 +48,7 @@ struct PowerShell
 std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range);
 std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range);
 
-/// Their powers alone.
+/// The powers of these shells.
 std::vector<double> powers_of(const std::vector<PowerShell>& shells);
 
 /// The range of the exponent: low_frequency_range(), and of sets of `tiles` tiles along each axis no more than 0.4 of

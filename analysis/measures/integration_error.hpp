@@ -67,8 +67,8 @@ public:
     /// must lie in [0, 1).
     void add(const PointSet& points);
 
-    /// The same of a set on disk: sums over strips, which have another order, and so errors that differ by rounding of
-    /// means of N numbers of size 1, some sqrt(N) 1e-16 of one.
+    /// Adds a set on disk, by sums over its strips. These have another order than sums in memory, so that errors differ
+    /// by the rounding of means of N numbers of size 1, some sqrt(N) 1e-16 of one.
     void add(const PointStrips& points);
 
     /// Appends the sets of `other`, which begins with the number after the last one here; equal to adding them here.

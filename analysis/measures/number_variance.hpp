@@ -44,7 +44,7 @@ public:
     /// Adds one set. Throws InputError for another dimension. Coordinates must lie in [0, 1).
     void add(const PointSet& points);
 
-    /// The same of a set on disk, whose strips are counted one after another, to the same numbers.
+    /// Adds a set on disk, whose strips are counted one after another. Numbers are equal to those of the set in memory.
     void add(const PointStrips& points);
 
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here.

@@ -52,7 +52,7 @@ public:
     /// in [0, 1).
     void add(const PointSet& points);
 
-    /// The same of a set on disk: pairs are counted strip by strip, to the same numbers.
+    /// Adds a set on disk, whose pairs are counted strip by strip. Numbers are equal to those of the set in memory.
     void add(const PointStrips& points);
 
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here, up to rounding.

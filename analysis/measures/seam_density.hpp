@@ -19,7 +19,7 @@ double seam_bin_width(int dimension, int tiles, std::size_t points);
 class SeamDensity
 {
 public:
-    /// For tilings of `tiles` tiles along each axis, with about as many points.
+    /// Chooses bins for tilings of `tiles` tiles along each axis with about `points` points.
     SeamDensity(int dimension, int tiles, std::size_t points);
 
     /// Counts all points of a tiling.

@@ -12,7 +12,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::size_t places_for_mean = 1 << 16;
-constexpr std::uint64_t envelope_seed = 0; ///< the same random sets for every series, so that envelopes compare
+constexpr std::uint64_t envelope_seed = 0; ///< one seed for every series, so that envelopes compare
 
 }
 

@@ -74,12 +74,12 @@ private:
 class TaperedPeriodogram
 {
 public:
-    /// As RegionPeriodogram.
+    /// Takes `size` and `is_exact` as RegionPeriodogram does.
     TaperedPeriodogram(std::shared_ptr<const FramedRegion> region, std::shared_ptr<const RegionTapers> tapers, int size,
                        bool is_exact);
     ~TaperedPeriodogram();
 
-    /// By one of the tapers. Takes points in the frame.
+    /// Computes the periodogram of points in the frame by one of the tapers.
     void compute(const PointSet& points, std::size_t taper, HalfSpectrum& result);
 
 private:

@@ -34,9 +34,9 @@ namespace poissonlab {
 /// W(f) / W(0) by the sum over edges, for one frequency.
 std::complex<double> region_transform(const FramedRegion& region, double x, double y);
 
-/// The same for all whole frequencies up to `reach` along each axis: edges become places with weights, by Gauss's rule
-/// on pieces in which no wave turns more than half, and these are transformed all at once. Errors are some 1e-7 of the
-/// length of the boundary over 2 pi |f|, as NonuniformTransform has them.
+/// W(f) / W(0) for all whole frequencies up to `reach` along each axis. Edges become places with weights, by Gauss's
+/// rule on pieces in which no wave turns more than half, and these are transformed all at once. Errors are some 1e-7 of
+/// the length of the boundary over 2 pi |f|, as NonuniformTransform has them.
 HalfPlane region_transforms(const FramedRegion& region, int reach, NonuniformTransform& transform);
 
 /// Sums over points in the frame, which may have weights, of exp(-2 pi i f.x), where `unit` lengths of the frame are 1:

@@ -42,7 +42,7 @@ SetCovariance::SetCovariance(std::span<const RegionEdge> edges)
     area_ = exact(0, 0);
 }
 
-/// From left to right: an edge that begins meets those of the other region that have begun and not yet ended.
+/// Sweeps from left to right: an edge that begins meets those of the other region that have begun and not yet ended.
 double SetCovariance::exact(double x, double y) const
 {
     std::vector<std::uint32_t> still, moved; // open edges of either

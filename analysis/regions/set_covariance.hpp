@@ -26,17 +26,18 @@ namespace poissonlab {
 class SetCovariance
 {
 public:
-    /// These edges are the boundary of a region.
+    /// Takes the edges that are the boundary of a region.
     explicit SetCovariance(std::span<const RegionEdge> edges);
 
-    /// By the closed form. Rounding leaves some 1e-16 of the area, times the root of the number of edges.
+    /// C(h) at h = (x, y) by the closed form. Rounding leaves some 1e-16 of the area, times the root of the number of
+    /// edges.
     double exact(double x, double y) const;
 
     /// Makes a table of all vectors up to `reach` along each axis, where so many calls of at() are expected to take
     /// longer without it. Between its places at() is bilinear.
     void expect(double calls, double reach);
 
-    /// From the table if there is one and it has the vector, or exact.
+    /// C(h) at h = (x, y), from the table if there is one that has the vector, else by exact().
     double at(double x, double y) const;
 
     /// The largest difference that was found between table and closed form in the middle of its cells (all of them, or

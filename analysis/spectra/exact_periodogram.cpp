@@ -83,7 +83,7 @@ StripPoints::StripPoints(const PointSet& points, const StripExpansion& expansion
         const std::size_t at = next[strip_of(i)]++;
         x[at] = to_turn(points[i][0]);
         y[at] = points.dimension == 3 ? to_turn(points[i][1]) : 0;
-        // Where in its strip, from -1 to 1: the bits below the strip's number, as a signed fraction.
+        // The point's place in its strip, from -1 to 1, is the bits below the strip's number, as a signed fraction.
         const std::uint64_t within = (to_turn(points[i][last]) << strip_bits) ^ (std::uint64_t{1} << 63);
         t[at] = std::ldexp(static_cast<double>(static_cast<std::int64_t>(within)), -63);
     }

@@ -38,12 +38,12 @@ public:
     /// Coordinates in [0, 1), at least one point, the dimension as above (std::invalid_argument).
     HalfSpectrum compute(const PointSet& points);
 
-    /// The same into memory that is there already: fresh memory takes a good part of the time.
+    /// Computes a periodogram into memory that is there already: fresh memory takes a good part of the time.
     void compute(const PointSet& points, HalfSpectrum& result);
 
-    /// The same of a set on disk, of which a strip and what touches it is in memory at a time. Points of a grid line
-    /// that come from two strips are added up in another order: transform values differ by rounding, some 1e-16 of the
-    /// sum of all magnitudes, far below the tolerance.
+    /// Computes the periodogram of a set on disk, of which a strip and what touches it is in memory at a time. Points
+    /// of a grid line that come from two strips are added up in another order: transform values differ by rounding,
+    /// some 1e-16 of the sum of all magnitudes, far below the tolerance.
     void compute(const PointStrips& points, HalfSpectrum& result);
 
 private:

@@ -43,13 +43,13 @@ public:
     /// F(f) = sum_j exp(-2 pi i f.x_j). Points in 2D, coordinates in [0, 1).
     HalfPlane forward(const PointSet& points) { return forward(points, {}); }
 
-    /// The same of points with weights.
+    /// F(f) = sum_j w_j exp(-2 pi i f.x_j) of points with weights w_j; without weights, all w_j are 1.
     HalfPlane forward(const PointSet& points, std::span<const double> weights);
 
     /// G(x_j) = sum_f C(f) exp(2 pi i f.x_j) over all frequencies, with C(-f) the conjugate of C(f).
     std::vector<double> adjoint(const HalfPlane& coefficients, const PointSet& points);
 
-    /// Its derivatives along x and y at each point, by those of the kernel. Errors are some 1e-6 of the sum of all
+    /// The derivatives of G along x and y at each point, by those of the kernel. Errors are some 1e-6 of the sum of all
     /// magnitudes of derivatives at the largest frequency.
     std::vector<double> adjoint_gradient(const HalfPlane& coefficients, const PointSet& points);
 

@@ -43,12 +43,12 @@ public:
     std::size_t line_size() const { return grid_ + SpreadingKernel::max_width; }
 
 private:
-    /// Sorted by the first line along x that they touch ("bin"), in a bin in the order of the set.
+    /// Points, sorted by the first line along x that they touch ("bin"), and in a bin in the order of the set.
     struct Points
     {
         std::vector<std::size_t> starts;  ///< of each bin, y fastest; one more than there are bins
         std::vector<std::uint32_t> first; ///< the first grid point along x that a point of the band touches
-        /// Its kernel along x, along y between two zeros, and along z: value_count() numbers.
+        /// Each point's values of the kernel along x, along y between two zeros, and along z: value_count() numbers.
         UninitializedVector<double> values;
     };
 

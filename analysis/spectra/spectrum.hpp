@@ -90,7 +90,8 @@ public:
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
-    /// The same of a set on disk, by FastPeriodogram alone: InputError where the exact sum is asked for.
+    /// Adds the periodogram of a set on disk, by FastPeriodogram alone. Throws InputError as above, and where the exact
+    /// sum is asked for.
     void add(const PointStrips& points);
 
     /// Appends the realizations of `other`; equal to adding them here, up to rounding. Throws InputError as add()

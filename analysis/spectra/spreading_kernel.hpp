@@ -23,15 +23,14 @@ public:
 
     int width() const { return width_; }
 
-    /// Its values at the `width` grid points from the first under it on, which is `offset` in [0, 1) grid
-    /// spacings behind the kernel's left end. Polynomials, within 1e-10 of the kernel, whose largest value
-    /// is 1.
+    /// The kernel's values at the `width` grid points under it, the first of which is `offset` in [0, 1) grid spacings
+    /// behind its left end. Values are those of polynomials, within 1e-10 of the kernel, whose largest value is 1.
     void values(double offset, double* result) const;
 
     /// The derivatives of these polynomials by the offset. At its ends the kernel itself is steeper than any.
     void slopes(double offset, double* result) const;
 
-    /// Its Fourier transform at a frequency in cycles per grid spacing.
+    /// The kernel's Fourier transform at a frequency in cycles per grid spacing.
     double transform(double frequency) const;
 
 private:

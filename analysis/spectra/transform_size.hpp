@@ -18,7 +18,7 @@ inline std::size_t transform_size(double least)
     }
 }
 
-/// So many lines change places with columns together: two cache lines of complex numbers.
+/// The number of lines that are transposed together: two cache lines of complex numbers.
 inline constexpr std::size_t transposed_lines = 8;
 
 /// Room for a line: whole blocks, and not a power of two, for which a cache has few places.

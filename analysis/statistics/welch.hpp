@@ -29,7 +29,8 @@ struct WelchTest
     double p_value = 1; ///< that chance makes |t| at least so large where the true means are equal
 };
 
-/// Both of at least two samples, and not both standard errors 0: throws std::invalid_argument.
+/// Welch's test of two means. Throws std::invalid_argument unless both are of at least two samples, and at least one
+/// has a standard error above 0.
 WelchTest welch_test(const SampleMean& first, const SampleMean& second);
 
 /// p-values that may each be compared with one level: the probability that any true hypothesis falls below it is at

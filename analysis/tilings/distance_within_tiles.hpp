@@ -14,7 +14,8 @@ namespace poissonlab {
 /// may be off by 2^-17 tiles, half of the step in which points of tiles are placed.
 double min_distance_within_tiles(const PointSet& points, int tiles);
 
-/// The same of a set on disk, of which the strips that touch a row (layer) of tiles are in memory at a time.
+/// Finds the smallest distance within tiles for a set on disk, of which the strips that touch a row (layer) of tiles
+/// are in memory at a time.
 double min_distance_within_tiles(const PointStrips& points, int tiles);
 
 }

@@ -97,8 +97,8 @@ inline constexpr int exit_wrong_input = 2;
 /// The exit status of `diff` where something changed; other commands return 0 or throw.
 inline constexpr int exit_changed = 4;
 
-// One file a command, in the folder of its module. `typed` is the whole command as the user would type it again;
-// results remember it.
+// Each function makes a command; its file is in the folder of its module. `typed` is the whole command as the user
+// would type it again; results remember it.
 Command run_command(const std::string& typed);
 Command merge_command();
 Command analyze_command(const std::string& typed);

@@ -36,7 +36,7 @@ public:
         : KindOptions(kind, OutputFiles{}, std::move(placed))
     {}
 
-    /// The same for a command that writes files.
+    /// Takes the options of a command that writes files as well.
     KindOptions(const Kind& kind, OutputFiles files, std::string placed = "");
 
     /// An option for each key, in the order of the kind, and --seed, --engine, --device, --quiet, --json. Their targets
@@ -46,7 +46,7 @@ public:
     /// The typed settings, checked as a table of a config is. Throws InputError, a line that begins with the command.
     KindSettings settings() const;
 
-    /// The same as the kind has them, once the files that are to be written are checked as well.
+    /// Returns the typed settings in the kind's own type, once the files that are to be written are checked as well.
     template <class Settings>
     Settings read() const
     {
@@ -69,11 +69,11 @@ public:
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
 
-    /// The same error, named after the command.
+    /// Returns the error with the command's name before its message, unless it names the command or a place in a file.
     InputError of_command(const InputError& error) const;
 
     OutputFiles outs;          ///< --out, of commands that list it
-    std::filesystem::path out; ///< the same, of commands that write one file
+    std::filesystem::path out; ///< --out, of commands that write one file
     std::uint32_t pixels = 0;  ///< --pixels, the width of a .png; 0: by default
 
 private:

@@ -60,7 +60,7 @@ private:
     bool quiet_ = false;
 };
 
-/// One list of several.
+/// Joins several lists of options into one.
 std::vector<Option> joined(std::vector<std::vector<Option>> lists);
 
 }

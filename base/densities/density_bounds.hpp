@@ -29,7 +29,7 @@ struct DensityBounds
     /// The weight of the pixel at a place.
     std::uint64_t at(const DensityPlace& place) const;
 
-    /// At least the largest weight between two corners, both inclusive: the largest of at most 2 x 2 places of the
+    /// An upper bound of the weights between two corners, both inclusive: the largest of at most 2 x 2 places of the
     /// pyramid that cover these pixels.
     std::uint64_t over(const DensityPlace& low, const DensityPlace& high) const;
 

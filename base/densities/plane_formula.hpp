@@ -35,7 +35,7 @@ private:
     std::string name_;
 };
 
-/// The same in x and y alone.
+/// A formula in x and y alone.
 class PlaneFormula : SpaceFormula
 {
 public:

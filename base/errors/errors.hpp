@@ -35,7 +35,7 @@ public:
     /// `place: problem`.
     static InputError at(SourceLocation place, std::string_view problem);
 
-    /// The same problem, said of another place.
+    /// An error with this problem at another place.
     InputError moved_to(SourceLocation place) const;
 
     // Each is empty where the error has none.

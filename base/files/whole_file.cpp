@@ -68,8 +68,8 @@ bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::fi
 class TemporaryFile
 {
 public:
-    /// Beside the file that it becomes, or that is copied: links may lead to other folders. The ending is that of the
-    /// name that the user gave, which says the format.
+    /// Places the temporary file beside the file that it becomes or is copied into: links may lead to other folders. It
+    /// has the ending of the name that the user gave, which says the format.
     TemporaryFile(const OutputPlace& place, const std::filesystem::path& named)
         : path_(temporary_in(place.file.parent_path(), named))
     {

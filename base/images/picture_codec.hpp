@@ -1,5 +1,5 @@
-// Between this room and the module that holds OpenImageIO, the library of every picture file: PNG files are written and
-// read, pictures of any kind are read as light or as they are.
+// The functions by which this room calls the module with OpenImageIO, the library of every picture file: PNG files are
+// written and read, pictures of any kind are read as light or as they are.
 #pragma once
 
 #include "base/images/linear_picture.hpp"

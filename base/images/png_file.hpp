@@ -42,13 +42,13 @@ using PngRows = std::function<const std::uint8_t*(int first, int count)>;
 /// Writes a PNG whose bytes depend on the arguments only (no date, no program name). Throws StorageError.
 void write_png(const std::filesystem::path& path, const PngLayout& layout, const PngRows& rows);
 
-/// The same of whole pictures.
+/// Writes a whole picture as a PNG, as above.
 void write_png(const std::filesystem::path& path, const PngPixels& pixels);
 
 /// Reads a PNG as 8-bit channels. Throws StorageError.
 PngPixels read_png(const std::filesystem::path& path);
 
-/// The same with 16 bits a channel.
+/// Pixels with 16 bits a channel.
 struct DeepPixels
 {
     int width = 0;

@@ -51,15 +51,16 @@ struct PictureHeader
     std::optional<SampleType> type; ///< nothing: numbers of another kind
 };
 
-/// Both throw InputError, one line with the file's name, for what is no picture or damaged. Pixels are read of pictures
-/// with a type that have at most four channels, or are of float32.
+/// Read the header of a picture file, and the picture. Throw InputError, one line with the file's name, for files that
+/// are no pictures or damaged. Pixels are read of pictures with a type that have at most four channels, or are of
+/// float32.
 PictureHeader read_picture_header(const std::filesystem::path& path);
 RawPicture read_raw_picture(const std::filesystem::path& path);
 
 /// True if read_raw_picture() takes such a picture, and write_raw_picture() writes it.
 bool is_kept_raw(const PictureHeader& header);
 
-/// How files with such numbers end: ".png", or ".exr" of float32.
+/// The ending of files with numbers of this type: ".png", or ".exr" of float32.
 const char* raw_ending(SampleType type);
 
 /// Writes PNG or OpenEXR, as the type has it. Throws StorageError.

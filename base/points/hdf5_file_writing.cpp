@@ -15,7 +15,7 @@ constexpr std::size_t particle_types = 6; // of particles; the second is dark ma
 /// Rows of a chunk of /points: 4 MiB in 2D.
 constexpr std::uint64_t chunk_rows = std::uint64_t{1} << 18;
 
-/// Where a table's numbers are.
+/// A table in the file, and the column and axis of points that it holds.
 struct TablePlace
 {
     const char* group; ///< "" for none

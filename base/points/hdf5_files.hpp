@@ -1,5 +1,5 @@
-// Between this room and the module that holds HDF5, the library of files of particles: see hdf5_points.hpp and
-// hdf5_reading.hpp for what the functions do.
+// The functions by which this room calls the module with HDF5, the library of files of particles: see hdf5_points.hpp
+// and hdf5_reading.hpp for what the functions do.
 #pragma once
 
 #include "base/points/placed_file.hpp"

@@ -26,7 +26,7 @@ struct PointFileContent
 /// which it is not needed any more.
 using PieceSink = std::function<void(int dimension, std::span<const double> coordinates, const char* done)>;
 
-// They read files of one set in pieces, and else do as those below.
+// These functions read files of one set in pieces, and read other files as those below do.
 void stream_text_points(const PointFileContent& file, const PieceSink& sink);
 void stream_npy_points(const PointFileContent& file, const PieceSink& sink);
 
@@ -50,7 +50,7 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
 
 inline constexpr std::string_view ply_magic = "ply";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
-/// What is before the numbers of a .npy file of float64, points x dimension.
+/// The bytes before the numbers of a .npy file of float64, points x dimension.
 std::string npy_header(std::uint64_t points, int dimension);
 
 inline constexpr std::string_view hdf5_magic = "\x89HDF\r\n\x1a\n";

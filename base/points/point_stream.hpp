@@ -22,7 +22,7 @@ struct KnownShape
     int dimension = 2;
 };
 
-/// That of NumPy and HDF5 files; text has none.
+/// The shape that the head of a NumPy or HDF5 file tells; text has none.
 std::optional<KnownShape> known_shape(const std::filesystem::path& path);
 
 /// About as many points, or more, as a file that can be read in pieces has; exactly as many for NumPy and HDF5.

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double points_per_strip = 0x1p20;
 
-/// So few strips that each is higher than six times the distance of neighbours that are as far apart as possible in 3D,
-/// even where no more than a third of the expected points come.
+/// Limits the number of strips, so that each is higher than six times the distance of neighbours that are as far apart
+/// as possible in 3D, even where no more than a third of the expected points come.
 constexpr double strips_per_spacing = 0.15;
 
 constexpr double least_strips = 4, most_strips = 4096;

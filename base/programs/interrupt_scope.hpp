@@ -5,8 +5,8 @@
 
 namespace poissonlab {
 
-/// While it lives, SIGINT is remembered, stop_if_interrupted() throws then, and nothing ends the process. The handler
-/// that was there before comes back at its end. One at a time.
+/// While an InterruptScope lives, SIGINT is remembered, stop_if_interrupted() throws then, and nothing ends the
+/// process. The handler that was there before comes back at its end. Only one may live at a time.
 class InterruptScope
 {
 public:

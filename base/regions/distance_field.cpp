@@ -94,14 +94,14 @@ private:
 
     static bool is_distance(double value) { return value > 0 && !std::isinf(value); }
 
-    /// In units of the region: up to a cell beyond its box, so that interpolation is right at the border.
+    /// A coordinate in units of the region: up to a cell beyond its box, so that interpolation is right at the border.
     double place_along(std::uint32_t half, std::size_t k) const
     {
         return region_.box().low[k] + region_.unit() * half * (cell_side / 2.0);
     }
 
-    /// Where a formula is no distance beyond the region's extent, which is rounded to the grid, it is what it is just
-    /// inside.
+    /// A coordinate, moved to just inside the region's extent, which is rounded to the grid: a formula may be no
+    /// distance beyond it.
     double within_box(std::uint32_t half, std::size_t k) const
     {
         const double low = region_.own(region_.extent().low)[k] + region_.unit();
@@ -138,7 +138,7 @@ private:
                 table_.nodes.push_back(place(2 * column, 2 * row) + raised * lacks[row * nodes + column]);
     }
 
-    /// How far bilinear interpolation falls below the distance, in the middle of a cell or of a side.
+    /// Returns how far bilinear interpolation falls below the distance, in the middle of a cell or of a side.
     double lack_of(std::uint32_t x, std::uint32_t y)
     {
         const double a = place(x, y), b = place(x + 2, y), c = place(x, y + 2), d = place(x + 2, y + 2);
@@ -226,7 +226,8 @@ DistanceField::DistanceField(const DistanceTable& table, const FixedRegion& regi
     }
 }
 
-/// The same in kernels/common/darts/distance_field.clh. Positions beyond the table have what its border has.
+/// Interpolates as distance_at() of kernels/common/darts/distance_field.clh does, bit by bit. Positions beyond the
+/// table have the distance of its border.
 std::uint32_t DistanceField::at(const TorusPoint<2>& position) const
 {
     const std::uint32_t column = std::min(position[0] >> DistanceTable::shift, columns_ - 1);

@@ -69,17 +69,17 @@ public:
     /// The side of the torus in units of a region in this box.
     static double torus_side(const RegionBox& box) { return box.longest() / ((1u << coordinate_bits) - 1) * 0x1p32; }
 
-    /// Of a region that check_region() takes. `margin` in unit lengths of the torus, from 0 to 1/2.
+    /// Takes a region that check_region() accepts. `margin` is in unit lengths of the torus, from 0 to 1/2.
     explicit FixedRegion(const PlaneRegion& region, double margin = 0);
 
     FixedRegion(const PlaneRegion& region, double margin, const KeptAway& kept_away);
 
     bool contains(const TorusPoint<2>& position) const { return contains(position, true); }
 
-    /// The same of the position that is nearest to a place in the region's own units.
+    /// Is the position inside that is nearest to a place in the region's own units?
     bool contains_place(const std::array<double, 2>& place) const;
 
-    /// The same without the grid, by all edges: to test it.
+    /// Is a position inside? Looks at all edges instead of the grid: to test it.
     bool contains_plainly(const TorusPoint<2>& position) const;
 
     /// Is the position inside when it is moved by (e^2, e), margins aside? It is on no edge, then.
@@ -100,7 +100,7 @@ public:
     // What the grid consists of.
     int bits() const { return bits_; }
     const std::array<std::uint32_t, 3>& margins() const { return margins_; } ///< in positions, rounded up
-    /// In units of 2^-64, rounded up.
+    /// The squares of the margins, in units of 2^-64, rounded up.
     const std::array<std::uint64_t, 3>& squared_margins() const { return squared_margins_; }
 
     /// For each cell, x fastest, twice the number of its first edge in edges(), plus 1 where its lowest corner is

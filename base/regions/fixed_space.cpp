@@ -107,7 +107,7 @@ void FixedSpace::set_lattice(const SpaceRegion& region, double margin)
     shrink_extent();
 }
 
-/// To the cells in which something is inside.
+/// Shrinks the extent to the cells in which something is inside.
 void FixedSpace::shrink_extent()
 {
     if (filled_.back() == 0) return;

@@ -11,7 +11,7 @@ namespace poissonlab {
 /// The corners of a closed line, in either direction; the first one does not come again at the end.
 using RegionRing = std::vector<std::array<double, 2>>;
 
-/// What lies within its outline and in none of its holes.
+/// A polygon: the places within its outline and in none of its holes.
 struct RegionPolygon
 {
     RegionRing outline;
@@ -39,7 +39,7 @@ RegionBox box_of(const PlaneRegion& region);
 /// The area that a ring encloses: positive where it goes round to the left.
 double signed_area_of(const RegionRing& ring);
 
-/// In squares of its units.
+/// The area of a region, in squares of its units.
 double area_of(const PlaneRegion& region);
 
 std::size_t corner_count(const PlaneRegion& region);

@@ -161,8 +161,9 @@ private:
                                    meeting(a, b) == Meeting::overlap ? "share a piece of a line" : "cross", at));
     }
 
-    /// Where ring `i` lies to ring `j`, one of its corners that does not lie on it says; rings that touch others may
-    /// have gone through there, so all of their corners are looked at. Where all lie on it, the middle of an edge says.
+    /// Says on which side of ring `j` ring `i` lies, by one of its corners that does not lie on ring `j`. Rings that
+    /// touch others may have gone through there, so all of their corners are looked at. Where all corners lie on ring
+    /// `j`, the middle of an edge decides.
     CGAL::Bounded_side side(std::size_t i, std::size_t j, bool& is_mixed) const
     {
         const auto& [corners, polygon, hole, name] = rings_[j];
@@ -182,7 +183,7 @@ private:
         return side;
     }
 
-    /// The same, where there is one side.
+    /// The side of ring `i` that side() finds, for rings that do not cross. Throws where they do.
     CGAL::Bounded_side check_side(std::size_t i, std::size_t j) const
     {
         bool is_mixed = false;

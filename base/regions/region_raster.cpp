@@ -167,7 +167,7 @@ std::vector<BoundaryPiece> pieces_of(const FormulaLattice& lattice)
     return pieces;
 }
 
-/// Where a value that is linear between two nodes is 0.
+/// The place of the zero of a value that is linear between two nodes, as a part of the way between them.
 double crossing(double from, double to) { return std::clamp(from / (from - to), least_part, 1 - least_part); }
 
 }

@@ -188,7 +188,7 @@ std::vector<std::array<double, 2>> points_of_file(const std::string& file)
     return points;
 }
 
-/// As if lines and points were outlines.
+/// Joins polygons, lines and points into one region, as if lines and points were outlines.
 PlaneRegion outlines_of(const Obstacles& obstacles)
 {
     PlaneRegion all{obstacles.polygons};

@@ -35,7 +35,7 @@ PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bo
 /// each other.
 PlaneRegion region_of_svg_path(const std::string& text, const std::string& name);
 
-/// The same as region_of_geojson() of WKT.
+/// The region of a text in WKT, read as region_of_geojson() reads GeoJSON.
 PlaneRegion region_of_wkt(const std::string& text, const std::string& name);
 
 }

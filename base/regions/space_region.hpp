@@ -15,7 +15,7 @@ enum class SpaceShape
     solid ///< where a formula in x, y and z is above 0 in a box
 };
 
-/// From the lowest corner to the highest.
+/// A box, from its lowest corner to its highest.
 struct SpaceBox
 {
     std::array<double, 3> low{};
@@ -43,7 +43,7 @@ bool is_space_region_text(std::string_view text);
 /// Throws InputError, a line that begins with the text.
 SpaceRegion read_space_region(const std::string& text);
 
-/// As for the plane: see plane_region.hpp.
+/// The rounding of a distance in space, as distance_rounding() of plane_region.hpp has it in the plane.
 double distance_rounding(double distance, const SpaceBox& box);
 
 }

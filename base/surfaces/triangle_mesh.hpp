@@ -15,7 +15,7 @@ using MeshTriangle = std::array<std::uint32_t, 3>;
 /// Texture coordinates (u, v).
 using TexturePoint = std::array<double, 2>;
 
-/// In place of the number of a texture point: the corner has none.
+/// This number stands for the texture point of a corner that has none.
 inline constexpr std::uint32_t no_texture_point = UINT32_MAX;
 
 struct TriangleMesh

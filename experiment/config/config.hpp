@@ -62,7 +62,7 @@ struct Config
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The same for a text; `file` is how messages name it. The samplers of the `registry` must outlive the
+/// Reads and checks the text of a config; messages name it `file`. The samplers of the `registry` must outlive the
 /// result.
 Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {},
                     const SamplerRegistry& registry = sampler_registry());

@@ -15,7 +15,7 @@ namespace poissonlab {
 /// Spectra of sets in regions are made in memory for all of their frequencies at once.
 inline constexpr int largest_region_spectrum = 4096;
 
-/// How sets in regions are measured, whichever these are.
+/// The settings by which sets are measured in any region.
 struct RegionMeasures
 {
     std::uint32_t envelope = 39; ///< random sets that curves are held against

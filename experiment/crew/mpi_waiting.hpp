@@ -11,7 +11,8 @@
 
 namespace poissonlab {
 
-/// Between two looks for messages, at most: looking takes some microseconds, and jobs take tens of milliseconds.
+/// The longest pause between two looks for messages: looking takes some microseconds, and jobs take tens of
+/// milliseconds.
 inline constexpr std::chrono::microseconds longest_pause{1000};
 
 /// Waits until a request is done. What comes soon is not kept waiting.

@@ -25,7 +25,7 @@ public:
     /// A set on disk, see SeriesAnalysis.
     void add(const PointStrips& points);
 
-    /// As SeriesAnalysis has them.
+    /// These functions do what those of SeriesAnalysis do.
     bool repeats(const AnalysisUnit& earlier) const { return series_.repeats(earlier.series_); }
     void leave_out(const AnalysisUnit& earlier) { series_.leave_out(earlier.series_); }
     bool is_repeated(std::size_t realization) const { return series_.is_repeated(realization); }

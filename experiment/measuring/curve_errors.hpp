@@ -14,10 +14,10 @@ class CurveErrors
 public:
     using Statistic = std::function<double(const std::vector<double>& curve)>;
 
-    /// From the spread of independent curves, whose mean the curve is: by the jackknife.
+    /// Takes errors from the spread of independent curves, whose mean the curve is, by the jackknife.
     explicit CurveErrors(std::vector<std::vector<double>> curves) : curves_(std::move(curves)) {}
 
-    /// From the covariance of the rings of one set's mean over tapers.
+    /// Takes errors from the covariance of the rings of one set's mean over tapers.
     CurveErrors(std::vector<double> curve, RingCovariance covariance)
         : curves_{std::move(curve)}, covariance_(std::move(covariance))
     {}
@@ -27,8 +27,8 @@ public:
 
     double of(const Statistic& statistic) const;
 
-    /// That of a statistic to which the squares of deviations from a value add, so that noise does as well: of
-    /// independent curves only.
+    /// The error of a statistic to which the squares of deviations from a value add, so that noise adds to it as well.
+    /// Only independent curves have it.
     double of_squares(const Statistic& statistic) const;
 
 private:

@@ -93,7 +93,7 @@ void SeriesAnalysis::start_spectrum()
         [periodogram](const PointSet& points, HalfSpectrum& power) { periodogram->compute(points, power); });
 }
 
-/// By the tapers of a region, each of which counts as a set of its own.
+/// Adds a set to the spectrum. With the tapers of a region, each taper counts as a set of its own.
 void SeriesAnalysis::add_to_spectrum(const PointSet& points)
 {
     if (!tapered_) return estimate_->add(points);

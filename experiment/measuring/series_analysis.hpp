@@ -81,9 +81,9 @@ public:
     /// dimension, of another size where sizes must not vary, or with points outside their region.
     bool add(const PointSet& points);
 
-    /// The same of a set on disk, of which a few strips are in memory at a time. Numbers of pairs, of points in balls
-    /// and tiles and the least distance are the same to the last bit; sums over all points (spectrum, mean distance,
-    /// errors of integrals) differ by their rounding. Measures of the first set alone are not made: it is too large.
+    /// Adds a set on disk, of which a few strips are in memory at a time. Numbers of pairs, of points in balls and
+    /// tiles and the least distance are the same to the last bit; sums over all points (spectrum, mean distance, errors
+    /// of integrals) differ by their rounding. Measures of the first set alone are not made: it is too large.
     bool add(const PointStrips& points);
 
     /// True for a realization, by its number, that was added and is one of the sets before.

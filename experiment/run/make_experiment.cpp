@@ -179,7 +179,7 @@ std::string unused_name(const std::string& base, std::set<std::string>& names)
     return name;
 }
 
-/// What the tables ask for, each in a folder of its own.
+/// The exhibits that the tables ask for, each in a folder of its own.
 std::vector<Exhibit> exhibits_of(const Config& config, std::set<std::string>& names)
 {
     std::vector<Exhibit> exhibits = read_exhibits(config);

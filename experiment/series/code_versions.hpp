@@ -13,7 +13,7 @@ struct CodeVersions
     std::string pictures; ///< of tilings and constructions
     std::string distributions;
 
-    /// That of the kinds of a table.
+    /// The version on which the kinds of a table depend.
     std::string of_table(const std::string& table) const
     {
         if (table == "construction") return pictures;

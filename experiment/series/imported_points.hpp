@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// Where sets are kept that are too large for memory.
+/// The place where sets are kept that are too large for memory.
 struct LargeImports
 {
     /// The disk that has room for them: beside this file or folder, which need not be there yet.
@@ -22,7 +22,7 @@ struct LargeImports
     bool all = false;
 };
 
-/// More points in one file are read in pieces, and kept on the disk: 0.27 GB of numbers in 2D.
+/// Sets with more points in one file than this are read in pieces, and kept on the disk: 0.27 GB of numbers in 2D.
 inline constexpr std::uint64_t most_points_in_memory = std::uint64_t{1} << 24;
 
 /// Reads every file, one or more realizations each, in the order given. All sets must have the same number of
@@ -37,7 +37,8 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
 /// spectra.
 void check_imported(const Experiment& experiment);
 
-/// The same for sets that are in memory, at least one. Throws InputError where one is of another size than the first.
+/// An experiment of one series, of sets that are in memory, at least one. Throws InputError where one is of another
+/// size than the first.
 Experiment import_sets(const std::vector<PointSet>& sets, const std::string& label);
 
 }

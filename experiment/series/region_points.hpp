@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// As import_points(), of files whose coordinates are in the region's units. Throws InputError that names the file
+/// Reads files as import_points() does, with coordinates in the region's units. Throws InputError that names the file
 /// where points lie outside.
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
                                 const FramedRegion& region);

@@ -123,7 +123,7 @@ cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& 
     cl::Program program;
     try {
         program = cl::Program(impl.context, text);
-        // Not by cl::Program::build, which asks for the log and fails with that where the device is gone.
+        // This avoids cl::Program::build, which asks for the log and fails with that where the device is gone.
         const cl_device_id device = impl.device();
         // Drivers warn on the user's terminal: PoCL of vectors of eight numbers on processors without AVX-512.
         const cl_int code =

@@ -24,10 +24,10 @@ struct DeviceMemory
     DeviceMemory& add(std::uint64_t bytes);
 };
 
-/// Both at the same time.
+/// The memory of two works that go on at the same time.
 DeviceMemory operator+(const DeviceMemory& a, const DeviceMemory& b);
 
-/// One after the other: the larger of each.
+/// The memory of two works, one after the other: the larger of each number.
 DeviceMemory either(const DeviceMemory& a, const DeviceMemory& b);
 
 bool fits(const DeviceMemory& memory, const DeviceInfo& device);

@@ -23,7 +23,7 @@ struct KernelFile
     std::vector<KernelConstant> constants;
 };
 
-/// All of them. A new kernel file is listed there.
+/// All kernel files. kernel_program.cpp lists them, and must list new ones.
 const std::vector<KernelFile>& kernel_files();
 
 /// A kernel file with a value for each of its constants.

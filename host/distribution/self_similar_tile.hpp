@@ -60,7 +60,7 @@ struct SubdividedPoint
     std::uint32_t rank = 0;
 };
 
-/// The same points as places in pixels times 2^32.
+/// The places of points, in pixels times 2^32.
 PixelPlaces places_of(const std::vector<SubdividedPoint>& points);
 
 /// Largest weights of a density over rectangles of its pixels, by powers of two.

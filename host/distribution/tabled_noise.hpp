@@ -19,7 +19,7 @@ namespace poissonlab {
 class TabledNoise
 {
 public:
-    /// By a random permutation, always the same.
+    /// Takes slopes by a random permutation, which is always the same.
     TabledNoise()
     {
         std::array<std::uint8_t, 256> order;
@@ -29,7 +29,7 @@ public:
         fill_table(order);
     }
 
-    /// By this permutation of 0 to 255.
+    /// Takes slopes by this permutation of 0 to 255.
     explicit TabledNoise(std::span<const std::uint8_t, 256> permutation) { fill_table(permutation); }
 
     double at(double x, double y) const

@@ -21,14 +21,14 @@ std::string key_row(const KeySpec& spec)
                        default_of_key(spec), meaning_of(spec.value));
 }
 
-/// How a config asks for the kind; for those that only commands make, the command.
+/// Says how a config asks for the kind; for a kind that only a command makes, it names the command.
 std::string table_of_kind(const Kind& kind)
 {
     if (kind.table.empty()) return "poissonlab " + kind.command;
     return kind.word.empty() ? "[[" + kind.table + "]]" : fmt::format("[[{}]] kind = \"{}\"", kind.table, kind.word);
 }
 
-/// The same as code of Markdown.
+/// Writes what table_of_kind() says as code of Markdown.
 std::string table_in_markdown(const Kind& kind)
 {
     if (kind.table.empty()) return "`poissonlab " + kind.command + "`";

@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// In the order in which messages and the documentation list them; host/modules has what modules bring.
+/// All kinds, in the order in which messages and the documentation list them; host/modules has what modules bring.
 const std::vector<Kind>& all_kinds();
 
 /// The kind of a table with this word; null where there is none. Throws MissingModule where only a module has it that

@@ -37,7 +37,7 @@ DartThrowingRequest darts_of(const Parameters& parameters, const SampleRequest& 
     return darts;
 }
 
-/// At saturation, six standard deviations above the mean.
+/// The most points that a set has: at saturation, six standard deviations above the mean.
 std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
 {
     if (!to_saturation(parameters)) return request.points;

@@ -34,7 +34,7 @@ ThrowDarts thrower_by(Device* device)
     };
 }
 
-/// Its sampler: relative_radius, or stop = "saturation" with min_distance.
+/// Makes the sampler of a method: relative_radius, or stop = "saturation" with min_distance.
 SamplerSpec dart_sampler(const DartMethod& method);
 
 }

@@ -28,14 +28,14 @@ namespace poissonlab {
 namespace reference {
 PointSet throw_darts(const DartThrowingRequest& request);
 
-/// The same with what the order of points follows from; D is the dimension of the request. It goes on to the end of the
-/// batch in which the number of points is reached.
+/// Throws darts with what the order of points follows from; D is the dimension of the request. It goes on to the end of
+/// the batch in which the number of points is reached.
 template <int D>
 std::vector<OrderedDart<D>> ordered_darts(const DartThrowingRequest& request);
 }
 
-/// The same, by kernels/dart_throwing.cl and either way of DartSettling: the same bytes as the reference on every
-/// device.
+/// Throws darts by kernels/dart_throwing.cl and either way of DartSettling: every device finds the bytes of the
+/// reference.
 class DartThrower : DeviceMethod<DartBuffers>
 {
 public:
@@ -44,7 +44,7 @@ public:
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
-    /// As reference::ordered_darts().
+    /// Throws the darts of reference::ordered_darts().
     template <int D>
     std::vector<OrderedDart<D>> ordered_darts(const DartThrowingRequest& request);
 

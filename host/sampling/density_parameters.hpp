@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// Their descriptions.
+/// Describes these two parameters.
 std::vector<ParameterSpec> density_parameters();
 
 /// The density over the unit square that is given, or nothing: the same everywhere. Pictures are named relative to the

@@ -33,8 +33,8 @@ namespace reference {
 LloydResult relax(const PointSet& points, const Domain& domain, const LloydRequest& request);
 }
 
-/// The same by kernels/voronoi_2d.cl and voronoi_3d_*.cl: the same bytes on any number of threads; equal to the
-/// reference within rounding.
+/// Relaxes points by kernels/voronoi_2d.cl and voronoi_3d_*.cl. The bytes do not depend on the number of threads; they
+/// are equal to the reference within rounding.
 class LloydRelaxation
 {
 public:

@@ -94,7 +94,7 @@ public:
     /// The InputError that says that the given value of `key` is not possible, and why.
     InputError error(const std::string& key, const std::string& allowed) const;
 
-    // In alphabetical order of keys.
+    // Both maps are in alphabetical order of keys.
     const std::map<std::string, Entry>& given() const { return given_; }
     const std::map<std::string, ParameterValue>& defaults() const { return defaults_; } ///< of those not given
 

@@ -38,7 +38,7 @@ struct RelaxationDartThrowingRequest
     /// everywhere.
     std::shared_ptr<const FixedRegion> region{};
 
-    /// The same in 3D.
+    /// In 3D: the points lie in this part of space, of which all holds that is said of `region`.
     std::shared_ptr<const FixedSpace> space{};
 };
 
@@ -86,7 +86,7 @@ namespace reference {
 RelaxationDarts throw_relaxation_darts(const RelaxationDartThrowingRequest& request);
 }
 
-/// The same, by kernels/relaxation_dart_throwing.cl: the same bytes as the reference on every device.
+/// Throws darts by kernels/relaxation_dart_throwing.cl: every device finds the bytes of the reference.
 class RelaxationDartThrower : DeviceMethod<struct RelaxationDartBuffers>
 {
 public:

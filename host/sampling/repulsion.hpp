@@ -52,7 +52,7 @@ namespace reference {
 RepulsionResult repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request);
 }
 
-/// The same by kernels/repulsion.cl: the same bytes as the reference.
+/// Pushes points apart by kernels/repulsion.cl, with the bytes of the reference.
 class Repulsion : DeviceMethod<struct RepulsionState>
 {
 public:

@@ -96,7 +96,7 @@ struct SamplerSpec
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;
 
-    /// The same where it depends on parameters; empty: `deterministic` says it.
+    /// True when all realizations are the same set, where that depends on parameters; empty: `deterministic` says it.
     std::function<bool(const Parameters&)> is_deterministic;
 
     /// True when realizations differ only where the sets of its start do: with a deterministic start this
@@ -126,7 +126,7 @@ struct SamplerSpec
     /// 1.3 times what it really takes. Empty: none.
     std::function<DeviceMemory(const Parameters&, const SampleRequest&, const DeviceInfo&)> device_memory;
 
-    /// How that grows with the number of points, without what its start takes; a test holds it against the above.
+    /// How device_memory grows with the number of points, without what the start takes; a test compares the two.
     MemoryGrowth memory_growth = MemoryGrowth::none;
 
     /// The number of points that a set may have, where that is not the number that is asked for (as near as chance

@@ -28,7 +28,7 @@ void describe_start(SamplerSpec& spec, const MemoryOfPoints& memory)
     spec.follows_start = true;
     spec.most_points = most_started_points;
     spec.memory_growth = MemoryGrowth::linear;
-    // Beside what the start keeps.
+    // The method's own memory comes beside what the start keeps.
     spec.device_memory = [memory](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
         const SamplerChoice& start = parameters.sampler("start");

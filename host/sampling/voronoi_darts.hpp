@@ -52,7 +52,7 @@ namespace reference {
 PointSet throw_voronoi_darts(const DartThrowingRequest& request);
 }
 
-/// The same, by kernels/voronoi_darts.cl: the same bytes as the reference on every device.
+/// Throws darts by kernels/voronoi_darts.cl: every device finds the bytes of the reference.
 class VoronoiDarts : DeviceMethod<struct VoronoiDartBuffers>
 {
 public:

@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    /// Both kinds of regions side by side: each in a scene of its own would be drawn to another scale.
+    /// Adds both kinds of regions side by side: each in a scene of its own would be drawn to another scale.
     void add_plane_regions()
     {
         scene_.columns = 2;
@@ -68,7 +68,7 @@ private:
         whole.pieces = around;
         whole.pieces.push_back(interior);
         scene_.panels.push_back(whole);
-        // Without what is at the corner that is nearest to the viewer, who is in the south-east and above.
+        // This tile lacks the pieces at the corner nearest to the viewer, who is in the south-east and above.
         ScenePanel partly = whole;
         partly.caption = "The partially assembled tile.";
         std::erase_if(partly.pieces, [&](const ScenePiece& piece) {

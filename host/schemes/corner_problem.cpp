@@ -42,7 +42,7 @@ TileSquare<WangTile> wang_square(const Tiling& tiling)
     return {tile(0, 1), tile(1, 1), tile(0, 0), tile(1, 0)};
 }
 
-/// The same with another tile in the south-east, and what that asks of its neighbours.
+/// Changes all colours of the tile in the south-east, and those of its neighbours that have to match them.
 TileSquare<WangTile> with_another_diagonal(TileSquare<WangTile> square, Color colors)
 {
     const auto next = [&](Color& color) { color = (color + 1) % colors; };
@@ -88,7 +88,7 @@ DiagonalPairs wang_pairs(const TileSet& set)
     return pairs;
 }
 
-/// The same of the complete set of corner tiles, which has all tiles that two others ask for.
+/// The pairs of corner tiles that two others complete to a square; the complete set has all tiles that a pair asks for.
 DiagonalPairs corner_pairs(Color colors)
 {
     const TileSet set = TileSet::complete(TileKind::corner, colors);

@@ -31,7 +31,7 @@ double noise_in_square(double x, double y, const auto& slope)
     return mix(noise_fade(y), mix(u, slope(0, 0), slope(1, 0)), mix(u, slope(0, 1), slope(1, 1)));
 }
 
-/// The same in a cube: slope(dx, dy, dz).
+/// Noise at a place in a cube, 0 to 1 along its sides: slope(dx, dy, dz) is the slope of the corner (dx, dy, dz) there.
 double noise_in_cube(double x, double y, double z, const auto& slope)
 {
     const auto layer = [&](int dz) { return noise_in_square(x, y, [&](int dx, int dy) { return slope(dx, dy, dz); }); };

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// In the order of sampler_registry(). Their requests have regions.
+/// All samplers in regions, in the order of sampler_registry(). Their requests have regions.
 const SamplerRegistry& region_sampler_registry();
 
 }

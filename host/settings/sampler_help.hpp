@@ -21,7 +21,7 @@ std::string option_help(const ParameterSpec& spec);
 /// All samplers with their parameters, for a terminal.
 std::string samplers_text(const SamplerRegistry& all, const SamplerRegistry& in_regions);
 
-/// The same as the table of docs/samplers.md.
+/// Lists all samplers as the table of docs/samplers.md does.
 std::string samplers_markdown(const SamplerRegistry& samplers);
 
 /// The parameters of one sampler, as a table.

@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// In the order in which help and errors list them; host/modules has what modules bring.
+/// All samplers, in the order in which help and errors list them; host/modules has what modules bring.
 const SamplerRegistry& sampler_registry();
 
 /// The sampler of that name, or null. Throws MissingModule where only a module has it that this program lacks.

@@ -34,7 +34,8 @@ public:
     }
 
 private:
-    /// Over the pixels of the middles, as if each colour had an error of its own there.
+    /// The power of the patches' summed deviations from the mean over the pixels of the middles, as if each colour had
+    /// an error of its own there.
     double repeated_power(const Patches& patches) const
     {
         double power = 0;
@@ -51,7 +52,7 @@ private:
         return power;
     }
 
-    /// Over a window, or over everything where its size is 0.
+    /// The mean of a channel over a window, or over the whole exemplar where the window's size is 0.
     double mean(const ExemplarWindow& window, int channel) const
     {
         const int width = window.size > 0 ? window.size : exemplar_.width;

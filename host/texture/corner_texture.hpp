@@ -37,8 +37,8 @@ struct TextureSources
 TextureSources make_corner_texture(const PngPixels& exemplar, const TextureRequest& request,
                                    const std::vector<TextureTile>& tiles, const PieceProgress& progress);
 
-/// The same for corner, omega and Wang tiles that are chosen for the whole set together, without marked corners:
-/// joint/joint_texture.cpp.
+/// Makes the texture of corner, omega and Wang tiles that are chosen for the whole set together, without marked
+/// corners: joint/joint_texture.cpp.
 TextureSources make_joint_texture(const PngPixels& exemplar, const TextureRequest& request,
                                   const std::vector<TextureTile>& tiles, const PieceProgress& progress);
 

@@ -15,7 +15,7 @@ namespace poissonlab {
 /// most_exemplar_pixels.
 PngPixels read_exemplar(const std::filesystem::path& file);
 
-/// The same; `note` becomes what a person should know of light that 8 bits do not show, or stays empty.
+/// Reads an exemplar; `note` becomes what a person should know of light that 8 bits do not show, or stays empty.
 PngPixels read_exemplar(const std::filesystem::path& file, std::string& note);
 
 /// Light from 0 to 1 of light from 0 to `brightest`, channel by channel: Reinhard and others, Photographic Tone

@@ -33,16 +33,16 @@ struct GradientDomain
 /// Makes the functions harmonic inside, on the device: a work-group a channel of a tile, bits independent of its size.
 void relax_on(Device& device, GradientDomain& domain, std::size_t work_group_size);
 
-/// The same in plain C++.
+/// Makes the functions harmonic inside, in plain C++.
 void relax_reference(GradientDomain& domain);
 
 /// The known pixels of tiles with these pieces in their middles: `tiles` have the pieces in them. All have one size.
 GradientDomain gradient_domain(const PngPixels& exemplar, const std::vector<PngPixels>& tiles,
                                const std::vector<FittedPiece>& pieces);
 
-/// The same of Wang tiles in the manner of Ng's figure 6b: the bow tie of the samples of vertical edges takes on the
-/// colours of the horizontal edges' samples around it, and at the western and eastern sides their colours there. Tiles
-/// that share a vertical edge then differ beside it: only the outermost pixels are left alone.
+/// The known pixels of Wang tiles in the manner of Ng's figure 6b: the bow tie of the samples of vertical edges takes
+/// on the colours of the horizontal edges' samples around it, and at the western and eastern sides their colours there.
+/// Tiles that share a vertical edge then differ beside it: only the outermost pixels are left alone.
 GradientDomain bow_tie_domain(const PngPixels& exemplar, int size, const BowTies& ties);
 
 /// Adds the functions to the taken pixels of the tiles.

@@ -52,10 +52,10 @@ private:
     std::unique_ptr<Spectra> spectra_;
 };
 
-/// The same by adding up every product, on a device.
+/// Finds the sums of a piece by adding up every product, on a device.
 SquareSums masked_squares_on(Device& device, const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece);
 
-/// The same in plain C++.
+/// Finds the sums of a piece by adding up every product, in plain C++.
 SquareSums reference_masked_squares(const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece);
 
 }

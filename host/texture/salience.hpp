@@ -15,7 +15,7 @@ namespace poissonlab {
 class Salience
 {
 public:
-    /// Of windows of a size within these columns; `reach` is half of the side of the middles that are looked at.
+    /// Measures windows of a size within these columns; `reach` is half of the side of the middles that are looked at.
     Salience(const PngPixels& exemplar, ColumnRange columns, int size, int reach);
 
     /// The part of all windows whose middles stand out less.

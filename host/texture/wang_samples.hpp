@@ -26,7 +26,7 @@ public:
     /// The windows of an attempt.
     SampleWindows draw(std::uint32_t attempt) const;
 
-    /// The same windows but for one, which is drawn anew.
+    /// Draws the window `which` anew, and leaves the others as they are.
     SampleWindows replaced(const SampleWindows& windows, std::size_t which, std::uint32_t attempt) const;
 
 private:

@@ -156,7 +156,7 @@ private:
     TextureSources finished(const SampleWindows& windows) const
     {
         const EdgeSamples samples = edge_samples(exemplar_, request_, windows);
-        // By horizontal colour, vertical colour, quarter.
+        // Cuts are sorted by horizontal colour, vertical colour and quarter.
         const std::size_t verticals = samples.vertical.size();
         std::vector<SeamCut> cuts(samples.horizontal.size() * verticals * 4);
         tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t i) {

@@ -64,7 +64,7 @@ public:
     std::vector<ExemplarWindow> best(const SquareSums& sums, int size, int count, int apart,
                                      std::span<const ColumnRange> ranges = {}) const;
 
-    /// The same, or none where no window is free.
+    /// Returns what best() returns, or no window where none is free.
     std::vector<ExemplarWindow> free_best(const SquareSums& sums, int size, int count, int apart,
                                           std::span<const ColumnRange> ranges = {}) const;
 

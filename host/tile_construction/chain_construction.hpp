@@ -24,7 +24,7 @@ FillSettings chain_torus_settings(const PoissonTileParameters& parameters);
 /// Points inside of tiles are thrown and pushed apart; relaxation is left to the iterations of all tiles together.
 FillSettings chain_interior_settings(const PoissonTileParameters& parameters);
 
-/// The same as construct_tile_set(), for parameters with chains.
+/// Constructs a tile set as construct_tile_set() does, for parameters with chains.
 ConstructedTileSet construct_chain_tiles(const PoissonTileParameters& parameters, const ChainEngines& engines,
                                          const ConstructionOptions& options = {});
 

@@ -46,7 +46,7 @@ public:
         side_ = direction == 0 ? 1 : -1;
     }
 
-    /// In units.
+    /// The distance of a point from the line, in units.
     double distance(const UnitPosition& point) const
     {
         const double x = point[0] - first_[0], y = point[1] - first_[1];

@@ -8,8 +8,9 @@ namespace poissonlab {
 /// Fillings of a tile before a piece of its border is made again.
 inline constexpr std::uint32_t max_tile_attempts = 8;
 
-/// The same for tiles with chains, and after joint relaxation: with a relative radius of 0.85 a third of fillings fail,
-/// and a chain or strip that is made again, or goes back, is one of many tiles, some of which fail then.
+/// Tiles with chains, and all tiles after joint relaxation, get this many fillings: with a relative radius of 0.85 a
+/// third of fillings fail, and a chain or strip that is made again, or goes back, is one of many tiles, some of which
+/// fail then.
 inline constexpr std::uint32_t patient_tile_attempts = 48;
 
 /// The most rounds in which pieces are made again for tiles that could not be filled.

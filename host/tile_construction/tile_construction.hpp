@@ -73,14 +73,14 @@ struct ConstructedTileSet
     ConstructionReport report;
 };
 
-/// By whom all tiles are relaxed together.
+/// The engines that relax all tiles together.
 struct JointEngines
 {
     TileFiller& mender; ///< pushes apart what the iterations leave too close: see mending_settings()
     JointEngine& joint;
 };
 
-/// Whether such a set needs these: for joint iterations, or for equal moments.
+/// Says whether a set needs JointEngines: for joint iterations, or for equal moments.
 inline bool are_relaxed_together(const PoissonTileParameters& p)
 {
     return p.joint_iterations > 0 || p.equal_moments > 0;

@@ -23,7 +23,7 @@ public:
     std::span<const double> next(std::size_t tiles);
 
 private:
-    /// Those of a tile, by its place in the block.
+    /// Writes the levels of a tile, which is known by its place in the block.
     void write_tile(std::uint64_t tile, double* levels) const;
 
     ptiles_tiling tiling_;

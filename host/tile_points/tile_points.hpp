@@ -85,7 +85,7 @@ public:
     /// Hands all exact positions of a block to `sink`, in pieces: memory does not depend on the block.
     void stream(const PoissonTiling& tiling, const TileBlock& block, const Sink& sink);
 
-    /// Those of a part of it: tiles from `first` on, below `end`.
+    /// Hands on the exact positions of a part of a block: of the tiles from `first` on, below `end`.
     void stream(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
                 const Sink& sink);
 

@@ -15,10 +15,10 @@ using UnitStream =
     std::function<void(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
                        const std::function<void(std::span<const std::uint32_t>)>& sink)>;
 
-/// By a kernel. The device and the tiles must outlive what is returned.
+/// Makes a stream by a kernel. The device and the tiles must outlive what is returned.
 UnitStream device_stream(const Device& device, const PoissonTileSet& tiles);
 
-/// One tile after the other, by the plain twin. The tiles must outlive what is returned.
+/// Makes a stream by the plain twin, one tile after the other. The tiles must outlive what is returned.
 UnitStream reference_stream(const PoissonTileSet& tiles);
 
 }

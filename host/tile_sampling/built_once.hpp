@@ -26,10 +26,10 @@ struct BuiltOnce
     double waiting_seconds = 0; ///< for another process that was building it
 };
 
-/// What `file` has, or else build(), which write(file, built) puts there. read(file) returns nothing where the file has
-/// something else; such files, missing ones and those that InputError refuses are replaced. Where nothing can be
-/// written, what was built is not kept. An empty path: always built. `on_step` is told of waiting; what it throws ends
-/// that.
+/// Returns what `file` has, or else the result of build(), which write(file, built) puts there. read(file) returns
+/// nothing where the file has something else; such files, missing ones and those that InputError refuses are replaced.
+/// Where nothing can be written, what was built is not kept. An empty path: always built. `on_step` is told of waiting;
+/// what it throws ends that.
 template <class Read, class Build, class Write>
 auto built_once(const std::filesystem::path& file, const std::function<void(const std::string& what)>& on_step,
                 Read read, Build build, Write write) -> BuiltOnce<decltype(build())>

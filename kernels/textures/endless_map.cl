@@ -116,7 +116,7 @@ INLINE void see_triangle(Exemplar from, Level level, double x, double y, float* 
     }
 }
 
-/// The same of the square around it.
+/// The pieces of the square around a place, in pixels from the origin's lattice point, and their weights.
 INLINE void see_square(Exemplar from, Level level, double x, double y, float* values, float* weights)
 {
     const double cell = from.plane->cell;

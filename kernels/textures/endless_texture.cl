@@ -58,7 +58,7 @@ INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window
     }
 }
 
-/// The same of the corners of the square around it.
+/// Texels and weights of the corners of the square around a pixel; `x` and `y` from the window's lattice point.
 INLINE void find_square(struct EndlessPlane plane, struct EndlessWindow window, int x, int y, uint* texels,
                         float* weights)
 {

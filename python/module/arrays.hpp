@@ -19,7 +19,7 @@ using AnyArray = pybind11::array_t<double, pybind11::array::c_style | pybind11::
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape);
 
-/// The same with one axis.
+/// An array with one axis that takes the values over, without a copy.
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T> values);
 

@@ -40,7 +40,7 @@ Finding is_within(const Estimate& value, double low, double high);
 Finding both(Finding first, Finding second);
 Finding opposite(Finding finding);
 
-/// Of independent values.
+/// The difference and the ratio of independent values, with their standard errors.
 Estimate difference_of(const Estimate& first, const Estimate& second);
 Estimate ratio_of(const Estimate& first, const Estimate& second);
 

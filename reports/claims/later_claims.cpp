@@ -136,7 +136,7 @@ Later saturated_power_is(const ClaimSeries& report, int dimension, double publis
     return cases.uncounted();
 }
 
-/// What papers show as a curve.
+/// Makes the claim of a paper that shows its spectrum as a curve.
 PaperClaim drawn_spectrum(const char* id, const char* sampler)
 {
     return nyquist_and_oscillation(

@@ -42,7 +42,7 @@ PolyominoOutcome have_weaker_spikes(const ClaimSeries& report)
         joined_words({range_words(rings, 3) + " dB above chance", "Penrose tilings " + range_words(of_penrose, 3)}));
 }
 
-/// Beside dart throwing of some 16,384 points.
+/// Shows the times of polyominoes beside those of dart throwing, for some 16,384 points.
 PolyominoOutcome are_fast(const ClaimSeries& report)
 {
     if (of_even_density(report, "polyominoes", SeriesQuery::Needs::anything).empty()) return std::nullopt;

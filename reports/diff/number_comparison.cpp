@@ -18,7 +18,7 @@ constexpr auto no_error_note = "no error is stored";
 
 bool nearly_equal(double a, double b, double scale) { return std::abs(a - b) <= rounding * scale; }
 
-/// Where both errors are 0: nothing but rounding may differ.
+/// Judges numbers whose errors are both 0: nothing but rounding may differ.
 void judge_exactly(NumberComparison& number, double scale, const char* note)
 {
     const bool same = nearly_equal(number.before->value, number.after->value, scale);

@@ -59,7 +59,7 @@ inline constexpr double comparison_level = 0.01;
 /// Sets verdict, note and p. Where p is set, within_error or changed is for settle_verdicts() to say.
 void judge(NumberComparison& number, const ComparisonTerms& terms);
 
-/// The same from the values of all realizations.
+/// Judges two means by the values of all realizations.
 void judge(NumberComparison& number, std::span<const double> before, std::span<const double> after,
            const ComparisonTerms& terms);
 

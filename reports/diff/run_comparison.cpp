@@ -45,7 +45,7 @@ void add_remarks(const std::string& name, const Run& before, const Run& after, s
         if (a == b) return;
         const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
         const auto remark = what + ": " + shown(a) + " → " + shown(b);
-        // The same of every run of a collection is said once.
+        // A remark that is true of several runs of a collection is made once.
         if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
     };
     add("version", before.version, after.version);

@@ -51,7 +51,7 @@ RunComparison compare_results(const std::filesystem::path& before, const std::fi
 /// The numbers of one series in both runs, not yet settled. Reads the tables of curves. Throws InputError.
 std::vector<NumberComparison> compare_series(const SeriesComparison& pair);
 
-/// The same of a distribution or scheme: those of textures by their catalogue. Times are not judged.
+/// The numbers of one distribution or scheme in both runs: those of textures by their catalogue. Times are not judged.
 std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair);
 
 }

@@ -87,7 +87,7 @@ void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int col
 
 constexpr int smooth_samples = 4; // a pixel in each direction, where there are polygons, and where tones are kept
 
-/// The same with means of light.
+/// Sets a row of pixels to the means of the light of samples.
 void write_means_of_light(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
 {
     constexpr int count = smooth_samples * smooth_samples;

@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// Where there is no tile to see, the border of the torus.
+    /// Draws the border of the torus where there is no tile to see.
     void add_frame()
     {
         if (!panel_.tiles.empty() || panel_.caption.empty()) return;

@@ -33,7 +33,7 @@ struct DrawnSquare
     std::vector<DrawingPoint> outline() const { return {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}; }
 };
 
-/// In units of the square's side, width <= reach <= 1/2.
+/// Sizes of regions, in units of the square's side, with width <= reach <= 1/2.
 struct RegionSizes
 {
     double reach = 0; ///< of octagons along the edges

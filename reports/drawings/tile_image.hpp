@@ -30,8 +30,8 @@ struct TileGrid
 /// std::logic_error for other tiles.
 Drawing draw_tiles(const TileGrid& grid);
 
-/// The same of tiles with any colours, which need no index; `grid` says how many and where, not which. Wang or corner
-/// tiles, as the grid's kind says.
+/// Draws tiles with any colours, which need no index; `grid` says how many and where, not which. They are Wang or
+/// corner tiles, as the grid's kind says.
 Drawing draw_tiles(const TileGrid& grid, std::span<const WangTile> tiles);
 Drawing draw_tiles(const TileGrid& grid, std::span<const CornerTile> tiles);
 

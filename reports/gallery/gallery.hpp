@@ -59,10 +59,10 @@ std::vector<GalleryMethod> read_gallery(const GalleryTables& tables);
 /// The gallery that comes with the program.
 const std::vector<GalleryMethod>& reference_gallery();
 
-/// Its methods whose sets have that dimension.
+/// The gallery's methods whose sets have that dimension.
 std::vector<const GalleryMethod*> reference_gallery(int dimension);
 
-/// The few of them whose curves are laid behind those of sets: all in one plot could not be told apart.
+/// The few methods whose curves are laid behind those of sets: all in one plot could not be told apart.
 std::vector<const GalleryMethod*> gallery_choice(int dimension);
 
 }

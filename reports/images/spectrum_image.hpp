@@ -16,7 +16,7 @@ GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mappin
 /// The block for a picture on the page: the smallest power of two that makes it at most 512 pixels wide.
 int page_block(int spectrum_size);
 
-/// The same for either dimension: two planes of a 3D spectrum stand side by side.
+/// The block for a picture of either dimension on the page: two planes of a 3D spectrum stand side by side.
 inline int spectrum_page_block(int spectrum_size, int dimension)
 {
     return page_block(dimension == 3 ? 2 * spectrum_size : spectrum_size);

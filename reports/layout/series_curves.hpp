@@ -32,7 +32,7 @@ SeriesList series_of(const ReportRun& run);
 /// are larger than those of others by more than a tenth, or of another dimension.
 LengthUnit common_unit(const SeriesList& series);
 
-/// The same series with names that say their numbers of points where they differ.
+/// Adds the numbers of points to the names of series where they differ.
 SeriesList with_points_in_names(SeriesList series);
 
 /// Reads radial.csv. Throws InputError. For a series without spectrum, the curve has no bins.

@@ -12,7 +12,7 @@ namespace poissonlab {
 
 namespace {
 
-/// For those who do not see colours.
+/// Marks an agreement for those who do not see colours.
 const char* mark_of(Agreement agreement)
 {
     switch (agreement) {

@@ -24,7 +24,7 @@ PageData principal_ticks(const Curve& curve, int size)
     return ticks;
 }
 
-/// Below a 2D spectrum; planes of a 3D one have no common axis.
+/// Makes the axis below a 2D spectrum; planes of a 3D one have no common axis.
 PageData spectrum_axis(const ReportSeries& series, const SpectrumPicture& picture)
 {
     if (picture.dimension == 3) return false;

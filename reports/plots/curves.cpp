@@ -36,7 +36,7 @@ PlotCurve with_frequencies(const NumberedCurve& numbered, LengthUnit unit)
     return result;
 }
 
-/// Where the principal frequency is, and an axis in units of it.
+/// Marks the principal frequency, and adds an axis in units of it.
 Plot with_principal_frequency(Plot plot, const Curve& curve)
 {
     if (!curve.has_principal_in_sight()) return plot;

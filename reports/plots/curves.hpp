@@ -55,8 +55,8 @@ struct NumberedCurve
 Plot power_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 Plot anisotropy_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 
-/// The same power over the same frequencies with both axes logarithmic, where power laws are straight lines: the
-/// structure factor as it is drawn for hyperuniform systems. Rings without power lie below the axis.
+/// Plots the power of power_plot() over the same frequencies with both axes logarithmic, where power laws are straight
+/// lines: the structure factor as it is drawn for hyperuniform systems. Rings without power lie below the axis.
 Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 
 /// The plots of series `index` alone, with a second axis in units of its principal frequency along the top;

@@ -59,7 +59,7 @@ std::string top_axis(const TopAxis& axis)
                        axis.high, step, axis.label);
 }
 
-/// In front of the curves: a curve that lies on it must be seen to.
+/// Draws the line in front of the curves: one must see that a curve lies on it.
 std::string reference_line(const ReferenceLine& line)
 {
     auto text = fmt::format("set arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead front "

@@ -38,7 +38,7 @@ double highest(const std::vector<PlotCurve>& curves, double least)
     return least;
 }
 
-/// After Okabe and Ito, whose colours people with colour deficiencies tell apart.
+/// The palette follows that of Okabe and Ito, whose colours people with colour deficiencies tell apart.
 const std::vector<CurveColor>& palette()
 {
     static const std::vector<CurveColor> colors = {

@@ -140,7 +140,7 @@ function drawView() {
 
 const chunks = new Map(); // Bridson's points of the tiles that were seen lately
 
-/** The same window by chunks of Bridson's points, with those in red that are too near to one of another chunk. */
+/** Draws the window by chunks of Bridson's points, with those in red that are too near to one of another chunk. */
 function drawChunks() {
   const [context, width, height] = cleared(byId("chunks"), window.devicePixelRatio || 1);
   const { columns, rows } = tilesAround(...halves());

@@ -141,7 +141,7 @@ class GlPlane {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** The same as bytes: red, green, blue, 255, rows from the top. */
+  /** Draws a view into bytes: red, green, blue, 255, rows from the top. */
   pixels(view) {
     const { gl } = this, bytes = new Uint8Array(4 * view.width * view.height);
     const buffer = gl.createRenderbuffer(), frame = gl.createFramebuffer();

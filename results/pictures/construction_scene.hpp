@@ -53,7 +53,7 @@ enum class PointClass : std::size_t
     inner,        ///< in the piece or tile that is made
 };
 
-/// All of them, in the order in which they are stored.
+/// All classes of points, in the order in which they are stored.
 inline constexpr std::array stored_point_classes{PointClass::held, PointClass::inner, PointClass::outer,
                                                  PointClass::surroundings};
 

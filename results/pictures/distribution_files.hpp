@@ -27,7 +27,7 @@ public:
         return place_(name);
     }
 
-    /// The same of a file that the result lists for readers.
+    /// Adds a file that the result lists for readers.
     std::filesystem::path add(const std::string& name, DistributionResult& result)
     {
         result.files.push_back(name);

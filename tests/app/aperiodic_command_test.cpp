@@ -118,7 +118,7 @@ TEST_F(AperiodicCommand, PrintsTheTablesOfItsPage)
 
 TEST_F(AperiodicCommand, PrintsTilings)
 {
-    // Both engines, any window; 14 tiles are numbered from 0.
+    // Both engines print equal tilings, and windows agree; 14 tiles are numbered from 0.
     const std::string whole = printed("tile kari --window -3 -2 6 4 --seed 2");
     EXPECT_EQ(printed("tile kari --window -3 -2 6 4 --seed 2 --engine reference"), whole);
     EXPECT_EQ(printed("tile kari --window -3 -2 6 1 --seed 2"), whole.substr(whole.rfind('\n', whole.size() - 2) + 1));

@@ -114,7 +114,8 @@ TEST_F(CommandLine, WrongArguments)
     expect_error_like({"report", "a", "b"}, 2, "--out is missing");
 }
 
-/// Without waiting for what nobody writes, or filling the memory with what has no end.
+/// The program refuses devices and pipes. It does not wait for bytes that nobody writes, or fill the memory with a file
+/// that has no end.
 TEST_F(CommandLine, DevicesAndPipes)
 {
     ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);

@@ -53,7 +53,8 @@ protected:
     std::string tiles_ = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
 };
 
-/// On the fly: two windows have together the lines of one, with the heights of one terrain.
+/// Instances are made on the fly: two windows together have the lines of the whole window, with the heights of one
+/// terrain.
 TEST_F(DistributeInstances, AreTheSameWhateverTheWindows)
 {
     const std::vector<std::string> terrain{"forest", "--terrain", "x*y", "--terrain-area", "0",  "0", "2",

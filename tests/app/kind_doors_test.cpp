@@ -95,7 +95,7 @@ Answer answer_of_table(const Kind& kind, const std::vector<TypedKey>& keys)
     return answer_of([&] { return read_kind(kind, read_toml(text, "c.toml"), {"c.toml", 1}, "[[table]]"); });
 }
 
-/// As python/module/kind_module.cpp reads the text that python/poissonlab/toml.py makes.
+/// Reads keys as python/module/kind_module.cpp reads the text that python/poissonlab/toml.py makes.
 Answer answer_of_python(const Kind& kind, const std::vector<TypedKey>& keys)
 {
     std::string text;
@@ -150,7 +150,7 @@ std::string words_alone(const Kind& kind, std::string refusal)
     std::ranges::transform(placed, placed.begin(), [](unsigned char letter) { return std::toupper(letter); });
     if (!placed.empty() && refusal.starts_with(placed)) refusal.replace(0, placed.size(), placed_key(kind));
     for (const char* sign : {"\"", "[", "]", ",", " ="}) replace_all(refusal, sign, "");
-    // How a door takes files.
+    // Doors differ in how they take files.
     replace_all(refusal, " by its path from the config's folder", "");
     replace_all(refusal, "a list of pictures' files in quotes", "a picture's file");
     return refusal;
@@ -224,7 +224,7 @@ protected:
         return keys;
     }
 
-    /// Both doors give one answer, which it returns.
+    /// Returns the answer that both doors give.
     static Answer compared(const Kind& kind, const std::vector<TypedKey>& keys)
     {
         const Answer table = answer_of_table(kind, keys), python = answer_of_python(kind, keys);

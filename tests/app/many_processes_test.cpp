@@ -1,4 +1,4 @@
-// The same results from any number of processes: ranks of MPI, and shards.
+// Any number of processes makes equal results: ranks of MPI, and shards.
 #include "tests/app/lasting_results.hpp"
 #include "tests/app/survival_config.hpp"
 #include "tests/support/places.hpp"

@@ -48,7 +48,8 @@ protected:
 constexpr auto darts = "distribute darts --region 'rectangle 0 0 9 9' --min-distance 1 ";
 constexpr auto stipples = "distribute stipple --image grey.pgm --points 20 ";
 
-/// The same bytes as in a file, and nothing else: what the program says goes to standard error.
+/// Standard output gets the bytes that a file would get, and nothing else: what the program says goes to standard
+/// error.
 TEST_F(OutputFiles, CanBeStandardOutput)
 {
     const std::vector<std::pair<std::string, std::string>> commands{
@@ -232,7 +233,7 @@ TEST_F(OutputFiles, OfFoldersOfOthersAreRefused)
     folder_->write("mine/diff.html", page);
     EXPECT_THAT(shell("diff ours ours --out mine").error, HasSubstr("has a diff.html that poissonlab did not write"));
     EXPECT_EQ(content_of(path("mine/diff.html")), page);
-    // Those of its own are written anew.
+    // The program writes files anew that it wrote itself.
     EXPECT_EQ(shell("run c.toml --quiet --out ours").status, 0);
     EXPECT_EQ(shell("report ours --quiet").status, 0);
     EXPECT_EQ(shell("diff ours ours --out difference").status, 0);

@@ -86,7 +86,7 @@ TEST_F(PackingCommand, VerifiesWhatItPrinted)
     EXPECT_EQ(printed("corner --colors 3 --verify p.txt"),
               "p.txt: a packing of the complete corner tile set over 3 colours: 81 tiles, each once, all neighbours "
               "fit\n");
-    // The same numbers are other tiles with colours at their edges.
+    // These numbers mean other tiles where colours are at edges.
     const Outcome outcome = run("wang --colors 3 --verify p.txt");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error, HasSubstr("p.txt: tile 27 at (1, 0) does not fit to its "));

@@ -158,8 +158,8 @@ TEST_F(Resuming, MakesNothingTwiceAndEndsWithTheSameBytes)
 
 TEST_F(Resuming, PartsPutTogetherAreTheWhole)
 {
-    // Against one analysis of all realizations in their order. Sums in another order differ by rounding only: of K
-    // values, by some K times 1e-16 each, and errors divide by their spread.
+    // Parts are compared with one analysis of all realizations in their order. Sums in another order differ by rounding
+    // only: of K values, by some K times 1e-16 each, and errors divide by their spread.
     run(experiment(70));
     SeriesAnalysis whole("s", false, {});
     CountingSampler sampler(48, counts_, {});

@@ -55,7 +55,7 @@ TEST_F(Space, IsSampledAnalysedAndReported)
     EXPECT_NEAR(regular["min_distance"]["mean"].get<double>(), 1.0 / 7, 1e-9);
     EXPECT_NEAR(regular["relative_radius"]["mean"].get<double>(), std::pow(2.0, -1.0 / 6), 1e-8);
     EXPECT_NEAR(regular["covered_fraction"]["mean"].get<double>(), std::acos(-1.0) / 6, 1e-8);
-    // Its first shell with power: 6 of the frequencies with 6.5 < |f| < 7.5 have power N.
+    // The first shell of the lattice with power: 6 of the frequencies with 6.5 < |f| < 7.5 have power N.
     std::istringstream radial(content_of(folder_.path() / "out/regular/radial.csv"));
     std::string line;
     for (int i = 0; i < 8; ++i) std::getline(radial, line);
@@ -117,7 +117,7 @@ TEST_F(Space, FilesAreAnalysedLikeSetsMadeHere)
     ASSERT_EQ(run({"report", "read"}).status, 0);
     EXPECT_TRUE(fs::exists(folder_.path() / "read/index.html"));
 
-    // And as a series of an experiment, beside another method.
+    // A config reads these files as a series of an experiment, beside another method.
     folder_.write("f.toml", "[analysis]\ndimension = 3\n[[method]]\nsampler = \"file\"\n"
                             "path = \"made/jittered/*.dat\"\n");
     ASSERT_EQ(run({"run", "f.toml", "--out", "files"}).status, 0);

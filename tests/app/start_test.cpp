@@ -110,7 +110,7 @@ TEST(Start, CanStartFromAnother)
 
 TEST(Start, NamesStayUnique)
 {
-    // Both clean to the same name.
+    // Both labels make the folder name relax-random.
     const auto plan = plan_of("start = \"random\"\n[[method]]\nsampler = \"relax\"\nstart = \"random\"\n"
                               "repulsion = false");
     EXPECT_THAT(names(plan), ElementsAre("relax-random", "relax-random-2"));

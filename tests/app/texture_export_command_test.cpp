@@ -234,7 +234,7 @@ TEST_F(TextureExport, HasTheNormalsOfEveryTiling)
     }
 }
 
-/// That these texts compile, and find the right tiles: tests/runtime. MaterialX hands the inputs of a node to its
+/// tests/runtime holds that these texts compile, and find the right tiles. MaterialX hands the inputs of a node to its
 /// function in their order, the output last.
 TEST_F(TextureExport, HasLookUpsWithTheNumbersOfTheSet)
 {

@@ -44,7 +44,7 @@ protected:
         return read_png(folder_.path() / "map.png");
     }
 
-    /// How the page differs from it, with the same camera and filter.
+    /// Counts how the page differs from a picture of texture map, with the same camera and filter.
     static Differences differences(test::Browser& browser, const PngPixels& map, const std::string& view)
     {
         const std::string script =

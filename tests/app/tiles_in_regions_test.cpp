@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 using PlaneCorners = std::vector<std::array<double, 2>>;
 
-/// Even-odd, by halves of lines to the right.
+/// True if a place is in a ring by the even-odd rule, counted along the half line to the right.
 bool is_in_ring(const PlaneCorners& ring, double x, double y)
 {
     bool is_inside = false;

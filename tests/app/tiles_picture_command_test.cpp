@@ -46,7 +46,7 @@ std::vector<PixelPoint> points_of_pixels(const test::RawPng& picture)
     return points;
 }
 
-/// On a torus of so many pixels.
+/// The squared distance on a torus of `side` pixels along each axis.
 double squared_distance(const std::array<double, 2>& a, const std::array<double, 2>& b, double side)
 {
     double sum = 0;

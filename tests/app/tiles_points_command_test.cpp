@@ -54,7 +54,7 @@ TEST_F(TilesPointsCommand, WritesAWindowInEveryFormat)
                 StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
 }
 
-/// The same bytes, of windows, tori and parts of the points.
+/// Both engines write equal bytes, of windows, tori and parts of the points.
 TEST_F(TilesPointsCommand, EitherEngineMakesTheSameFile)
 {
     write_tile_set(folder_.path() / "spheres.ptiles", random_tile_set(PoissonTileKind::corner, 3, 2, 8));
@@ -79,7 +79,7 @@ TEST_F(TilesPointsCommand, WritesSpheres)
               expected_points(spheres, {1, 0}, {{-1, -2, 3}, {4, 2, 3}}, 4));
 }
 
-/// With chains a window has the points in it, whichever tile they belong to: as engines find them.
+/// With chains a window has the points that lie in it, whichever tiles they belong to, as engines find them.
 TEST_F(TilesPointsCommand, WindowsOfChainsFitTogether)
 {
     const PoissonTileSet tiles = random_chain_set(3, 20);

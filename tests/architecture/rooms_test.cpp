@@ -1,6 +1,5 @@
 // The rooms of the laboratory and which may look into which: docs/architecture.md. Read from the includes themselves.
-#include "base/files/whole_file.hpp"
-#include "tests/support/places.hpp"
+#include "tests/architecture/source_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Contains;
-using testing::Le;
 
 using Names = std::set<std::string>;
 
@@ -48,16 +46,12 @@ std::map<std::string, Names> includes_of_all_files()
 {
     static const std::regex line("(?:^|\n)[ \t]*#[ \t]*include[ \t]+\"([^\"]+)\"");
     std::map<std::string, Names> all;
-    const fs::path source = source_folder();
-    for (const auto& [room, others] : rooms)
-        for (const auto& entry : fs::recursive_directory_iterator(source / room)) {
-            const std::string kind = entry.path().extension();
-            if (kind != ".cpp" && kind != ".hpp" && kind != ".h") continue;
-            Names& names = all[fs::relative(entry.path(), source).generic_string()];
-            const std::string text = read_whole_file(entry.path());
-            for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match)
-                names.insert((*match)[1]);
-        }
+    for (const test::SourceFile& file : test::source_files()) {
+        if (!rooms.contains(file.room()) || !file.is_cpp()) continue;
+        Names& names = all[file.path];
+        for (std::sregex_iterator match(file.text.begin(), file.text.end(), line), end; match != end; ++match)
+            names.insert((*match)[1]);
+    }
     return all;
 }
 
@@ -118,13 +112,6 @@ TEST_F(Rooms, HaveFoldersThatDoNotLookAtEachOther)
     std::vector<std::string> path;
     for (const auto& [folder, others] : arrows)
         EXPECT_FALSE(leads_back(arrows, folder, path, done)) << "a circle: " << testing::PrintToString(path);
-}
-
-TEST_F(Rooms, HaveFoldersThatOneCanOverlook)
-{
-    std::map<std::string, int> counts;
-    for (const auto& [file, names] : files_) ++counts[folder_of(file)];
-    for (const auto& [folder, count] : counts) EXPECT_THAT(count, Le(34)) << folder;
 }
 
 }

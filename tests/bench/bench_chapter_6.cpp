@@ -53,7 +53,7 @@ void sets_of(benchmark::State& state, const char* method, const char* key, const
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
 }
 
-/// At a relative radius of 0.75.
+/// Makes sets of 16,384 darts at a relative radius of 0.75.
 void darts(benchmark::State& state, const char* method) { sets_of(state, method, "relative_radius", 0.75); }
 
 /// Asked: less than 15 ms.
@@ -166,7 +166,7 @@ int main(int argc, char** argv)
     return poissonlab::bench::run_benchmarks(argc, argv,
                                              {{"16,384 sector darts: time of logarithmic / boundary",
                                                "sector_darts/logarithmic/", "sector_darts/boundary/", 3},
-                                              // At most six times as long.
+                                              // Voronoi darts may take six times as long as dart throwing.
                                               {"16,384 darts at 0.75: time of dart throwing / Voronoi darts",
                                                "darts/dart_throwing/", "darts/voronoi_darts/", 1.0 / 6}});
 }

@@ -93,7 +93,7 @@ void in_polygon(DartThrowingRequest& request)
 {
     request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
     request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
-    // As programs do, see block_of_regions(): the region lies in a quarter of the torus.
+    // The region lies in a quarter of the torus, as programs place it: see block_of_regions().
     request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
 }
 
@@ -126,7 +126,7 @@ void plain_million_points(benchmark::State& state)
         benchmark::DoNotOptimize(plain_dart_throwing<2>(1'000'000, min_distance_for(0.75, 1'000'000, 2), ++seed));
 }
 
-/// As many points at 0.7, on the torus and in the polygon.
+/// Throws 100,000 points at a relative radius of 0.7, on the torus and in the polygon.
 void many_darts(benchmark::State& state)
 {
     DartThrowingRequest request;

@@ -163,7 +163,7 @@ void time_tiles(benchmark::State& state, const std::string& name, float part)
     count_nanoseconds(state, points.size());
 }
 
-/// The same by a window of all the torus.
+/// A million points of recursive tiles, by a window of all the torus.
 void time_recursive(benchmark::State& state, std::uint32_t points_per_tile)
 {
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(1e6 / points_per_tile)));

@@ -116,7 +116,7 @@ PointSet set_of(const Method& method, std::size_t points)
         ->sample(0);
 }
 
-/// In a child process: the set, whose figures go into the pipe.
+/// Makes the set in a child process, and writes its figures into the pipe.
 [[noreturn]] void measure(const Method& method, std::size_t points, int pipe)
 {
     set_of(method, small_set);
@@ -135,7 +135,8 @@ PointSet set_of(const Method& method, std::size_t points)
     _exit(is_written ? 0 : 1);
 }
 
-/// Nothing, and a word why, where there is no set. This process never opens a device: a child could not use it.
+/// Returns the figures of a set; nothing, and a word why, where there is no set. This process never opens a device: a
+/// child could not use it.
 std::optional<Figures> figures_of(const Method& method, std::size_t points, std::string& why)
 {
     int pipe_ends[2];

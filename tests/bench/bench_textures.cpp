@@ -99,7 +99,7 @@ void plane(benchmark::State& state)
         benchmark::DoNotOptimize(map_texture(device, pyramid, lookup, view, default_work_group_size).data());
 }
 
-/// The same by hexagons of the exemplar. Range: the filter.
+/// The plane to the horizon by hexagons of the exemplar. Range: the filter.
 void plane_of_hexagons(benchmark::State& state)
 {
     const MappedEndless mapped = mapped_endless({}, exemplar());

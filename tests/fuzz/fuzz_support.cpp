@@ -40,7 +40,7 @@ void check_message(std::string_view message, std::string_view place)
     if (message.size() < place.size() + 5) report_finding("a message that says nothing", message);
 }
 
-/// In memory where the system has such a folder.
+/// Makes a folder, in memory where the system has a place for that.
 std::filesystem::path make_folder()
 {
     if (std::filesystem::is_directory("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);

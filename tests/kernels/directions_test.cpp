@@ -40,7 +40,7 @@ TEST(Directions, CosinesAndSinesAreAsExactAsPromised)
     std::uniform_real_distribution<double> angle(-64, 64);
     double error = 0;
     for (int i = 0; i < 1'000'000; ++i) error = std::max(error, error_of_unit_vector(angle(random)));
-    // Around multiples of an eighth of a turn, where quarters change and values are nearly 0.
+    // Angles are taken around multiples of an eighth of a turn, where quarters change and values are nearly 0.
     for (int eighth = -80; eighth <= 80; ++eighth)
         for (int step = -50; step <= 50; ++step)
             error = std::max(error, error_of_unit_vector(eighth * 0.78539816339744831 + step * 0x1p-40));
@@ -58,7 +58,7 @@ TEST(Directions, AnglesAreAsExactAsPromised)
         error = std::max({error, error_of_direction(x, y), error_of_direction(x * 0x1p30, y), // nearly along an axis
                           error_of_direction(x, x * (1 + y * 0x1p-30))});                     // and along a diagonal
     }
-    // Around the quotient at which another polynomial begins.
+    // Another polynomial begins at this quotient.
     for (int step = -1000; step <= 1000; ++step)
         error = std::max(error, error_of_direction(-1, 0.26794919243112270 + step * 0x1p-53));
     EXPECT_LE(error, 0x1p-50);

@@ -84,7 +84,7 @@ TEST(KernelFiles, ListEveryFile)
     EXPECT_THAT(there, testing::UnorderedElementsAreArray(listed));
 }
 
-/// Else the host could build what the test above does not know of.
+/// Programs that are not listed are refused: the test above does not know of them.
 TEST(KernelFiles, AreBuiltAsListedOnly)
 {
     EXPECT_EQ(

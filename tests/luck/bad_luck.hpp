@@ -72,7 +72,7 @@ protected:
                                 "\n[analysis]\npoints = 32\nrealizations = 1\n" + methods);
     }
 
-    /// With --quiet, in the folder.
+    /// Runs a config with --quiet, in the folder.
     Outcome run(const std::string& out, const std::string& environment = "",
                 const std::string& config = "tiny.toml") const
     {

@@ -27,9 +27,9 @@ protected:
     std::string absolute(const std::string& name) const { return path(name).string(); }
 };
 
-/// At every stage of a run and its report: one line that says which file, nothing of it half-written; results that were
-/// there before are there still, whole, as long as there are no new ones; and running again ends as if nothing had
-/// been.
+/// The disk is full at any stage of a run and its report. Then one line says which file could not be written, and no
+/// file is half-written. Results of before are there still, whole, until there are new ones, and a second run ends as
+/// if nothing had been.
 TEST_F(DiskLuck, FillsUpDuringARun)
 {
     const long all = calls_below("whole", {"run", "tiny.toml", "--out", absolute("whole"), "--quiet"});
@@ -108,7 +108,7 @@ TEST_F(DiskLuck, FillsUpWhileParticlesAreWritten)
     }
 }
 
-/// Before a set of any size is built.
+/// The program finds that the disk has no place before it builds a set of any size.
 TEST_F(DiskLuck, HasNoPlaceForTiles)
 {
     std::filesystem::create_directories(path("folder"));

@@ -123,7 +123,7 @@ TEST(ResultsJson, SamplersAmongTheParametersAreObjects)
                                                            "start": {"sampler": "random"}}})"));
 }
 
-/// With the parameters that were given, all values that hold.
+/// results.json has all values that hold beside the parameters that were given.
 TEST(ResultsJson, DefaultsAreStoredBesideWhatWasGiven)
 {
     Experiment experiment = one_series();

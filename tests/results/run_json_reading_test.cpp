@@ -28,7 +28,7 @@ std::string error_of(const fs::path& folder)
     return message;
 }
 
-/// The same after a change to results.json.
+/// The message that a report ends with after a change to results.json.
 std::string error_after(const std::function<void(nlohmann::json&)>& damage)
 {
     const TemporaryFolder folder;

@@ -45,7 +45,7 @@ struct Queries
     std::vector<float> positions;
 };
 
-/// Near the origin and anywhere; positions are multiples of the unit, so that differences are exact.
+/// Makes queries near the origin and anywhere. Positions are multiples of the unit, so that differences are exact.
 Queries make_queries(int dimension)
 {
     std::mt19937 random(1);

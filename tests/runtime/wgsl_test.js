@@ -41,7 +41,7 @@ ${library}
   return new Uint32Array(read.getMappedRange().slice(0));
 }
 
-/** Of a million places: those where tile, point, random bits or level are others. */
+/** Finds the places, of a million, where tile, point, random bits or level are others. */
 async function differences(device, seed, period) {
   return otherPlaces(set, seed, period, await computed(device, placesSide, seed, period, `
     let place = vec3<i32>(pixel.x * 1000003 - 500000000, pixel.y * 999983 - 400000000,
@@ -55,7 +55,7 @@ async function differences(device, seed, period) {
                       u32(ptiles_level(t, tile, index, id) * f32(2u * t.points_per_tile)));`));
 }
 
-/** Of 16,384 positions: those with another nearest point. */
+/** Finds the positions, of 16,384, that have another nearest point. */
 async function nearestDifferences(device) {
   const words = await computed(device, nearestSide, 3, 0, `
     let f = vec3<f32>(f32(pixel.x % 11) / 16.0, f32(pixel.y % 13) / 16.0, select(0.0, 0.25, t.dimension == 3u));

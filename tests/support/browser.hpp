@@ -31,7 +31,7 @@ public:
     /// element is scrolled into view. Throws where there is none, or where another element lies on top at that place.
     void point_at(const std::string& selector, double across = 0.5, double down = 0.5);
 
-    /// The same, and presses and releases the left button.
+    /// Moves the mouse as point_at() does, and presses and releases the left button.
     void click(const std::string& selector, double across = 0.5, double down = 0.5);
 
     /// Drags the mouse over an element, from one place to another, as for point_at().

@@ -81,8 +81,8 @@ DevToolsPipe::DevToolsPipe(std::chrono::milliseconds limit, EventHandler on_even
     ::close(theirs);
 }
 
-// By the program that ends when all of the browser's processes have, see until_all_end.cpp: the profile can be removed
-// then. In a process group of its own, which keys that end the tests do not reach.
+// Starts the browser by the program that ends when all of the browser's processes have, see until_all_end.cpp: the
+// profile can be removed then. The browser has a process group of its own, which keys that end the tests do not reach.
 void DevToolsPipe::start(int browser_end)
 {
     posix_spawn_file_actions_t files;

@@ -26,7 +26,7 @@ inline double power_of_mean_tile(const PoissonTileSet& set, const std::array<int
     return std::norm(transform / static_cast<double>(p.tiles)) / p.points_per_tile;
 }
 
-/// Its mean over frequencies from `low` up to `high`, but without 0.
+/// The mean power of the mean tile over frequencies from `low` up to `high`, but without 0.
 inline double power_of_mean_tile(const PoissonTileSet& set, double low, double high)
 {
     const int reach = static_cast<int>(high), slices = set.parameters.dimension == 3 ? reach : 0;
@@ -43,7 +43,7 @@ inline double power_of_mean_tile(const PoissonTileSet& set, double low, double h
     return sum / count;
 }
 
-/// Its mean up to a little beyond the principal frequency.
+/// The mean power of the mean tile up to a little beyond the principal frequency.
 inline double power_of_mean_tile(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;

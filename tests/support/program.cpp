@@ -31,7 +31,7 @@ Outcome run_in_shell(const fs::path& folder, const std::string& command)
     const TemporaryFolder streams;
     const fs::path out = streams.path() / "out";
     const fs::path error = streams.path() / "error";
-    // In braces, as a command may be a list with parts that run in the background.
+    // Braces hold the command together, which may be a list with parts that run in the background.
     const std::string line = "cd " + quoted(folder.string()) + " && {\n" + command + "\n} > " + quoted(out.string()) +
                              " 2> " + quoted(error.string()) + " < /dev/null";
     const int status = std::system(line.c_str());

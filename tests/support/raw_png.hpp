@@ -24,7 +24,7 @@ struct RawPng
     }
 };
 
-/// Both throw std::runtime_error.
+/// These functions throw std::runtime_error.
 RawPng read_raw_png(const std::filesystem::path& path);
 void write_raw_png(const std::filesystem::path& path, const RawPng& picture);
 

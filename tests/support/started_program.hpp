@@ -21,8 +21,8 @@ namespace poissonlab {
 class StartedProgram
 {
 public:
-    /// In `folder`, where what it says goes to the file "log". It minds SIGINT even where this program does not: shells
-    /// let background jobs ignore it, and children inherit that.
+    /// Starts the program in `folder`, where its output goes to the file "log". The program minds SIGINT even where
+    /// this program does not: shells let background jobs ignore it, and children inherit that.
     StartedProgram(const std::filesystem::path& folder, std::vector<std::string> arguments)
     {
         arguments.insert(arguments.begin(), program_file());
@@ -59,7 +59,7 @@ public:
 
     void send(int signal) const { ::kill(process_, signal); }
 
-    /// Its status, as waitpid() gives it.
+    /// Waits for the program to end, and returns its status as waitpid() gives it.
     int wait()
     {
         int status = 0;

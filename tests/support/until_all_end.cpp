@@ -38,7 +38,7 @@ pid_t parent_of(const std::string& process)
     return parent;
 }
 
-/// Those whose parents have ended are children of this process: see PR_SET_CHILD_SUBREAPER.
+/// Kills all children of this process. Processes whose parents have ended are among them: see PR_SET_CHILD_SUBREAPER.
 void kill_children()
 {
     std::error_code ignored;

@@ -87,7 +87,7 @@ public:
 private:
     BeattySet set_;
     std::uint64_t slope_;  ///< of row 0, times 2^62
-    std::uint64_t offset_; ///< the same
+    std::uint64_t offset_; ///< of row 0, times 2^62
     std::array<BeattyMachine, 2> machines_;
     BeattyTable table_;
 };

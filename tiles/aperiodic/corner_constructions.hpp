@@ -17,7 +17,7 @@ enum class CornerConstruction
 {
     diagonal,   ///< a corner in the middle of each Wang tile: its colour is the tile (D. 8.3.1)
     horizontal, ///< corners on the middles of horizontal edges, in their colours (D. 8.3.2)
-    vertical,   ///< the same on vertical edges
+    vertical,   ///< corners on the middles of vertical edges, in their colours (D. 8.3.2)
     rotation,   ///< corners on the middles of all edges, in a lattice turned by 45 degrees (D. 8.3.3)
     subdivision ///< four corner tiles in each Wang tile (D. 8.3.4)
 };

@@ -54,7 +54,8 @@ Cylinder longest_cylinder(const WangList& list, std::size_t circumference, Cylin
 
 struct PeriodSearch
 {
-    /// Of circumferences 1, 2, ...; those of an axis end before the first one that has cylinders of any height.
+    /// The heights of the longest cylinders of circumferences 1, 2, ...; those of an axis end before the first
+    /// circumference that has cylinders of any height.
     std::vector<std::size_t> horizontal_heights;
     std::vector<std::size_t> vertical_heights;
     std::optional<PeriodicTiling> period; ///< the first that was found

@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    /// Which vertical colours lead to `end` by so many tiles.
+    /// Finds the vertical colours from which rows of each number of tiles lead to `end`.
     void find_reach(Color end)
     {
         reach_to_ = end;

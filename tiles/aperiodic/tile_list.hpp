@@ -38,7 +38,7 @@ Color color_count(const WangList& list);
 /// The tiles with the colours of each kind of edges numbered anew from 0, in the order of the numbers.
 WangList renumbered(std::vector<WangTile> tiles);
 
-/// The same for corner tiles.
+/// The corner tiles with their colours numbered anew from 0, as above.
 CornerList renumbered(std::vector<CornerTile> tiles);
 
 /// The Wang tiles with pairs of corner colours as edge colours (D. 8.4): west and east, or south and north. Tile k of

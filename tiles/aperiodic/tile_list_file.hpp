@@ -28,7 +28,7 @@ struct ReadTiles
 /// than four colours, a tile twice; and for a file without tiles or with more than 65,536.
 ReadTiles parse_tile_list(std::string_view text, const std::string& name);
 
-/// The same of a file. Throws InputError also where it cannot be read.
+/// Reads a file and takes its text apart, as above. Throws InputError also where it cannot be read.
 ReadTiles read_tile_list(const std::filesystem::path& file);
 
 /// The texts of such files, with numbers for colours.

@@ -54,7 +54,7 @@ bool needs_markings(const IsohedralTemplate& type);
 /// The motions across the edges of a tile with these corners.
 std::vector<PlaneMotion> hops_of(const IsohedralTemplate& type, const std::vector<PlanePoint>& corners);
 
-/// Where a word leads.
+/// The motion that a word of hops leads to.
 PlaneMotion motion_of(const HopWord& word, const std::vector<PlaneMotion>& hops);
 
 /// The area inside of a polygon, counterclockwise.

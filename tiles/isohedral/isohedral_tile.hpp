@@ -57,7 +57,7 @@ public:
     /// The tile across an edge of a tile.
     TilePlace neighbour(const TilePlace& place, std::size_t edge) const;
 
-    /// Where the motion across an edge of the first tile takes a tile.
+    /// The tile to which the motion across an edge of the first tile takes a tile.
     TilePlace image(const TilePlace& place, std::size_t edge) const;
 
     /// All tiles that may meet a rectangle: those in units whose tiles may reach it.
@@ -78,7 +78,7 @@ private:
 /// a tenth smaller again and again until the outline does not cross itself.
 IsohedralTile random_tile(const IsohedralType& type, std::uint64_t seed, double deformation, double amplitude);
 
-/// Those of random tiles that are looked at: types can be told apart.
+/// The deformation and amplitude of random tiles that people look at: types can be told apart.
 inline constexpr double drawn_deformation = 0.5;
 inline constexpr double drawn_amplitude = 0.3;
 

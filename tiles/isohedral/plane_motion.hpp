@@ -21,7 +21,7 @@ struct PlaneMotion
         return {q[0] + x, q[1] + y};
     }
 
-    /// First `second`, then this one.
+    /// The product moves by `second` first, then by this motion.
     PlaneMotion operator*(const PlaneMotion& second) const
     {
         const PlanePoint moved = (*this)({second.x, second.y});

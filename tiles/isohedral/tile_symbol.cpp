@@ -103,7 +103,8 @@ struct ClassMaps
     }
 };
 
-/// Around each vertex: one degree, and the chambers repeat after a number of tiles that divides it.
+/// True if the tiles around each vertex have one degree there, and their chambers repeat after a number of tiles that
+/// divides it.
 bool closes_at_vertices(const TileSymbol& s, const ClassMaps& maps)
 {
     for (std::size_t start = 0; start < s.classes(); ++start) {

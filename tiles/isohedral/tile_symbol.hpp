@@ -74,9 +74,8 @@ constexpr std::size_t beside_vertex(std::size_t chamber, std::size_t edges)
 /// by all groups of symmetries that the tile can have, without those that are the same up to names.
 std::vector<TileSymbol> tile_symbols(const LavesTiling& laves);
 
-/// The same symbol with the edges numbered anew, counterclockwise, so that `incidence`, one of incidences(), is read
-/// from edge 0 on. Where it is read clockwise, the tile is reflected. Throws std::logic_error for another incidence
-/// symbol.
+/// Numbers the edges of a symbol anew, counterclockwise, so that `incidence`, one of incidences(), is read from edge 0
+/// on. Where it is read clockwise, the tile is reflected. Throws std::logic_error for another incidence symbol.
 TileSymbol read_from(const TileSymbol& symbol, const std::string& incidence);
 
 /// The symbols that more symmetries of the tile would make of a symbol, as far as neighbours allow them.

@@ -51,7 +51,7 @@ PackingPlace place_among_even(const CornerTile& tile, Color colors)
     return {4 * b + low_x, 4 * a + low_y};
 }
 
-/// By how much column x is shifted: 0 + 1 + ... + (x - 1).
+/// The shift of column x: 0 + 1 + ... + (x - 1).
 Color shift_of_column(Color x, Color period)
 {
     return static_cast<Color>((std::uint64_t{x} * (std::uint64_t{x} + 1) / 2 - x) % period);

@@ -9,8 +9,8 @@
 namespace poissonlab {
 namespace {
 
-/// For each colour but 0, the colour that a random spanning tree towards 0 leads to: loop-erased random walks (Wilson,
-/// Generating random spanning trees more quickly than the cover time, STOC 1996), here of a complete graph.
+/// Returns the colour to which each colour but 0 leads in a random spanning tree towards 0, by loop-erased random walks
+/// (Wilson, Generating random spanning trees more quickly than the cover time, STOC 1996), here of a complete graph.
 std::vector<Color> random_last_exits(Color colors, RandomWords& words)
 {
     std::vector<Color> exit(colors, 0);
@@ -26,7 +26,7 @@ std::vector<Color> random_last_exits(Color colors, RandomWords& words)
     return exit;
 }
 
-/// In which order a walk leaves a colour for all others and itself; `last` comes last.
+/// The order in which a walk leaves a colour for all others and itself; `last` comes last.
 std::vector<Color> random_exits(Color colors, Color last, RandomWords& words)
 {
     std::vector<Color> exits(colors);

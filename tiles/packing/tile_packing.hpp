@@ -40,7 +40,7 @@ inline bool fits_east(TileKind kind, Color colors, TileIndex west, TileIndex eas
     return fits_east(kind, WangColors{colors, colors}, west, east);
 }
 
-/// The same for the tile `north` above `south`.
+/// True if `north` fits above `south`: they share colours as in fits_east().
 bool fits_north(TileKind kind, WangColors colors, TileIndex south, TileIndex north);
 inline bool fits_north(TileKind kind, Color colors, TileIndex south, TileIndex north)
 {

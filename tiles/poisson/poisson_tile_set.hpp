@@ -106,7 +106,7 @@ void set_classes(PoissonTileParameters& parameters, TileClasses classes);
 /// for rounding.
 std::uint32_t exact_moment_order(const PoissonTileParameters& parameters);
 
-/// One of poisson_tile_families.
+/// The name of the tiles' kind, one of poisson_tile_families.
 std::string kind_name(const PoissonTileParameters& parameters);
 
 /// The number of tiles of a kind with so many colours, C^4, C^12 or C^8. 0: more than 2^32 - 1.
@@ -166,8 +166,8 @@ struct PoissonTileSet
     /// that go up, each by the colours of their lower and their upper end, the upper one counting fast.
     std::vector<std::uint16_t> chain_lengths = {};
 
-    /// The same of each pair of classes, by class_pair(). Points of the first class come first in each tile, then those
-    /// of the second, and so on.
+    /// A proven lower bound of the squared distance of each pair of classes, in squared units, by class_pair(). Points
+    /// of the first class come first in each tile, then those of the second, and so on.
     std::vector<std::uint64_t> class_squared_distances = {};
 
     /// The rank of each point in its tile, in the order of points: those of lower rank alone are spread evenly, too, in

@@ -64,7 +64,7 @@ NeighbourTiles edge_neighbours(const PoissonTileParameters& p, std::uint32_t til
     {
         int x, y, axis;
     };
-    /// In the order of edge_colors_of().
+    /// The edges of a tile, in the order of edge_colors_of().
     constexpr std::array<Edge, 12> own_edges{{{0, 1, 0},
                                               {1, 0, 1},
                                               {0, 0, 0},

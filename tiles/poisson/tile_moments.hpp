@@ -41,10 +41,10 @@ struct MomentOrder
     bool are_equal = false;        ///< in all tiles, exactly
     std::uint32_t odd_tile = 0;    ///< the first that differs from tile 0
     std::int64_t difference = 0;   ///< the largest between two tiles, in stored numbers to the power of the order
-    double largest_difference = 0; ///< the same in tiles to the power of the order
+    double largest_difference = 0; ///< the largest between two tiles, in tiles to the power of the order
 
-    /// What these moments alone leave of power at a frequency of k cycles a tile, between the lattice's peaks: at most
-    /// this times k to the power of twice the order.
+    /// A bound of the power that these moments alone leave between the lattice's peaks: at a frequency of k cycles a
+    /// tile, at most this times k to the power of twice the order.
     double power = 0;
 
     bool operator==(const MomentOrder&) const = default;
@@ -63,7 +63,7 @@ struct TileMoments
     bool operator==(const TileMoments&) const = default;
 };
 
-/// Of all tiles of a set, on all threads; the same for any number of them.
+/// The moments of all tiles of a set, computed on all threads; they do not depend on the number of threads.
 TileMoments tile_moments(const PoissonTileSet& set);
 
 /// Throws InputError, a sentence, unless moments agree up to the order that the parameters promise: exactly up to

@@ -13,7 +13,7 @@ namespace poissonlab {
 /// number.
 std::vector<std::uint32_t> farthest_children(const Neighbourhoods& neighbourhoods);
 
-/// The same neighbourhoods with the children in this order.
+/// Reorders the children of neighbourhoods.
 Neighbourhoods with_children_in_order(const Neighbourhoods& neighbourhoods, const std::vector<std::uint32_t>& order);
 
 }

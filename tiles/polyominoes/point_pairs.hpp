@@ -52,7 +52,8 @@ public:
         run(tiles_.neighbourhoods.pairs, action);
     }
 
-    /// The same for other pairs of ancestors than those that are near.
+    /// Calls `action` for pairs of tiles whose ancestors are the same tile or one of the pairs `pairs`, which need not
+    /// be near.
     template <class Action>
     void run(const std::vector<NearTiles>& pairs, const Action& action) const
     {

@@ -14,7 +14,7 @@ constexpr int soft_iterations = 80;
 constexpr int hard_iterations = 80;
 constexpr double soft_step = 0.3;
 
-// In distances of the densest packing:
+// These lengths are in distances of the densest packing.
 constexpr double longest_correction = 0.5;
 constexpr double soft_reach = 2.2;
 constexpr double hard_reach = 1.4; ///< of pairs that may come too near while points are pushed apart

@@ -15,7 +15,7 @@ struct SeamMeasures
     double mismatch = 0;     ///< mean of (|A(p) - B(p)| + |A(q) - B(q)|) / 2, over pairs whose windows go on
     double excess = 0;       ///< mean of max(0, |A(p) - B(q)| - max(|A(p) - A(q)|, |B(p) - B(q)|))
     double conspicuous = 0;  ///< share of steps |A(p) - B(q)| above the 95 % quantile of the exemplar's own
-    double natural = 0;      ///< the same share of the exemplar's own steps: at most 0.05, less where many are equal
+    double natural = 0;      ///< share of the exemplar's own steps above it: at most 0.05, less where many are equal
     int longest_run = 0;     ///< of conspicuous steps side by side along a straight line, in pixels
     double coverage = 0;     ///< part of the exemplar's pixels that some tile shows
 };

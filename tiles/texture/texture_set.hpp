@@ -71,7 +71,7 @@ struct TextureSet
     PngPixels exemplar;       ///< of one or three channels
     std::vector<TextureTile> tiles;
     std::vector<SourcePixel> sources;              ///< T^2 a tile, tile after tile
-    std::vector<std::uint8_t> values;              ///< the same with the exemplar's channels side by side
+    std::vector<std::uint8_t> values;              ///< T^2 pixels a tile, the exemplar's channels side by side
     std::map<std::string, std::string> parameters; ///< how it was made, for people
     std::vector<CompanionMap> companions;
 
@@ -119,7 +119,7 @@ inline constexpr std::size_t most_atlas_pixels = std::size_t{1} << 28;
 /// into a folder that is made where it is not there; texture.json comes last. Throws StorageError.
 void write_texture_set(const std::filesystem::path& folder, const TextureSet& set);
 
-/// The same files, each where `place` says for its name.
+/// Writes the files of write_texture_set(), each to the path that `place` returns for its name.
 void write_texture_files(const std::function<std::filesystem::path(const std::string& name)>& place,
                          const TextureSet& set);
 

@@ -37,9 +37,9 @@ using CornerMarks = std::function<bool(std::uint64_t column, std::uint64_t row)>
 /// Marks of a window's lattice points by a picture that covers it: points on its lighter half of all values are marked.
 CornerMarks corner_marks(PngPixels picture, std::uint64_t columns, std::uint64_t rows);
 
-/// The same of sets with two classes of corners. Of corner tiles, complete ones: a corner's class follows from its
-/// mark, its colour within the class from the hash. Of Wang tiles, those with all marks, laid by scanlines from (0, 0).
-/// Throws InputError for other sets and windows.
+/// Lays a window of a set with two classes of corners. Sets of corner tiles must be complete: a corner's class follows
+/// from its mark, its colour within the class from the hash. Sets of Wang tiles must have all marks, and are laid by
+/// scanlines from (0, 0). Throws InputError for other sets and windows.
 TextureWindow marked_texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
                                     const CornerMarks& is_marked);
 

@@ -26,10 +26,10 @@ StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size);
 /// channels. Squares that are independent have 1 over their number.
 double lattice_power(const PngPixels& tiling, int size);
 
-/// By how many times more a tiling repeats than its exemplar does: lattice_power() of windows that are as large as the
-/// exemplar, mean over as many as the tiling holds side by side, over the exemplar's own. Both have as many squares, so
-/// that chance adds as much to either. Nothing where the exemplar has fewer than 2 x 2 squares, or the tiling is
-/// smaller, or the exemplar has no power there.
+/// Says how many times more a tiling repeats than its exemplar: lattice_power() of windows that are as large as the
+/// exemplar, averaged over as many as the tiling holds side by side, divided by the exemplar's own. Both have as many
+/// squares, so that chance adds as much to either. Nothing where the exemplar has fewer than 2 x 2 squares, or the
+/// tiling is smaller, or the exemplar has no power there.
 struct Repetition
 {
     double exemplar_power = 0; ///< lattice_power() of the exemplar

@@ -42,7 +42,8 @@ WangTile two_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const 
             color_sum(h.south_east, h.south_west, c.horizontal), color_sum(v.south_west, v.north_west, c.vertical)};
 }
 
-/// The same with one hash function for all edges (D. 3.3.2.2): the compact set one_hash_wang_set().
+/// One hash function at the corners; the colour of every edge is the sum at its ends (D. 3.3.2.2): the compact set
+/// one_hash_wang_set().
 template <class Hash, class Lattice>
 WangTile one_hash_wang_tile(const Hash& hash, const Lattice& lattice, std::int64_t x, std::int64_t y)
 {

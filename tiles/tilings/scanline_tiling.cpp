@@ -38,7 +38,7 @@ std::size_t pattern_number(const SharedColors& shared, const std::array<bool, 3>
     return number;
 }
 
-/// Which shared colours are known with a neighbour to the north, to the west, with both, with none.
+/// Says which shared colours are known, with or without a neighbour to the north and one to the west.
 std::array<bool, 3> known_colors(TileKind kind, bool has_north, bool has_west)
 {
     if (kind == TileKind::wang) return {has_north, has_west, false};

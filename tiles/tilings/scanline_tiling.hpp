@@ -49,8 +49,8 @@ private:
 class ScanlineTiling
 {
 public:
-    /// The same set and seed make the same tiling; a narrower one is the west of a wider one. Throws
-    /// InputError if the set leaves no choice of two tiles somewhere: then tilings would repeat, or end.
+    /// Set and seed decide the tiling; a narrower one is the west of a wider one. Throws InputError if the set leaves
+    /// no choice of two tiles somewhere: then tilings would repeat, or end.
     ScanlineTiling(const TileSet& tiles, std::uint64_t width, std::uint64_t seed);
 
     /// The indices of the tiles of the next row; the first call gives the northernmost. Valid until the next

@@ -19,8 +19,8 @@ constexpr std::int64_t doubled(std::int64_t coordinate)
     return stepped(coordinate, static_cast<std::uint64_t>(coordinate));
 }
 
-/// After how many tiles a tiling closes, for each axis; 0: it does not. One axis gives a cylinder, two a
-/// torus.
+/// The number of tiles after which a tiling closes along each axis; 0: it does not close. One axis gives a cylinder,
+/// two a torus.
 struct Period
 {
     std::int64_t x = 0;

@@ -24,7 +24,7 @@ struct RegionOutputs
     void write(const RegionDarts& darts, const std::string& comment) const;
 };
 
-/// How many points there are, how far apart, and whether a further one fits.
+/// A line that says how many points there are, how far apart they are, and whether a further one fits.
 std::string words_of(const RegionDarts& darts);
 
 }

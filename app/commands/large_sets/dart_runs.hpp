@@ -16,7 +16,7 @@ namespace poissonlab {
 class DartIntervals
 {
 public:
-    /// So fine that intervals have some hundred thousand of so many points, at most.
+    /// Chooses intervals of some hundred thousand points at most, for a set of so many points.
     explicit DartIntervals(std::uint64_t points);
 
     std::size_t count() const { return std::size_t{most_batches} << bits_; }

@@ -28,9 +28,9 @@ struct SlabPlan
     std::uint64_t process_bytes = 0; ///< in all, the most that a process takes where points are spread evenly
 };
 
-/// As few slabs as fit, or, on processors, some more, which are faster. Throws InputError, about the options --memory
-/// and --points, where none do, or where processes have not the memory that they need, with the largest set that would
-/// fit.
+/// Chooses as few slabs as fit in memory, or, on processors, some more, which are faster. Throws InputError, about the
+/// options --memory and --points, where no number of slabs fits, or where processes have not the memory that they need,
+/// with the largest set that would fit.
 SlabPlan plan_slabs(const SlabMethod& method, const SlabTask& task, const DeviceInfo& device);
 
 }

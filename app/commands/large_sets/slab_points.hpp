@@ -14,7 +14,8 @@ namespace poissonlab {
 class SlabPoints
 {
 public:
-    /// As many slabs for each process. Takes memory for a set of about so many points that are spread evenly.
+    /// Gives each process as many slabs as any other. Takes memory for a set of about `expected` points that are spread
+    /// evenly.
     SlabPoints(const SlabDivision& division, Crew& crew, std::uint64_t expected);
 
     /// The bytes that a point takes in the process that has it.

@@ -51,7 +51,7 @@ void check_folder(const std::filesystem::path& folder)
         throw InputError(fmt::format("texture build: --out {}: is no folder", folder.string()));
 }
 
-/// Of the tiling by the set's own seed that tables [[texture]] measure.
+/// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.
 std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t seed)
 {
     if (set.classes > 1) return std::nullopt;
@@ -110,7 +110,7 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// With a note where a set that is chosen together could have joints that run through.
+/// Reads the exemplar, with a note where a set that is chosen together could have joints that run through.
 ExemplarPictures exemplar_pictures(const TextureSettings& asked)
 {
     const TextureRequest& request = asked.request;

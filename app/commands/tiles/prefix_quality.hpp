@@ -16,8 +16,8 @@ struct PrefixQuality
     double relative_radius = 0; ///< the smallest one, of as many points
 };
 
-/// At a quarter, a half and three quarters: toroidal tilings of some 4,000 points (in 3D, 16,000) that are kept, four
-/// of each.
+/// Measures a quarter, a half and three quarters of the ranks, each by four toroidal tilings of which some 4,000 points
+/// (in 3D, 16,000) are kept.
 std::vector<PrefixQuality> prefix_qualities(const PoissonTileSet& set);
 
 }

@@ -43,7 +43,7 @@ public:
 
     bool has_classes() const { return !tiles_.parameters.classes.is_empty(); }
 
-    /// That of points in the region, in its units.
+    /// The minimum distance of points in the region, in its units.
     double min_distance() const;
 
     std::filesystem::path out;           ///< the file, as its writer needs it

@@ -64,7 +64,7 @@ Verification verify(const std::filesystem::path& file)
     }
 }
 
-/// In tiles.
+/// The root of a squared distance in squared units, in tiles.
 double distance_of(std::uint64_t squared_distance)
 {
     return std::sqrt(static_cast<double>(squared_distance)) / tile_units;
@@ -95,7 +95,7 @@ std::string described_moments(const TileMoments& moments)
     return order == 0 ? "none but the number of points" : fmt::format("up to order {}, in whole numbers", order);
 }
 
-/// What moments that were asked for, and are equal but for rounding, leave of power.
+/// Says how much power is left by moments that were asked for and are equal but for rounding.
 std::string described_residual(const MomentOrder& moments, std::uint32_t order)
 {
     return fmt::format("differ by {:.2g} tiles^{}, a power of at most {:.2g} frequency^{}, in cycles a tile",

@@ -14,7 +14,7 @@ namespace poissonlab {
 /// that leads.
 std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew);
 
-/// The same of points that have classes, in one of the formats of class files, by the process that leads.
+/// Writes all points, which have classes, in one of the formats of class files. The process that leads writes the file.
 std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, WindowPoints& points,
                                  Crew& crew);
 

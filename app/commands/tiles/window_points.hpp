@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// Which tiling, and which tiles of it.
+/// A tiling, and a block of its tiles.
 struct WindowOfTiling
 {
     TileBlock block;
@@ -38,7 +38,7 @@ public:
         return (!has_overhang_ || window_.period > 0) && density_.is_full() && !window_.region;
     }
 
-    /// At least so many points are in the window.
+    /// A lower bound of the number of points in the window.
     std::uint64_t least_points() const;
 
     /// The number of all points, each of which is made where it is not known.

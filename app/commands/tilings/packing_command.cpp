@@ -42,7 +42,7 @@ struct PackingOptions : KindOptions
     using KindOptions::KindOptions;
     bool all = false;
     std::filesystem::path verified; ///< empty: none
-    std::filesystem::path out;      ///< the same for pictures
+    std::filesystem::path out;      ///< a picture; empty: none
     std::filesystem::path puzzle;
     PuzzleCut cut;
 };

@@ -26,7 +26,7 @@ public:
     /// The next rows are those of another table.
     void next_block();
 
-    /// After the last row.
+    /// Ends the output. It is called after the last row.
     void finish();
 
 private:

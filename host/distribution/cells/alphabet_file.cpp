@@ -111,7 +111,7 @@ private:
         return static_cast<Color>(found - names.begin());
     }
 
-    /// As one reads: north-west, north-east, south-west, south-east.
+    /// Takes corners in the order in which one reads: north-west, north-east, south-west, south-east.
     CornerTile corners_of(const ConfigTable& cell, const SourceLocation& where) const
     {
         const ConfigNode* node = find(cell, "corners");

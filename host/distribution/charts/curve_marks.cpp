@@ -8,7 +8,7 @@
 namespace poissonlab {
 namespace {
 
-// In units of the picture.
+// These lengths are in units of the picture.
 constexpr double chart_width = 800, chart_height = 525, left_edge = 80, right_edge = 640, bottom_edge = 70,
                  top_edge = 480, font_size = 15;
 

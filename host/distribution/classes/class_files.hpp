@@ -25,7 +25,7 @@ void write_class_file(const std::filesystem::path& file, const ClassedPoints& po
 using ClassedPointSink =
     std::function<void(std::span<const double> coordinates, std::span<const std::uint32_t> classes)>;
 
-/// The same of so many points that `source` hands on in pieces.
+/// Writes so many points, which `source` hands on in pieces, in one of these formats.
 void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
                         const std::string& comment, const std::function<void(const ClassedPointSink&)>& source);
 

@@ -27,7 +27,7 @@ std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
     return names;
 }
 
-/// Without places where no value is known.
+/// Makes a curve that leaves out places where no value is known.
 MarkCurve curve_of(const std::string& name, const std::string& color, const std::vector<double>& values, double unit)
 {
     MarkCurve curve{name, color, {}};

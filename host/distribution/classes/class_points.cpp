@@ -35,8 +35,8 @@ ClassDistances asked_distances(const ClassSettings& settings)
     return wei_distances(distances, settings.dimension);
 }
 
-/// The same distances, all as much smaller as it takes to have none above that of the densest packing of a class:
-/// larger ones would shrink in vain.
+/// Scales all distances down until none is above that of the densest packing of a class: larger ones would shrink in
+/// vain.
 ClassDistances within_packings(const ClassDistances& distances, const ClassSettings& settings)
 {
     double scale = 1;

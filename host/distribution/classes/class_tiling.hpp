@@ -17,7 +17,7 @@ PoissonTileParameters class_tile_parameters(const ClassSettings& settings, std::
 ClassSet tiled_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                        std::uint32_t number);
 
-/// The same by tiles that are there already.
+/// Makes the set of tiled_classes() by tiles that are there already.
 ClassSet classes_by_tiles(const std::shared_ptr<const PoissonTileSet>& tiles, const ClassSettings& settings,
                           std::uint64_t seed, const DistributionPlace& place, std::uint32_t number);
 

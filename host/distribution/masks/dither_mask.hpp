@@ -56,7 +56,7 @@ struct ThresholdMeasures
     std::vector<double> power; ///< radial means, from frequency 1 on
 };
 
-/// At threshold i / 16 of the minority: of the pixels below it, from the middle on of those above.
+/// Measures the minority at threshold i / 16: the pixels below it, from the middle on those above.
 ThresholdMeasures threshold_measures(const DitherMask& mask, std::uint32_t sixteenths);
 
 std::vector<DistributionNumber> dither_numbers(const std::vector<ThresholdMeasures>& measures);

@@ -8,7 +8,7 @@ namespace poissonlab {
 /// Independent uniform points.
 SamplerSpec region_random_sampler();
 
-// By the methods of host/distribution/regions/region_points.hpp.
+// These samplers use the methods of host/distribution/regions/region_points.hpp.
 SamplerSpec region_dart_sampler();
 SamplerSpec region_relaxation_sampler();
 SamplerSpec region_bridson_sampler();

@@ -33,7 +33,7 @@ struct RegionLand
 /// obstacles is too large.
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings);
 
-/// What is asked for, in the units of the torus and in those of the region.
+/// The request for points, in units of the torus and in those of the region.
 struct RegionDartRequest
 {
     std::shared_ptr<const RegionLand> land;

@@ -218,7 +218,7 @@ private:
                                          points);
     }
 
-    /// From darts, which are even at long distances already.
+    /// Makes Gaussian blue noise from darts, which are even at long distances already.
     PointSet gaussian()
     {
         const PointSet darts = relaxed_darts();

@@ -27,7 +27,7 @@ std::shared_ptr<const FixedSpace> whole_space(const DartSettings& settings);
 /// Checks that the distance suits the region, from which the boundary takes nothing yet. Throws InputError.
 SpaceDartRequest space_distance_request(const DartSettings& settings, std::uint64_t seed);
 
-/// The same request in what the boundary leaves, which takes some time for a solid.
+/// The request for points in what the boundary leaves of the region, which takes some time for a solid.
 SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t seed);
 
 /// Makes the points: RegionDarts::space is theirs. Throws InputError where there is no room, or no memory.

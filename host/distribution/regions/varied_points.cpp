@@ -255,7 +255,7 @@ private:
         set.least = 1;
     }
 
-    /// As kernels round it.
+    /// Scales a distance and rounds it as kernels do.
     static std::uint32_t scaled_distance(std::uint32_t distance, double scale)
     {
         return static_cast<std::uint32_t>(std::uint64_t{distance} * static_cast<std::uint64_t>(scale * 0x1p31) >> 31);

@@ -48,7 +48,8 @@ struct VariedSet
 /// with distances that vary.
 VariedRequest varied_request(const RegionPointSettings& settings, const std::shared_ptr<const RegionLand>& land);
 
-/// By darts, relaxation dart throwing or elimination. Throws InputError where there is no room, or no memory.
+/// Makes points by darts, relaxation dart throwing or elimination. Throws InputError where there is no room, or no
+/// memory.
 RegionDarts make_varied_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);
 
 }

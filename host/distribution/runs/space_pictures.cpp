@@ -86,7 +86,7 @@ MarkGroup edges_of(const SpaceBox& box, const SpaceView& view)
     return edges;
 }
 
-/// From a light grey behind to a dark blue in front.
+/// Shades go from a light grey behind to a dark blue in front.
 std::string shade_of(std::size_t shade)
 {
     const double part = static_cast<double>(shade) / (shades - 1);

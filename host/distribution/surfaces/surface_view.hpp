@@ -18,8 +18,8 @@ struct SurfaceDots
     bool is_closed = false; ///< the surface has no open edges, and points on triangles that face away are hidden
 };
 
-/// Both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface does
-/// not hide them. z points upwards.
+/// Draws both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface
+/// does not hide them. z points upwards.
 PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                        int pixels = default_view_pixels);
 

@@ -46,8 +46,8 @@ struct TexturePlane
 /// the mesh.
 std::optional<std::array<TexturePoint, 3>> texture_of(const TriangleMesh& mesh, std::uint32_t number);
 
-/// With so many tiles a unit of texture coordinates. Throws InputError, a sentence, where coordinates are too far from
-/// 0, or no triangle has an area.
+/// Makes the plane with so many tiles a unit of texture coordinates. Throws InputError, a sentence, where coordinates
+/// are too far from 0, or no triangle has an area.
 TexturePlane texture_plane(const TriangleMesh& mesh, const FixedSurface& surface, double tiles_per_unit);
 
 /// The sum of the areas of triangles in the plane, in squares of units of texture coordinates.

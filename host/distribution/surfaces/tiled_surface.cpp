@@ -119,7 +119,7 @@ SurfaceSet tiled_surface(const MeshPointSettings& settings, std::shared_ptr<cons
     const FixedSurface& surface = mesh->surface;
     const auto read_tiles = surface_tiles(settings, place);
     const PoissonTileSet& tiles = *read_tiles;
-    // As `tiles points` has it.
+    // This is the tiling that `tiles points` has.
     const PoissonTiling plane_tiling{static_cast<std::uint32_t>(seed),
                                      settings.is_closed ? static_cast<std::int32_t>(settings.tiles_per_unit.value_or(0))
                                                         : 0};

@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// The same tile with all marks that its corners have in the set, and dots at marked corners.
+/// Shows the first tile of the set with all marks that its corners have there, and dots at marked corners.
 PngPixels marks_picture(const TextureSet& set);
 
 /// The picture of a window with dots at marked corners.

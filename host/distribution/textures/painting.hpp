@@ -40,7 +40,7 @@ Rgb color_at(const PngPixels& picture, int x, int y);
 /// Puts a picture into another one of three channels, its upper left corner at (left, top).
 void put_picture(PngPixels& picture, const PngPixels& other, int left, int top);
 
-/// The same picture with three channels.
+/// Gives a picture three channels.
 PngPixels colored(const PngPixels& pixels);
 
 /// The mean of a colour and a tint.

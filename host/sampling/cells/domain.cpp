@@ -58,7 +58,7 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
     if (entry < contact.part) contact = {entry, entered->normal};
 }
 
-/// The same for all images of the region on the torus that the movement can meet.
+/// Calls enter_region() for all images of the region on the torus that the movement can meet.
 void enter_images(const ConvexRegion& region, const Vector& position, const Vector& movement, Contact& contact)
 {
     // The movement may leave the half torus around the centre and enter the region from its other side.

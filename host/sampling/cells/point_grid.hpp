@@ -32,7 +32,7 @@ public:
         : PointGrid(std::move(device), dimension, points, whole_grid(cells_per_axis, dimension), work_group_size)
     {}
 
-    /// The same for a part of a grid.
+    /// Room for so many points on a part of a grid. `work_group_size` > 0.
     PointGrid(Device device, int dimension, std::size_t points, const GridPart& part, std::size_t work_group_size);
 
     /// The memory that such a grid takes.

@@ -22,11 +22,12 @@ struct VoronoiCells
 };
 
 namespace reference {
-/// By CGAL's periodic Delaunay triangulations, whose decisions are exact. `points` has at least one point.
+/// Finds Voronoi cells by CGAL's periodic Delaunay triangulations, whose decisions are exact. `points` has at least one
+/// point.
 VoronoiCells voronoi_cells(const PointSet& points);
 }
 
-/// The same by kernels/voronoi_2d.cl and voronoi_3d_*.cl.
+/// Finds Voronoi cells by kernels/voronoi_2d.cl and voronoi_3d_*.cl.
 class VoronoiKernels
 {
 public:

@@ -52,7 +52,7 @@ namespace reference {
 ClassedPoints throw_class_darts(const ClassDartRequest& request);
 }
 
-/// The same, by kernels/class_darts.cl: the same bytes as the reference on every device.
+/// Throws darts by kernels/class_darts.cl: every device finds the bytes of the reference.
 class ClassDartThrower : DeviceMethod<struct ClassDartBuffers>
 {
 public:

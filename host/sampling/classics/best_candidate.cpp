@@ -156,7 +156,7 @@ private:
         farthest_ = squared;
     }
 
-    /// For a point that has useless candidates only.
+    /// Chooses among all candidates again, for a point that has useless ones only.
     void choose_anew(const TorusGrid& added)
     {
         best_ = first_.position();

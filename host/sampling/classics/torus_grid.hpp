@@ -14,7 +14,7 @@ namespace poissonlab {
 class TorusGrid
 {
 public:
-    /// For about so many points.
+    /// Makes a grid for about so many points.
     TorusGrid(std::size_t points, int dimension);
 
     void add(const TorusPosition& position);
@@ -25,7 +25,7 @@ public:
     /// The squared distance of the nearest point; UINT64_MAX without points.
     std::uint64_t squared_nearest(const TorusPosition& position) const;
 
-    /// That distance or a limit, whichever is less.
+    /// The squared distance of the nearest point or a limit, whichever is less.
     std::uint64_t squared_nearest_below(const TorusPosition& position, std::uint64_t limit) const;
 
     /// Is a point nearer to the position than a distance, in units below half the torus' side?

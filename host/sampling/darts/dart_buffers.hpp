@@ -19,12 +19,12 @@ struct DartBuffers
     Words points, counters;
     LandBuffers land;
 
-    // In order only.
+    // Only darts that are settled in order need these.
     Words accepted;             ///< a bit of a level 0 cell each
     Words buckets;              ///< an interval of time of a slab each
     Buffer<std::uint64_t> keys; ///< a dart of a slab each
 
-    // In rounds only.
+    // Only darts that are settled in rounds need these.
     Words next_states, rivals; ///< a dart of the batch each
 };
 

@@ -24,7 +24,7 @@ struct DartThrowingRequest
     /// min_distance is at most 1/2. Empty: everywhere.
     std::shared_ptr<const FixedRegion> region{};
 
-    /// The same in 3D.
+    /// In 3D: the points lie in this part of space, of which all holds that is said of `region`.
     std::shared_ptr<const FixedSpace> space{};
 
     /// Darts fall into these cells only; empty: into all.

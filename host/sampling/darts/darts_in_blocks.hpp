@@ -14,8 +14,8 @@ namespace poissonlab {
 template <int D>
 using ThrowBlock = std::function<std::vector<OrderedDart<D>>(const DartThrowingRequest& request)>;
 
-/// As many batches as have the points of the request, by what the first block has of them: nearly always enough.
-/// UINT32_MAX, all of them, where the request is for saturation or those of saturation would hardly be more.
+/// The number of batches that have the points of the request, by what the first block has of them: nearly always
+/// enough. UINT32_MAX, all batches, where the request is for saturation or those of saturation would hardly be more.
 template <int D>
 std::uint32_t enough_batches(const ThrowBlock<D>& throw_block, const DartThrowingRequest& whole,
                              const DartBlocks& blocks);

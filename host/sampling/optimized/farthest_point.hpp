@@ -30,8 +30,8 @@ namespace reference {
 LloydResult move_to_farthest(const PointSet& points, const LloydRequest& request);
 }
 
-/// The same, by kernels/farthest_point.cl: the same points as the reference. Energies of records are equal within
-/// rounding.
+/// Moves points by kernels/farthest_point.cl, to the places of the reference. Energies of records are equal to its own
+/// within rounding.
 class FarthestPointOptimization
 {
 public:

@@ -56,7 +56,7 @@ namespace reference {
 LloydResult descend(const PointSet& points, const GaussianRequest& request);
 }
 
-/// The same, by kernels/gaussian_blue_noise.cl: the same bytes as the reference on every device.
+/// Moves points by kernels/gaussian_blue_noise.cl: every device finds the bytes of the reference.
 class GaussianBlueNoise
 {
 public:
@@ -68,7 +68,7 @@ public:
     /// The memory that descend() takes, and gives back.
     static DeviceMemory memory(double sigma, std::size_t points, int dimension);
 
-    /// The same with a field of this shape, in 2D.
+    /// The memory that descend() takes with a field of this shape, in 2D.
     static DeviceMemory memory(const GaussianFieldShape& shape, std::size_t points);
 
 private:

@@ -100,7 +100,7 @@ private:
         return warped_start(points, *table_);
     }
 
-    /// Its iterations follow those of the levels before.
+    /// Moves the points of a level; the records of its iterations follow those of the levels before.
     PointSet descended(const PointSet& points)
     {
         LloydResult result =

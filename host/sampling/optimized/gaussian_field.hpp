@@ -26,8 +26,8 @@ namespace poissonlab {
 /// Pairs farther apart than so many sigma are left out.
 inline constexpr double gaussian_cut_off = contract::gaussian_blue_noise::CUT_OFF;
 
-/// What makes 2^(exponent * squared distance) the Gaussian for distances in units of 2^-32; `squared_sigma` is of the
-/// torus' side.
+/// The exponent for which 2^(exponent * squared distance) is the Gaussian of distances in units of 2^-32;
+/// `squared_sigma` is of the torus' side.
 float gaussian_exponent(double squared_sigma);
 
 /// The cells of the grid in which the neighbours of a point are looked for, along each axis: a third as wide as the

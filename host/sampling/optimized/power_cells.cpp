@@ -44,7 +44,7 @@ std::vector<double> largest_around(const std::vector<double>& values, std::size_
     return largest;
 }
 
-/// What the kernel's is_beyond_all() reads. Blocks at the end of a row have what is left of it.
+/// Lists the weights that the kernel's is_beyond_all() reads. Blocks at the end of a row have what is left of it.
 std::vector<double> largest_weights(const PointSet& points, const std::vector<double>& weights, std::uint32_t grid_size)
 {
     const auto cell = [&](double coordinate) {

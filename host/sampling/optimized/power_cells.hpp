@@ -30,7 +30,7 @@ namespace reference {
 PowerCells power_cells(const PointSet& points, const std::vector<double>& weights);
 }
 
-/// The same, by kernels/power_cells.cl: the same bytes as the reference on every device.
+/// Finds power cells by kernels/power_cells.cl: every device finds the bytes of the reference.
 class PowerDiagram
 {
 public:

@@ -53,16 +53,16 @@ struct Partner
 std::vector<std::uint32_t> heaviest_first(const std::vector<std::vector<Partner>>& partners, std::size_t count,
                                           std::span<const std::uint32_t> factors);
 
-/// By a heap.
+/// Finds the order of removal by a heap.
 std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
 
-/// The same where the weights of each point's pairs, for that point alone, are multiplied by a factor in units of 1 /
-/// FACTOR_UNITS; none: by 1.
+/// Finds the order of removal where the weights of each point's pairs, for that point alone, are multiplied by a factor
+/// in units of 1 / FACTOR_UNITS; none: by 1.
 std::vector<std::uint32_t> factored_removal_order(const PointSet& points, const EliminationReach& reach,
                                                   std::size_t count, std::span<const std::uint32_t> factors);
 }
 
-/// The same, by kernels/sample_elimination.cl: the same order on every device.
+/// Finds the order of removal by kernels/sample_elimination.cl: every device finds that of the reference.
 class SampleElimination : DeviceMethod<struct EliminationBuffers>
 {
 public:

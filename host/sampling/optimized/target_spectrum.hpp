@@ -45,7 +45,7 @@ public:
 
     double of(const PointSet& points);
 
-    /// Its derivatives by coordinates, of the set that it was last asked of.
+    /// The derivatives of the difference by coordinates, for the set that of() was last asked about.
     std::vector<double> gradient(const PointSet& points);
 
 private:

@@ -23,7 +23,7 @@ public:
         });
     }
 
-    /// In ascending order.
+    /// The numbers of the points at a position, in ascending order.
     std::span<const std::size_t> at(std::span<const double> position) const
     {
         const auto less = [](std::span<const double> a, std::span<const double> b) {

@@ -17,7 +17,7 @@ using contract::sector_darts::LEAST_AREA;
 
 constexpr double turn = 2 * HALF_TURN;
 
-/// The same direction in a range of a turn that begins at `begin`.
+/// Adds whole turns to a direction, so that it lies in the range of a turn that begins at `begin`.
 double wrapped_from(double begin, double direction)
 {
     const double turns = std::floor((direction - begin) / turn);

@@ -36,7 +36,7 @@ double angle_below_diagonal(double x, double y)
     return base + z * series;
 }
 
-/// The same for any x.
+/// The angle of a direction with y >= 0 and any x.
 double angle_of(double x, double y)
 {
     const double across = std::abs(x);

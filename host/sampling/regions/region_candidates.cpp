@@ -22,7 +22,7 @@ constexpr double most_factor = 16;
 /// The part of the weight (1 - r)^8 over a disk of radius 1 that lies within r.
 double weight_within(double r) { return 1 - std::pow(1 - r, 9) * (1 + 9 * r); }
 
-/// The same over a ball.
+/// The part of the weight (1 - r)^8 over a ball of radius 1 that lies within r.
 double weight_within_ball(double r) { return 1 - std::pow(1 - r, 9) * (1 + 9 * r + 45 * r * r); }
 
 /// Radii between which equal parts of a weight lie: the middle of each part.

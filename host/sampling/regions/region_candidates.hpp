@@ -40,7 +40,7 @@ public:
 
     std::optional<Place> next();
 
-    /// So many, or as many as are found.
+    /// Finds `count` candidates, or as many as it can.
     std::vector<Place> next(std::size_t count);
 
     /// The part of the box that darts found inside.
@@ -59,11 +59,11 @@ private:
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const EliminationReach& reach);
 
-/// The same where disks of weights have a radius of their own each, in positions.
+/// The factors of points whose disks of weights have a radius of their own each, in positions.
 std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
                                             const std::function<double(std::size_t)>& radius_of);
 
-/// The same in space, by 256 places in a ball.
+/// The factors of points in space, by 256 places in a ball.
 std::vector<std::uint32_t> boundary_factors(const FixedSpace& space, const PointSet& points,
                                             const EliminationReach& reach);
 

@@ -21,7 +21,8 @@ constexpr double widest_beside_boundary = 1.5;
 constexpr double density_cells = 16;
 constexpr std::uint32_t least_density_side = 64, most_density_side = 2048;
 
-/// Around a place that is outside: so many directions, as offsets of 256ths, and rings that grow by a half each.
+/// A place inside is looked for around one that is outside, in so many directions, which are offsets of 256ths, and on
+/// rings that grow by a half each.
 constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
                                                               {237, 98},
                                                               {181, 181},

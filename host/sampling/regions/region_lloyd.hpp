@@ -26,13 +26,13 @@ std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const Fixe
                                            const CellIntegrals& integrals);
 
 namespace reference {
-/// One cell after the other.
+/// Integrates one cell after the other.
 std::vector<contract::region_lloyd::CellMoments> integrate_cells(const SiteGrid& grid);
 
 contract::region_lloyd::CellMoments integrate_cell(const SiteGrid& grid, std::size_t site);
 }
 
-/// The same by kernels/region_lloyd.cl: the same bytes on every device.
+/// Integrates cells by kernels/region_lloyd.cl: every device finds the bytes of the reference.
 class RegionLloyd : DeviceMethod<struct RegionLloydBuffers>
 {
 public:

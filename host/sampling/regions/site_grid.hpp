@@ -14,7 +14,7 @@ namespace poissonlab {
 class SiteGrid
 {
 public:
-    /// For so many sites. The region must outlive this.
+    /// Makes a grid for so many sites. The region must outlive this.
     SiteGrid(const FixedRegion& region, std::size_t sites);
 
     /// Sorts sites by cells, and in each by their numbers. They lie in the region's box.

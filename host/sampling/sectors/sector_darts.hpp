@@ -43,7 +43,8 @@ namespace reference {
 PointSet throw_sector_darts(const SectorDartRequest& request, const StreamKey& stream);
 }
 
-/// The same for several streams side by side, one work-item each, by kernels/sector_darts.cl: the same bytes.
+/// Throws the darts of several streams side by side, one work-item each, by kernels/sector_darts.cl, with the bytes of
+/// the reference.
 class SectorDarts : DeviceMethod<struct SectorDartBuffers>
 {
 public:

@@ -33,7 +33,7 @@ public:
     /// False where what was found last depends on points that the grid does not hold.
     virtual bool is_known() const { return true; }
 
-    // Of what was found, in sorted order: dimension values a point, and squared distances of the nearest points.
+    // These return what was found, in sorted order: dimension values a point, and squared distances of nearest points.
     virtual const Buffer<double>& displacements() const = 0;
     virtual const Buffer<double>& squared_near() const = 0;
 };

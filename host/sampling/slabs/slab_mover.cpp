@@ -8,7 +8,7 @@
 namespace poissonlab {
 namespace {
 
-/// As kernels/relaxation.cl moves points, so that bytes are the same.
+/// Moves points as kernels/relaxation.cl does, so that bytes are the same.
 void move_all(std::span<double> coordinates, std::span<const double> displacements)
 {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {

@@ -69,7 +69,7 @@ private:
         if (!pieces_.empty()) engine_.set_pieces(pieces_, surface_piece_choice(*request_.surface, pieces_));
     }
 
-    /// Until there are enough points, or no piece is left.
+    /// Throws darts until there are enough points, or no piece is left.
     void fill()
     {
         while (!pieces_.empty() && !is_full()) {

@@ -60,8 +60,8 @@ public:
                          std::size_t capacity) = 0;
     virtual void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) = 0;
 
-    /// Darts number first, first + 1, ..., of which at most `most` are accepted. Returns these, in order; they are
-    /// among the points now.
+    /// Throws darts number first, first + 1, ..., and accepts at most `most` of them. Returns these, in order; they
+    /// are among the points now.
     virtual std::vector<SurfacePoint> throw_darts(std::uint64_t first, std::uint32_t darts, std::size_t most) = 0;
 
     /// The state of each piece that was set.
@@ -82,8 +82,8 @@ SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<Surface
                           const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number);
 }
 
-/// The same by kernels/surfaces/surface_darts.cl: the same bytes as the reference on every device. `work_group_size` 0:
-/// the default.
+/// Makes an engine by kernels/surfaces/surface_darts.cl: every device finds the bytes of the reference.
+/// `work_group_size` 0: the default.
 std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request, const Device& device,
                                                        std::size_t work_group_size = 0);
 

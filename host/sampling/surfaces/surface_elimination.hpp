@@ -46,12 +46,12 @@ contract::surface_elimination::Elimination surface_elimination(const FixedSurfac
                                                                std::size_t points);
 
 namespace reference {
-/// By a heap.
+/// Finds the order of removal by a heap.
 std::vector<std::uint32_t> surface_removal_order(const FixedSurface& surface, const std::vector<SurfacePoint>& points,
                                                  const SurfaceReach& reach, std::size_t count);
 }
 
-/// The same, by kernels/surfaces/surface_elimination.cl: the same order on every device.
+/// Finds the order of removal by kernels/surfaces/surface_elimination.cl: every device finds that of the reference.
 class SurfaceElimination : DeviceMethod<struct SurfaceEliminationBuffers>
 {
 public:

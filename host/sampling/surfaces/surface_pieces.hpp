@@ -33,7 +33,7 @@ struct SurfacePieceChoice
 /// All triangles, whole.
 std::vector<SurfacePiece> whole_pieces(const FixedSurface& surface);
 
-/// In squares of the mesh's units.
+/// The area of a piece, in squares of the mesh's units.
 double area_of(const FixedSurface& surface, const SurfacePiece& piece);
 
 bool is_last(const SurfacePiece& piece);

@@ -20,7 +20,7 @@ void append_quarters(std::vector<OpenCell>& to, const OpenCell& cell)
     for (std::uint32_t i = 0; i < 4; ++i) to.push_back({cell.x + i % 2 * half, cell.y + i / 2 * half, bits, 0});
 }
 
-/// In units of 2^-16, rounded away from 1, as far as whole numbers go.
+/// Rounds a ratio to units of 2^-16, away from 1, as far as whole numbers go.
 std::uint32_t rounded_ratio(double ratio)
 {
     const double units = ratio * 0x1p16;

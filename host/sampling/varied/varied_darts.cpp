@@ -142,7 +142,7 @@ private:
         buffers_.points.write(known);
     }
 
-    /// After a slot's tries have failed.
+    /// Reduces the scale, or refines the cells, after a slot's tries have failed.
     void go_on()
     {
         if (request_.attempts > 0)

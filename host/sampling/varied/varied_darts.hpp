@@ -49,7 +49,7 @@ namespace reference {
 VariedDarts throw_varied_darts(const VariedDartRequest& request);
 }
 
-/// The same, by kernels/varied_darts.cl: the same bytes as the reference on every device.
+/// Throws darts by kernels/varied_darts.cl: every device finds the bytes of the reference.
 class VariedDartThrower : DeviceMethod<struct VariedDartBuffers>
 {
 public:

@@ -108,7 +108,7 @@ struct StippleSettings
     double slenderness = 8;       ///< of strokes: length over width
 };
 
-/// What of a region's boundary keeps points away.
+/// Says how a region's boundary keeps points away.
 enum class RegionBoundary
 {
     inside, ///< points are inside
@@ -119,7 +119,7 @@ enum class RegionBoundary
 inline constexpr WordTable<RegionBoundary, 3> region_boundary_names{
     {{{RegionBoundary::inside, "inside"}, {RegionBoundary::disks, "disks"}, {RegionBoundary::on, "on"}}}};
 
-/// Which of the distances of two points they keep where distances vary.
+/// Says which of the distances of two points these keep where distances vary.
 enum class KeptDistance
 {
     smaller,

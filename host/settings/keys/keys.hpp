@@ -50,7 +50,7 @@ struct KeySpec
 /// The option of commands that gives a key: --image-from for image_from.
 std::string option_name(const std::string& key);
 
-/// The same, by the name that the key has there.
+/// The option of commands that gives a key, by the name that the key has there.
 std::string option_name(const KeySpec& spec);
 
 /// The help of a key: what it means, what is allowed, and the default.
@@ -122,7 +122,8 @@ public:
     Said integers(const std::string& key, std::array<std::uint32_t, N>& values, Interval range,
                   std::vector<std::string> parts, std::string help);
 
-    /// As many integers of any size as there are `parts`, or at least `fewest`: a value that is not given stays empty.
+    /// Takes as many integers of any size as there are `parts`, or at least `fewest`; a value that is not given stays
+    /// empty.
     Said whole_numbers(const std::string& key, std::vector<std::int64_t>& values, std::int64_t low,
                        std::vector<std::string> parts, std::string help, std::size_t fewest = 0);
 

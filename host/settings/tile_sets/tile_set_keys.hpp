@@ -27,7 +27,7 @@ struct AskedTileSet
     PoissonTileParameters parameters(std::uint64_t seed) const;
 };
 
-/// Other defaults than those of the samplers, by key.
+/// Defaults, by key, that replace those of the samplers.
 using TileSetDefaults = std::map<std::string, ParameterValue>;
 
 /// Names the keys of the set's family, and checks what single values cannot show. With `has_all` also those that only

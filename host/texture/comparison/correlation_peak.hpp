@@ -17,7 +17,7 @@ class SelfCorrelation
 public:
     explicit SelfCorrelation(const LightMap& map);
 
-    /// At a distance of (dx, dy), dy from 0 to height / 4, dx from -width / 4 to width / 4.
+    /// The correlation at a distance of (dx, dy), dy from 0 to height / 4, dx from -width / 4 to width / 4.
     double at(int dx, int dy) const;
 
     int most_dx() const { return width_ / 4; }
@@ -39,8 +39,8 @@ struct CorrelationPeak
 /// The largest correlation at distances of `least` places and more.
 CorrelationPeak correlation_peak(const SelfCorrelation& correlations, int least);
 
-/// How large that is by chance in a map of so many places, up to so far, of a random field whose correlations below
-/// `least` are those of `sample`.
+/// The largest correlation that chance makes in a map of width x height places of a random field whose correlations
+/// below `least` are those of `sample`.
 double chance_of_peak(const SelfCorrelation& sample, int least, int width, int height);
 
 }

@@ -124,7 +124,7 @@ private:
         return pieces;
     }
 
-    /// From 0 to 1.
+    /// The lightness of a texel, from 0 to 1.
     float lightness(std::uint32_t texel) const
     {
         const std::uint32_t red = texel & 255u, green = texel >> 8 & 255u, blue = texel >> 16 & 255u;
@@ -156,7 +156,7 @@ private:
         return bytes;
     }
 
-    /// From the mean on.
+    /// The Gaussian value of a texel's channel k, relative to the mean.
     float gaussian(std::size_t texel, int k) const
     {
         const std::uint32_t word = texture_.channels == 1

@@ -62,7 +62,7 @@ DeviceMemory endless_memory(const EndlessTexture& texture, const PixelWindow& wi
 PngPixels endless_window(Device& device, const EndlessTexture& texture, const PixelWindow& window,
                          std::size_t work_group_size);
 
-/// The same bytes in plain C++.
+/// Makes the bytes of endless_window() in plain C++.
 PngPixels reference_endless_window(const EndlessTexture& texture, const PixelWindow& window);
 
 /// Seconds that the device takes for the pixels of a window, without handing them over: the median of several.

@@ -48,7 +48,7 @@ inline void divide_weights(std::span<float> weights)
     for (float& weight : weights) weight = weight * part;
 }
 
-/// More contrast between weights, whose sum is 1.
+/// Raises the contrast between weights, whose sum is 1.
 inline void gain_weights(std::span<float> weights, int gain)
 {
     if (gain == 1) return;

@@ -24,8 +24,8 @@ struct QuiltedPicture
     std::vector<SourcePixel> sources; ///< in the exemplar, row by row
 };
 
-/// A quilted picture of this size. The same bytes on any number of threads. Throws InputError as check() does, and
-/// Interrupted from `tell`, which is called with rows of blocks that are done and all of them.
+/// A quilted picture of this size. Its bytes do not depend on the number of threads. Throws InputError as check() does,
+/// and Interrupted from `tell`, which is called with rows of blocks that are done and all of them.
 QuiltedPicture quilted_picture(const EndlessRequest& request, const PngPixels& exemplar, int width, int height,
                                const std::function<void(int done, int total)>& tell);
 

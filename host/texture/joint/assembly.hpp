@@ -22,7 +22,7 @@
 
 namespace poissonlab {
 
-/// Which neighbour of two the second one is.
+/// Says on which side of the first of two neighbours the second one lies.
 enum class Neighbour : std::uint8_t
 {
     east,
@@ -91,7 +91,7 @@ public:
     /// Adds up the sums from what is shown.
     void count_tiles();
 
-    /// By how much the sums cost less if pixels change. They are of one site.
+    /// The cost that the sums lose if pixels change. The pixels are of one site.
     double sums_gain(const std::vector<ChangedPixel>& pixels) const;
 
     /// The cost that it adds to sums, to first order in all but the sums at its place, that a pixel changes together

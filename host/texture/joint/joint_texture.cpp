@@ -98,7 +98,7 @@ struct FirstPiece
     }
 };
 
-/// Over the joint of two patches, as long as three quarters of T.
+/// Makes the first piece over the joint of two patches, as long as three quarters of T.
 FirstPiece edge_piece(const TextureRequest& request, bool is_vertical)
 {
     const int size = request.size, reach = size / 2 - std::max(size / 8, request.ring_pixels());
@@ -206,7 +206,7 @@ private:
         assembly_.count_tiles();
     }
 
-    /// Which windows may lie over a box of a site.
+    /// Makes the test of which windows may lie over a box of a site.
     WindowTest test_at(const Site& site, const SiteBox& box) const
     {
         const double half = request_.size / 2.0, reach = box.side / 2.0;
@@ -340,7 +340,7 @@ private:
     {
         TextureSources result{{}, assembly_.seams(), patches_, patches_.size()};
         result.notes = notes_;
-        // By tile and by what lies over its corner.
+        // Each tile has a list of its sources for each place of the exemplar that lies over its corner.
         std::vector<std::map<std::pair<int, int>, std::vector<SourcePixel>>> shown(cover_.parts().tiles.size());
         for (std::size_t tile = 0; tile < shown.size(); ++tile)
             for (int y = 0; y < request_.size; ++y)

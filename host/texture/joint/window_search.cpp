@@ -34,7 +34,7 @@ std::uint32_t squared_distance(const std::uint8_t* a, const std::uint8_t* b, std
     return sum;
 }
 
-/// The same of those whose factor is 1; others have 0.
+/// The sum of squared differences of the values whose factor is 1; the other factors are 0.
 std::uint32_t squared_distance(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
                                const std::uint8_t* factors)
 {

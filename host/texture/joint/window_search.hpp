@@ -25,8 +25,8 @@ WindowTest window_test(const PhaseRule& rule, double x, double y);
 class WindowSearch
 {
 public:
-    /// For squares of so many pixels, an even number. `counts` are the pixels that are compared, row by row; none: all.
-    /// The features must live longer.
+    /// Searches for squares of `side` pixels, an even number. `counts` are the pixels that are compared, row by row;
+    /// none: all. The features must live longer.
     WindowSearch(const PngPixels& features, int side, const std::vector<std::uint8_t>& counts = {});
 
     int side() const { return side_; }

@@ -48,7 +48,7 @@ std::vector<float> map_endless(Device& device, const MappedEndless& mapped,
                                const contract::endless_texture::EndlessWindow& origin, const TextureView& view,
                                std::size_t work_group_size);
 
-/// The same bits in plain C++.
+/// Makes the bits of map_endless() in plain C++.
 std::vector<float> reference_map_endless(const MappedEndless& mapped,
                                          const contract::endless_texture::EndlessWindow& origin,
                                          const TextureView& view);

@@ -70,7 +70,7 @@ private:
         return texture_.method == METHOD_BLENDED ? transformed_back(level, pieces) : blended(level, pieces);
     }
 
-    /// From 0 to the size, without it.
+    /// Wraps a coordinate to the range from 0 to the size, without it.
     static double wrapped(double at, int size)
     {
         const double inside = at - std::floor(at / size) * size;

@@ -103,7 +103,7 @@ DeviceMemory texture_map_memory(const TexturePyramid& pyramid, const TextureView
 std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,
                                const TextureView& view, std::size_t work_group_size);
 
-/// The same bits in plain C++.
+/// Makes the bits of map_texture() in plain C++.
 std::vector<float> reference_map_texture(const TexturePyramid& pyramid, TextureLookup lookup, const TextureView& view);
 
 /// Light as it is shown.

@@ -36,7 +36,7 @@ inline constexpr double most_crest_offset = 1;
 /// away from there after T pixels.
 bool fits_tiles(const RegularWave& wave, int size);
 
-/// From so many times on a wave is regular.
+/// A wave is regular if it is at least so many times what is around it in the spectrum.
 inline constexpr double least_regular_times = 20;
 
 /// Waves hold at least so much of the variance: without noise, the smallest would be many times what is around it.

@@ -21,7 +21,7 @@ struct SeenWaves
     bool is_lost = false;           ///< waves of the middle do not go on over all of the picture
 };
 
-/// The same on any number of threads.
+/// Finds the waves of an exemplar, and the slope of its plane. The result does not depend on the number of threads.
 SeenWaves seen_waves(const PngPixels& exemplar);
 
 /// The shortest period that is found, in pixels of the exemplar.

@@ -145,7 +145,7 @@ std::array<double, 9> source_map(const Linear& plane, const Slope& slope, const 
     return map;
 }
 
-/// As many whole pixels, of which a source of that many has the same number left and right.
+/// Rounds a side down to whole pixels, and by one more where a source of `source` pixels could not be centred on them.
 int whole_pixels(double side, int source)
 {
     const int pixels = static_cast<int>(side + 1e-6);

@@ -34,7 +34,7 @@ struct TrackedWave
 };
 
 /// A wave that is known in the middle, in so large a part of the picture's sides. `has_slope`: whether the slope is
-/// looked for as well. The same on any number of threads.
+/// looked for as well. The result does not depend on the number of threads.
 TrackedWave tracked(const LightMap& light, double part, const SeenWave& wave, bool has_slope);
 
 }

@@ -71,7 +71,8 @@ namespace reference {
 std::unique_ptr<ClassTileFiller> make_class_tile_filler(const ClassFillSettings& settings);
 }
 
-/// The same results by kernels/class_tiles.cl, a work-group a torus. `work_group_size` 0: the default, at most 256.
+/// Makes a filler by kernels/class_tiles.cl, a work-group a torus; it has the results of the reference.
+/// `work_group_size` 0: the default, at most 256.
 std::unique_ptr<ClassTileFiller> make_class_tile_filler(const ClassFillSettings& settings, Device device,
                                                         std::size_t work_group_size = 0);
 

@@ -50,7 +50,7 @@ std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
 /// of the first box, as the few cells that need more are looked for in boxes.
 double list_reach(int dimension) { return dimension == 2 ? 1.7 : 2.1; }
 
-/// How much larger, in spacings, it is, so that lists stand for several iterations.
+/// The length, in spacings, by which lists reach beyond list_reach(), so that they stand for several iterations.
 double list_slack(int dimension) { return dimension == 2 ? 0.35 : 0.5; }
 
 /// Elements of buffers that a torus takes.

@@ -54,7 +54,7 @@ struct FillProblem
     std::uint32_t surroundings = 0;  ///< as many, or fewer where they do not fit
     std::uint32_t stream = 0;        ///< of random numbers
 
-    /// Of active points, in units from the middle of the tile at (0, 0): by monomials_up_to().
+    /// The moments of active points, in units from the middle of the tile at (0, 0), as monomials_up_to() lists them.
     std::vector<std::int64_t> moments = {};
 };
 

@@ -139,7 +139,7 @@ private:
         return movements;
     }
 
-    /// How movements change what tiles have.
+    /// Finds how movements change what tiles have of the conditions.
     std::vector<double> times_slopes(const std::vector<Displacement>& movements) const
     {
         std::vector<double> changes(lacking_.size());
@@ -159,7 +159,7 @@ private:
         return &slopes_[(entry * axes_ + axis) * count_];
     }
 
-    /// By four sums, so that none waits for the last addition.
+    /// The inner product of two vectors, by four sums, so that none waits for the last addition.
     double product(const double* a, const double* b) const
     {
         std::array<double, 4> sums{};

@@ -82,7 +82,7 @@ namespace reference {
 std::unique_ptr<JointEngine> make_joint_engine(int dimension);
 }
 
-/// By the Voronoi kernels and joint_nulling.cl.
+/// Makes an engine that relaxes by the Voronoi kernels and joint_nulling.cl.
 std::unique_ptr<JointEngine> make_joint_engine(int dimension, Device device, std::size_t work_group_size = 0);
 
 }

@@ -19,7 +19,7 @@ namespace poissonlab {
 class TileConditions
 {
 public:
-    /// From the middle of the tile; the unit is half a tile, so that all numbers are of order 1.
+    /// Positions count from the middle of the tile; the unit is half a tile, so that all numbers are of order 1.
     using Position = std::array<double, 3>;
 
     /// Equal moments as parameters ask for them and, for tiles with chains, waves from half a cycle to one and a half a
@@ -31,7 +31,7 @@ public:
     /// Finds the values that a point at a position adds to the conditions.
     void values(const Position& at, std::span<double> values) const;
 
-    /// How that changes along each axis: axis after axis, condition after condition.
+    /// Finds how values() change along each axis: axis after axis, condition after condition.
     void slopes(const Position& at, std::span<double> slopes) const;
 
     /// Are tiles to stay as different as they are? If not, they are to become the same.

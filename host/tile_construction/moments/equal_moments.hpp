@@ -9,18 +9,18 @@
 
 namespace poissonlab {
 
-/// What the constructions of different borders know of their tiles.
+/// The operations on tiles that constructions of different borders offer to the evening of moments.
 struct EvenableTiles
 {
     using Tiles = std::vector<std::uint32_t>;
 
-    /// The set as it is.
+    /// Returns the set as it is.
     std::function<PoissonTileSet()> set;
 
     /// Pushes the points of tiles apart and towards the moments. Returns those that do not get there, in order.
     std::function<Tiles(const MomentTargets& targets, const Tiles& tiles)> settle;
 
-    /// The same with points that are thrown anew; rounds have their own random numbers.
+    /// Throws the points of tiles anew, then does what settle() does; rounds have their own random numbers.
     std::function<Tiles(const MomentTargets& targets, const Tiles& tiles, std::uint32_t round)> settle_anew;
 
     /// Makes the moments of a tile exact; false where that cannot be done. Called from several threads.

@@ -105,7 +105,7 @@ private:
         return lacking;
     }
 
-    /// How far second moments are off.
+    /// Measures how far second moments are off, as a sum of squares.
     static double cost(const Conditions& lacking)
     {
         double sum = 0;
@@ -127,7 +127,7 @@ private:
         moved_[point][axis] += by;
     }
 
-    /// By single units, each of the point that helps second moments most.
+    /// Makes first moments exact by steps of one unit, each of the point that helps second moments most.
     bool settle_first_moments()
     {
         for (std::size_t axis = 0; axis < 2; ++axis)
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// Those nearest to the middle: they change second moments by the smallest numbers.
+    /// Chooses the points nearest to the middle: they change second moments by the smallest numbers.
     void choose_points(const SearchSize& size)
     {
         std::vector<std::size_t> order(points_.size());
@@ -278,7 +278,7 @@ private:
     Conditions lacking_{}; ///< wanted less found
 };
 
-/// By single units, each point at most by the reach.
+/// Makes sums exact by steps of one unit, which move each point at most by the reach.
 bool settle_sums(std::vector<StoredFromMiddle>& points, const std::vector<std::int64_t>& wanted, int dimension)
 {
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {

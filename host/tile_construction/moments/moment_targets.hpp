@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// What coordinates of tiles whose moments are made exact may lose of the minimum distance, in units.
+/// The part of the minimum distance, in units, that tiles may lose when their moments are made exact.
 double moment_margin(const PoissonTileParameters& parameters);
 
 class MomentTargets
@@ -21,8 +21,8 @@ public:
 
     std::uint32_t order() const { return order_; }
 
-    /// What is left for the inside of a tile that owns these other points, relative to its lower corner: as
-    /// FillProblem::moments.
+    /// The moments, as in FillProblem::moments, that are left for the inside of a tile that owns these other points;
+    /// these are relative to its lower corner.
     std::vector<std::int64_t> left_in_units(std::span<const UnitPosition> others) const;
 
     /// Makes the moments of a tile exact, as far as exact_moment_order() says; false: that cannot be done. Points move

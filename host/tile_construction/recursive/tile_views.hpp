@@ -49,7 +49,7 @@ void visit_views(std::size_t tile, const RecursivePlace& place, std::int64_t rea
 class PlaceGrid
 {
 public:
-    /// For about so many places.
+    /// Makes a grid for about so many places.
     explicit PlaceGrid(std::size_t places);
 
     void add(const PlanePlace& place);

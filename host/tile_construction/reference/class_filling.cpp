@@ -48,7 +48,8 @@ public:
         return true;
     }
 
-    /// Until points keep all distances, or the best of all passes. Returns the part of the squared distances kept.
+    /// Pushes points apart until they keep all distances, or else takes the best of all passes. Returns the part of the
+    /// squared distances kept.
     std::uint32_t push()
     {
         std::uint32_t best = 0;

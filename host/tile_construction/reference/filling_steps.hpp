@@ -39,7 +39,7 @@ inline std::uint32_t squared_between(const TilePosition& a, const TilePosition& 
     return sum;
 }
 
-/// In whole units, and at most as long as `limit`.
+/// Shortens a movement to `limit` at most, and rounds it to whole units.
 inline TilePosition limited_movement(const std::array<double, 3>& sum, double limit, int dimension)
 {
     const auto axes = static_cast<std::size_t>(dimension);

@@ -226,7 +226,7 @@ private:
         return limited(sum);
     }
 
-    /// As long as the distance that points are pushed to, at most.
+    /// Shortens a movement to the distance that points are pushed to, at most.
     TilePosition limited(const std::array<double, 3>& sum) const
     {
         return limited_movement(sum, settings_.repulsion_distance, settings_.dimension);

@@ -15,8 +15,8 @@
 namespace poissonlab {
 
 /// Random points of the first tile, so that no two points of the tiling are nearer than `min_distance`, copies in any
-/// tiles included: dart throwing. Fewer than `count` where 10,000 darts one after the other do not fit. The same for
-/// the same seed and realization.
+/// tiles included: dart throwing. Fewer than `count` where 10,000 darts one after the other do not fit. Equal seeds and
+/// realizations have equal points.
 std::vector<PlanePoint> repeated_points(const IsohedralTile& tile, std::size_t count, double min_distance,
                                         std::uint64_t seed, std::uint32_t realization);
 

@@ -75,7 +75,7 @@ std::uint64_t for_density(const PenroseTiling& tiling, std::size_t points, std::
             low = importance + 1;
         else
             high = importance;
-        // In proportion at first; by halves where that leads astray.
+        // The next importance is in proportion to points at first; where that leads astray, the range is halved.
         const double next = static_cast<double>(importance) * static_cast<double>(points) /
                             static_cast<double>(std::max<std::size_t>(found, 1));
         const bool is_between = next >= static_cast<double>(low) && next < static_cast<double>(high);

@@ -68,7 +68,7 @@ std::vector<PenrosePoint> penrose_points(const PenroseTiling& tiling, std::uint6
 /// Points of the unit square.
 PointSet point_set_of(const std::vector<PenrosePoint>& points);
 
-/// The same by kernels/penrose.cl: the same points in the same order.
+/// Makes the points of the reference by kernels/penrose.cl, in the order of the reference.
 class PenroseGenerator : DeviceMethod<struct PenroseBuffers>
 {
 public:

@@ -20,7 +20,7 @@ struct StayingPoint
     std::size_t index;     ///< structural
     std::size_t direction; ///< of its frame
 
-    /// Its place with a vector of the table.
+    /// The point's place where a vector of the table moves it.
     FixedPlace moved(const PenroseVector& vector, const PenroseScales& scales) const;
 };
 

@@ -67,7 +67,7 @@ public:
     /// decides which of them get their points first.
     RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream, RootTiles roots);
 
-    /// The same with hashed_root_tiles().
+    /// Takes hashed_root_tiles() as the roots of the torus.
     RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream)
         : RecursiveTiling(tiles, side, stream, hashed_root_tiles(side, stream))
     {}

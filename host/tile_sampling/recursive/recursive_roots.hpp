@@ -27,7 +27,7 @@ class RealizationRoots
 public:
     RealizationRoots(std::uint32_t side, std::uint64_t seed) : side_(side), seed_(seed) {}
 
-    /// Those of realization 0, 1, ...: the same, whichever were asked for before.
+    /// The tiling of realization 0, 1, ...: it does not depend on which ones were asked for before.
     RootTiles of(std::uint32_t realization);
 
 private:

@@ -31,7 +31,7 @@ WangPoints average_once(const WangPoints& points, AveragedVariant variant, std::
 /// cell among their points. `tiles` row by row from the lower left.
 WangPoint centroid_displacement(const WangPoints& points, std::span<const std::size_t, 9> tiles, std::size_t point);
 
-/// The same, in the mean over all surroundings of a tile.
+/// The mean of centroid_displacement() over all surroundings of a tile.
 WangPoint mean_displacement(const WangPoints& points, std::size_t tile, std::size_t number);
 
 /// A point where it is moved to, which is in its tile.

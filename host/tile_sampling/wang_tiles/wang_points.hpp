@@ -17,7 +17,7 @@ namespace poissonlab {
 
 inline constexpr std::size_t wang_point_tiles = even_wang_tiles;
 
-/// In units of 1/65,536 of a tile's side, 0 to 65,535.
+/// A place in a tile, in units of 1/65,536 of its side: coordinates are from 0 to 65,535.
 using WangPoint = std::array<std::int32_t, 2>;
 
 struct WangPoints

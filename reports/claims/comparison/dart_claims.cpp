@@ -83,7 +83,7 @@ std::map<double, Estimate> rises_of_darts(const ClaimSeries& report)
     return rises;
 }
 
-/// Between the two sets of dart throwing whose radii enclose this one; empty where there are none.
+/// Interpolates between the two sets of dart throwing whose radii enclose this one; empty where there are none.
 std::optional<Estimate> rise_at(const std::map<double, Estimate>& rises, double relative_radius)
 {
     const auto above = rises.lower_bound(relative_radius);

@@ -13,7 +13,8 @@ namespace {
 
 using EarlyOutcome = std::optional<ClaimOutcome>;
 
-/// Fewer points near the borders of tiles than elsewhere, not only more or fewer: those of later papers crowd there.
+/// Judges whether Shade's tiles have fewer points near their borders than elsewhere, not only more or fewer: the points
+/// of later papers crowd there.
 EarlyOutcome too_few_at_borders(const ClaimSeries& report)
 {
     constexpr double noticeably_lower = 0.9;
@@ -39,7 +40,7 @@ std::vector<const ReportSeries*> averaged(const ClaimSeries& report,
     return found;
 }
 
-/// Those of as many iterations as the dissertation has.
+/// Finds the averaged tiles of as many iterations as the dissertation has.
 std::vector<const ReportSeries*> averaged_as_in_the_paper(const ClaimSeries& report)
 {
     auto found = averaged(report);

@@ -31,7 +31,7 @@ std::vector<DartPair> pairs_of_equal_radius(const ClaimSeries& report, std::opti
     return pairs;
 }
 
-/// Of the series of Jones the one of the largest radius tells how far it goes.
+/// Judges how far the method of Jones goes by its series of the largest radius.
 DartOutcome jones_reaches_as_much(const ClaimSeries& report)
 {
     auto own = report.all({.sampler = "voronoi-darts"});
@@ -66,7 +66,7 @@ DartOutcome lines_on_axes(const ClaimSeries& report)
                         fmt::format("sets are toroidal here: {} dB above chance on average", range_words(excess, 2))};
 }
 
-/// Of the traditional algorithm, which the paper means, and of the one here.
+/// Shows times beside those of dart throwing as it is here; the paper compares with the traditional algorithm.
 DartOutcome times_beside_darts(const ClaimSeries& report)
 {
     std::vector<double> ratios;

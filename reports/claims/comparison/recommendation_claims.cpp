@@ -12,7 +12,7 @@ namespace {
 
 using Recommendation = std::optional<ClaimOutcome>;
 
-/// Those of the same density everywhere.
+/// Finds the series of a method that have the usual size, and the same density everywhere.
 std::vector<const ReportSeries*> usual_series(const ClaimSeries& report, const char* sampler)
 {
     auto found = of_usual_size(report, sampler);
@@ -26,7 +26,7 @@ std::optional<Estimate> excess_anisotropy(const ReportSeries& series)
     return mean_excess_anisotropy(series);
 }
 
-/// What Shade's tiles lack, beside that of later tiles.
+/// Shows what Shade's tiles lack, beside the numbers of later tiles.
 Recommendation shade_beside_others(const ClaimSeries& report)
 {
     std::vector<std::string> words;
@@ -131,7 +131,7 @@ Recommendation low_radius(const ClaimSeries& report)
     for (const ReportSeries* series : usual_series(report, "recursive-wang-tiles")) {
         if (text_parameter(*series, "drawing") == "twice" || !series->stored->relative_radius) continue;
         worst.push_back(series->stored->relative_radius->min);
-        // Of a single set it is not known how much worse another one is.
+        // A single set does not tell how much worse another one is.
         const bool single = series->stored->realizations < 2;
         cases.add(worst.back() < low ? Finding::holds : single ? Finding::open : Finding::fails);
     }

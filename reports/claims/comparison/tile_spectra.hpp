@@ -51,7 +51,7 @@ public:
     /// The finding, or open where a series takes its tiles from one set.
     Finding if_several(std::initializer_list<SeriesPointer> series, Finding finding);
 
-    /// Nothing, or that errors between sets are not known.
+    /// Says that errors between sets are not known, where a series took its tiles from one set; else nothing.
     std::string words() const;
 
 private:

@@ -146,7 +146,7 @@ TEST(MinToroidalDistance, DensestPackingsHaveRelativeRadiusOne)
     EXPECT_NEAR(min_toroidal_distance(hexagonal), expected, 4e-14 * expected);
     EXPECT_NEAR(relative_radius(min_toroidal_distance(hexagonal), hexagonal.size(), 2), 1.0, 5.4e-5);
 
-    // Its own torus fits the face-centred cubic lattice; n = 8 makes all coordinates exact.
+    // The cubic torus fits the face-centred cubic lattice; n = 8 makes all coordinates exact.
     const PointSet cubic = face_centred_cubic_lattice(8);
     EXPECT_NEAR(relative_radius(min_toroidal_distance(cubic), cubic.size(), 3), 1.0, rounding);
 }

@@ -98,8 +98,8 @@ TEST(NumberVariance, OfRandomPointsIsThatOfABinomialVariable)
 
 TEST(NumberVariance, OfALatticeIsThatOfOneCell)
 {
-    // Over places on a fine grid in one cell of the lattice; 10,000 random places know it within four standard errors
-    // of a mean of squares.
+    // The variance is taken over places on a fine grid in one cell of the lattice; 10,000 random places know it within
+    // four standard errors of a mean of squares.
     constexpr int m = 24, grid = 60;
     const PointSet lattice = square_lattice(m, 2);
     for (const auto& bin : variance_of(lattice)) {

@@ -125,8 +125,8 @@ TEST(AnisotropyAboveChance, IsNoneOfIsotropicSets)
         for (int i = 0; i < 200; ++i) {
             const auto flat = rings_of_chance(
                 96, realizations, [](double) { return 1.0; }, 1, random);
-            // As steep as Gaussian blue noise of few points: three times the power from ring to ring, from next to
-            // none.
+            // This spectrum is as steep as that of Gaussian blue noise of few points: three times the power from ring
+            // to ring, from next to none.
             const auto steep = rings_of_chance(
                 96, realizations, [](double f) { return std::min(1.0, 1e-4 * std::pow(3.0, (f - 18) / 1.5)); }, 1,
                 random);

@@ -39,7 +39,7 @@ protected:
         strips_.finish();
     }
 
-    /// The same numbers, but for sums of `points_.size()` numbers of size 1, whose rounding is below this.
+    /// A bound of the rounding of a sum of `points_.size()` numbers of size 1. Other numbers are equal.
     double rounding() const { return static_cast<double>(points_.size()) * 0x1p-53; }
 
     int dimension_ = std::get<0>(GetParam());

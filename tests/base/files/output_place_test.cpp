@@ -104,7 +104,7 @@ TEST(OutputPlaces, CanBePipesWithNames)
     EXPECT_THAT(folder.names(), UnorderedElementsAre("pipe.txt", "link.txt"));
 }
 
-/// As of a shell's `{ echo before; poissonlab ... --out /dev/stdout; } > file`.
+/// Shells open files so: `{ echo before; poissonlab ... --out /dev/stdout; } > file`.
 TEST(OutputPlaces, OfOpenFilesKeepWhatIsInThem)
 {
     const TemporaryFolder folder;

@@ -10,7 +10,8 @@
 
 namespace poissonlab {
 
-/// Without the folder, so that it starts with the file name.
+/// The message of the InputError that reading a file ends with, without the folder, so that it starts with the file
+/// name.
 inline std::string input_error_of(const std::filesystem::path& file)
 {
     const std::string message = message_of([&] { read_points(file); });
@@ -18,7 +19,7 @@ inline std::string input_error_of(const std::filesystem::path& file)
     return message.starts_with(folder) ? message.substr(folder.size()) : message;
 }
 
-/// The same for a file with that content.
+/// The message of the InputError that reading a file with that content ends with, from the file name on.
 inline std::string input_error_of(const std::string& name, std::string_view content)
 {
     const TemporaryFolder folder;

@@ -52,7 +52,7 @@ TEST(DistanceTables, AddUpWhatIsPacked)
     EXPECT_NEAR(table.most, 1.1, 1e-9);
 }
 
-/// Against doubles, at random places and boxes.
+/// Distances are compared with bilinear interpolation in doubles, at random places and boxes.
 TEST(DistanceFields, AreBilinearInWholeNumbersWithBounds)
 {
     const FixedRegion region(read_region("rectangle 0 0 1 0.6", true));

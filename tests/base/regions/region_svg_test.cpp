@@ -43,7 +43,7 @@ TEST(SvgPathRegions, AreAsNearToCurvesAsIsAsked)
             EXPECT_NEAR(std::hypot(a[0], a[1]), 100, 1e-9);
             farthest = std::max(farthest, 100 - std::hypot((a[0] + b[0]) / 2, (a[1] + b[1]) / 2));
         }
-        // By default a ten-thousandth of the longest side.
+        // The default tolerance is a ten-thousandth of the longest side.
         const double asked = tolerance > 0 ? tolerance : 0.02;
         EXPECT_LE(farthest, asked * (1 + 1e-6));
         EXPECT_GT(farthest, asked / 4);

@@ -108,7 +108,7 @@ TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
                 EXPECT_THAT(plan[series].place.indices, ElementsAre(i, j, k));
                 EXPECT_EQ(std::to_string(plan[series].request.points), grids[1].axes[0].values[i]);
             }
-    // In the order of the sampler's parameters; tables make a value of each of their own combinations.
+    // Axes are in the order of the sampler's parameters; tables make a value of each of their own combinations.
     const auto axis = [&](const char* key) { return std::ranges::find(grids[1].axes, key, &MethodAxis::key)->values; };
     EXPECT_THAT(axis("start"), ElementsAre("Random", "Dart throwing (rho = 0.6)", "Dart throwing (rho = 0.7)"));
     EXPECT_THAT(axis("repulsion"), ElementsAre("false", "true"));

@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-/// Both distances by all pairs.
+/// Computes the least and the mean nearest distance by all pairs.
 NearestDistances distances_by_pairs(const PointSet& points)
 {
     NearestDistances distances{HUGE_VAL, 0};

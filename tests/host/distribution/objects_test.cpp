@@ -132,7 +132,7 @@ TEST(Objects, AreThoseOfTheNearestPoint)
     }
 }
 
-/// The same place modulo the period has the same object.
+/// Places that are equal modulo the period have equal objects.
 TEST(Objects, RepeatAfterThePeriod)
 {
     ObjectScene scene = scene_of("stars", 2, 48, 2);

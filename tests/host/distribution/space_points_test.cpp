@@ -38,7 +38,7 @@ double space_gap(const PointSet& points, std::size_t i, std::size_t j)
                      std::pow(points[i][2] - points[j][2], 2));
 }
 
-/// As a user would compute it.
+/// Computes distances by all pairs, as a user would.
 NearestDistances by_all_pairs_in_space(const PointSet& points)
 {
     NearestDistances distances{HUGE_VAL, 0};

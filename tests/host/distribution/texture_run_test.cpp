@@ -85,7 +85,8 @@ TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
     EXPECT_EQ(seams.width, 2 * 4 * 32);
 }
 
-/// Without tiles: pictures, memory, look-ups, colours and repetition; of quilted pictures seams as well.
+/// Textures without tiles have measures of pictures, memory, look-ups, colours and repetition; quilted pictures have
+/// those of seams as well.
 TEST_F(TextureRun, MakesEndlessTexturesWithoutTiles)
 {
     for (const auto& [method, word] : endless_methods.entries) {

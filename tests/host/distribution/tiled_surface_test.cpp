@@ -235,7 +235,7 @@ TEST(TextureStretches, AreSingularValues)
     EXPECT_NEAR(stretch.least, 0.01, 1e-10);
 }
 
-/// Their area in steps is no zero, where doubles of the same coordinates have none.
+/// A triangle's area in steps is not zero where that by doubles of its coordinates is.
 TEST(TextureStretches, AreFiniteWhereTrianglesAreNearlyLines)
 {
     TriangleMesh mesh = flat_square(2);

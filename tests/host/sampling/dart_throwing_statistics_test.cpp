@@ -37,7 +37,7 @@ const std::vector<PointSet>& kernel_sets()
     return sets;
 }
 
-/// As many points as the textbook's program makes.
+/// `set_count` sets by the textbook's program.
 const std::vector<PointSet>& textbook_sets()
 {
     static const std::vector<PointSet> sets = [] {

@@ -108,8 +108,8 @@ public:
         : region_(region), points_(std::move(points)), distance_(distance)
     {}
 
-    /// How many of them lie inside and are farther than the minimum distance from all points, by a part of 1e-5, so
-    /// that there are thousands of positions around; `candidates` counts all.
+    /// Counts the places that lie inside and are farther than the minimum distance from all points, by a part of 1e-5,
+    /// so that there are thousands of positions around; `candidates` counts all.
     int count(const PlaneRegion& plane, double unit, const RegionBox& box, int& candidates)
     {
         for (const RegionPolygon& polygon : plane.polygons) {

@@ -167,7 +167,7 @@ TEST(Keys, WhatOfAPictureIsMeantIsForPictures)
               "c.toml:2: image_from = \"light\": is for pictures, and image = \"x\" is none");
 }
 
-/// What decides a result, defaults too, and nothing of how it was typed.
+/// Resolved values are all that decide a result, defaults too, and nothing of how it was typed.
 TEST(Keys, ResolvesValues)
 {
     const auto resolved = [](const std::string& text) {

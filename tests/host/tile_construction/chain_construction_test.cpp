@@ -217,7 +217,7 @@ TEST(ChainCertificate, NamesTheTileWhosePointsAreTooNear)
         PoissonTileSet set = changed_set([&](ChainPieces& p) {
             UnitPosition& moved = p.interiors[tile].front();
             const UnitPosition at = p.interiors[tile].back();
-            // On the other point's right, at the largest even distance that is too small.
+            // One point is moved to the other point's right, at the largest even distance that is too small.
             const auto distance = static_cast<std::int32_t>(std::sqrt(static_cast<double>(wanted))) / 2 * 2 - 2;
             moved = {at[0] + distance, at[1], 0};
         });

@@ -154,7 +154,7 @@ TEST(TilePointsOfChains, OfATorusAreInsideOfIt)
     for (const std::uint32_t period : {1u, 3u, 8u}) {
         const PointSet points = generator.generate_torus(5, period);
         EXPECT_EQ(points, reference::torus_points(tiles, 5, period));
-        // By the header for engines, far from the origin, modulo the period.
+        // The header for engines finds these points far from the origin, modulo the period.
         const ptiles_tiling tiling = runtime_tiling(tiles, {5, static_cast<std::int32_t>(period)});
         std::multiset<std::array<double, 2>> expected, found;
         const double side = period, low[] = {7 * side, -4 * side}, high[] = {8 * side, -3 * side};

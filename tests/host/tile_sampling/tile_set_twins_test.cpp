@@ -20,7 +20,7 @@ class TwinDice
 public:
     explicit TwinDice(std::uint32_t seed) : random_(seed) {}
 
-    /// In [low, high).
+    /// A random number in [low, high).
     double between(double low, double high) { return low + (high - low) * (word() / 0x1p32); }
     std::uint32_t upto(std::uint32_t low, std::uint32_t high) { return low + word() % (high - low + 1); }
     bool once_in(std::uint32_t times) { return word() % times == 0; }

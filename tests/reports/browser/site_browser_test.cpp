@@ -361,7 +361,7 @@ TEST_F(SiteInBrowser, TheTableOfPicturesShowsWhatIsPressed)
         EXPECT_EQ(shown.size(), 3u) << kind;
         for (const auto& image : shown) EXPECT_EQ(image, kind);
     }
-    // By keyboard as well: the first one, from the last.
+    // Keys change the kind as well: the first one follows the last.
     browser_->evaluate("document.querySelector('.switch button').focus()");
     browser_->press("Enter");
     EXPECT_EQ(each(".matrix img:not([hidden])", "e.dataset.kind")[0], kinds[0]);
@@ -399,7 +399,7 @@ TEST_F(SiteInBrowser, HoveringReadsWhatTheTablesHold)
         ASSERT_NE(row, table.end()) << shown.frequency;
         EXPECT_NEAR(shown.value, row->power, 5e-5 * std::abs(row->power)); // five digits
     }
-    // By keyboard: the first frequency, then the next, then the last.
+    // Keys move the read-out: to the first frequency, to the next, and to the last.
     browser_->evaluate("document.getElementById('chart').focus()");
     browser_->press("Home");
     EXPECT_EQ(reading(*browser_).frequency, table[0].frequency);

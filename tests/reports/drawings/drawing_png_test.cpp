@@ -50,8 +50,8 @@ std::vector<DrawingPoint> regular_polygon(double x, double y, double radius, int
     return points;
 }
 
-/// The same for a disk, whose outline moves by at most 8 radii along the axes and turns around in four places; Cairo's
-/// curves and polygons are within half a sample of round.
+/// The largest possible error of the area of a disk, whose outline moves by at most 8 radii along the axes and turns
+/// around in four places; Cairo's curves and polygons are within half a sample of round.
 double disk_error(double radius, double scale)
 {
     const double samples = 4 * 8 * radius * scale;

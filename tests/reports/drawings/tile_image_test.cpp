@@ -21,7 +21,7 @@ std::array<DrawingPoint, 4> beside_sides(double x, double y)
     return {{{x + 16, y + 2}, {x + 30, y + 16}, {x + 16, y + 30}, {x + 2, y + 16}}};
 }
 
-/// The same for its corners: north-east, south-east, south-west, north-west.
+/// Places near a tile's corners, the tile's upper left being at (x, y): north-east, south-east, south-west, north-west.
 std::array<DrawingPoint, 4> beside_corners(double x, double y)
 {
     return {{{x + 29, y + 3}, {x + 29, y + 29}, {x + 3, y + 29}, {x + 3, y + 3}}};

@@ -34,7 +34,7 @@ TEST(StructureFactor, AxesAreDecadesAroundAllCurves)
     EXPECT_EQ(plot.x.low, 1);
     EXPECT_DOUBLE_EQ(plot.y.low, 1e-3); // 0.003 is the least power
     EXPECT_DOUBLE_EQ(plot.y.high, 10);
-    // In mean spacings, of which there are 32 along an axis.
+    // Lengths are in mean spacings, of which there are 32 along an axis.
     EXPECT_DOUBLE_EQ(structure_factor_plot({{0, "a", &curve}}, LengthUnit::spacing).x.low, 1.0 / 32);
 }
 

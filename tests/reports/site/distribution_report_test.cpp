@@ -89,7 +89,7 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
     EXPECT_THAT(text, HasSubstr(R"(<article id="distribution-3">)")) << "by its place among all distributions";
 }
 
-/// By the mean of ranks in six distances; what was not compared has no row.
+/// Textures are ranked by the mean of their ranks in six distances; a texture that was not compared has no row.
 TEST_F(DistributionReport, RanksTexturesThatWereCompared)
 {
     const auto texture = [&](const std::string& name, const std::vector<double>& values) {

@@ -38,10 +38,10 @@ public:
                       int dimension = 2);
 
     static void set_radius(ReportSeries& series, double radius);
-    /// Of each realization.
+    /// Sets the relative radius of each realization.
     static void set_radii(ReportSeries& series, const std::vector<double>& radii);
     static void set_curve(ReportSeries& series, const MadeUpCurve& curve);
-    /// With so many tiles along each axis; the error is a twentieth.
+    /// Sets the peaks of tilings with so many tiles along each axis; the error is a twentieth.
     static void set_peaks(ReportSeries& series, int tiles, double mean_ratio);
     /// Realizations lie alternately so much above and below the mean.
     static void set_iterations(ReportSeries& series, std::vector<double> mean_radius, double scatter = 0);

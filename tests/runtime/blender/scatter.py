@@ -79,7 +79,7 @@ for density in (0.4, 0.8, 1.0, 0.0):
             expect(index not in turns or numpy.abs(turns[index] - matrix[:2, :2]).max() < 1e-6, "an instance has turned")
 expect(len({round(float(turn[0, 0]), 4) for turn in turns.values()}) > 0.9 * len(turns), "all are turned alike")
 
-# In space.
+# The add-on makes points in a box in space.
 bpy.context.view_layer.objects.active = cone
 bpy.ops.mesh.poisson_points_add(filepath=str(FILE.with_name("sphere-c2-n128-r085.ptiles")), size=(3, 3, 3),
                                 min_distance=0.4)

@@ -28,7 +28,7 @@ std::vector<UnitPosition> star(std::mt19937& random, int corners)
     return polygon;
 }
 
-/// By the sum of the angles under which the edges are seen.
+/// True if a polygon goes around a point, by the sum of the angles under which the point sees the edges.
 bool is_wound_around(const std::vector<UnitPosition>& polygon, const UnitPosition& point)
 {
     double sum = 0;

@@ -33,7 +33,7 @@ std::set<std::array<long, 3>> corners_of(const RegionShape& shape)
     return corners;
 }
 
-/// In tiles, by triangles; of a polygon its area.
+/// The volume of a shape, in tiles, or the area of a polygon, as a sum over triangles.
 double volume_of(const RegionShape& shape)
 {
     const bool is_polygon = shape.faces.size() == 1;

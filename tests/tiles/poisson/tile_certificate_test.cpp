@@ -48,7 +48,7 @@ protected:
     const TileCertificate certificate_ = certify(set_);
 };
 
-/// In tiles.
+/// The proven minimum distance, in tiles.
 double proven_distance(const TileCertificate& certificate)
 {
     return std::sqrt(static_cast<double>(certificate.squared_min_distance)) / tile_units;

@@ -88,7 +88,7 @@ std::string changed(std::string bytes, std::size_t offset, T value)
     return bytes;
 }
 
-/// With the checksum that the bytes have, so that only what they say is wrong.
+/// Writes the checksum of the bytes into them, so that only what they say is wrong.
 std::string resealed(std::string bytes)
 {
     Xxh64 hash;
@@ -285,7 +285,7 @@ private:
 
 TEST(TileSetFile, RandomHeadersTakeNoMemory)
 {
-    // With right checksums, so that nothing but the sizes can tell. 4 GiB would not fit below the limit.
+    // Checksums are right, so that nothing but the sizes can tell. 4 GiB would not fit below the limit.
     const std::string bytes = encode_tile_set(random_points(corner_parameters(2, 6)));
     std::mt19937 random(1);
     const MemoryLimit limit(rlim_t{3} << 30);

@@ -132,8 +132,8 @@ TEST(PolyominoTables, AreReadAsTheyWereWritten)
     EXPECT_FALSE(read_polyomino_table(file));
 }
 
-/// What is proven of tiles with few known ancestors is less, but not by much, and holds for tori that were divided as
-/// often as the first level asks for.
+/// The distance that is proven of tiles with few known ancestors is less, but not by much, and holds for tori that were
+/// divided as often as the first level asks for.
 TEST(PolyominoTables, ProveRowsOfTilesThatWereDividedLessOften)
 {
     const PolyominoTable& table = p_table();
@@ -194,7 +194,8 @@ TEST(PolyominoPoints, AreAsManyAsAskedFor)
         const double proven = proven_distance(torus, points);
         if (points == 1) continue; // it has no distance
         EXPECT_GE(test::brute_force_min_distance(set), proven * (1 - 1e-12));
-        // Of the row's 0.75, with a sixth of its points left out; of few points a row has more than are asked for.
+        // The row has 0.75, of which a set without a sixth of its points has less; of few points a row has more than
+        // are asked for.
         EXPECT_GT(relative_radius(proven, points, 2), points > 1600 ? 0.67 : points > 320 ? 0.45 : 0.2);
     }
 }
@@ -228,8 +229,8 @@ TEST(PolyominoPoints, StayWithTheirValueWhenTilesAreDivided)
     }
 }
 
-/// The same density everywhere gives the same points as none; where two densities are the same, points are, whatever
-/// the densities are elsewhere.
+/// A constant density gives the points that no density gives. Where two densities are equal, points are, whatever the
+/// densities are elsewhere.
 TEST(PolyominoPoints, DependOnTheDensityAtTheirPlaceAlone)
 {
     const PolyominoTorus torus(p_table(), 10, 4, 0);

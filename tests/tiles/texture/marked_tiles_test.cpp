@@ -59,7 +59,8 @@ TEST(MarkedTiles, TellTheirEdgesAndMarks)
     EXPECT_EQ(marks_of(corners, corner_index({2, 3, 5, 0}, 6)), (CornerTile{0, 1, 1, 0}));
 }
 
-/// Of any two tiles over edges with marks, those with the same edges differ in their marks alone; the same of corners.
+/// Two tiles over edges with marks differ in their marks alone where their edges without marks are equal. Tiles over
+/// corners do so, too.
 TEST(MarkedTiles, KnowWhichOnesDifferInMarksAlone)
 {
     const TextureSet set = marked_set(marked_wang_tiles(eight_tiles(), two));

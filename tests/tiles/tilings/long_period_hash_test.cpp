@@ -61,7 +61,7 @@ TEST(LongPeriodHash, DesignsAreThoseOfTheDissertation)
 {
     const LongPeriodDesign tiling{24, {17, 19, 23, 24, 29, 31, 37}};
     for (const Color c : {2u, 3u, 4u, 6u, 8u}) EXPECT_EQ(tiling_hash_design(c), tiling);
-    // For numbers of colours that do not divide 24, the same recipe.
+    // The recipe holds for numbers of colours that do not divide 24 as well.
     EXPECT_EQ(tiling_hash_design(5), (LongPeriodDesign{25, {17, 19, 23, 25, 29, 31, 37}}));
     EXPECT_EQ(tiling_hash_design(7), (LongPeriodDesign{21, {13, 17, 19, 21, 23, 29, 31}}));
     for (Color c = 2; c <= max_colors; ++c) EXPECT_NO_THROW(LongPeriodHash(c, long_period_key)) << c;

@@ -64,7 +64,7 @@ TEST(PermutationHash, IsThatOfTheDissertation)
         const auto p = random_permutation(n, permutation_key, 3);
         const PermutationHash hash(5, p);
         for (int i = 0; i < 5000; ++i) {
-            // Near the origin, anywhere, and at both ends of the coordinates.
+            // Coordinates lie near the origin, anywhere, and at both ends of their range.
             const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500, INT64_MIN + i,
                                                    INT64_MAX - i};
             const std::int64_t x = near[random() % 4];

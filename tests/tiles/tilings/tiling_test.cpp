@@ -18,7 +18,8 @@ constexpr DirectAlgorithm algorithms[] = {DirectAlgorithm::corner, DirectAlgorit
                                           DirectAlgorithm::wang_one_hash, DirectAlgorithm::wang_edge_hash};
 constexpr HashKind tiling_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
 
-/// Around the origin, far away, and across both ends of the coordinates and of their halves.
+/// Lower left corners of windows around the origin, far away, and across both ends of the coordinates and of their
+/// halves.
 constexpr std::array<std::int64_t, 2> places[] = {
     {-20, -12},
     {1'000'000'007, -5'930'659'848},

@@ -34,8 +34,8 @@ struct TileClasses
     bool operator==(const TileClasses&) const = default;
 };
 
-/// So many points of each class, whose distances of their own are such a part of the largest that they could have
-/// alone, and those of pairs follow by Wei's rule.
+/// Classes with so many points each. The distance within a class is `relative_radius` times the largest that its points
+/// could have alone; distances between classes follow by Wei's rule.
 TileClasses classes_of_radius(std::vector<std::uint32_t> points, double relative_radius, int dimension);
 
 /// The place of a pair in lists of all pairs: (0, 0), (0, 1), (1, 1), (0, 2), ...

@@ -66,8 +66,8 @@ void check_chains(const ChainPieces& pieces, std::int64_t squared_distance)
     if (const std::string fault = fault_of_chains(pieces, squared_distance); !fault.empty()) throw InputError(fault);
 }
 
-/// Where chains do not even keep what was asked for, it is said which. Chains that do keep it may have links too long
-/// for a smaller distance: then it is said which points are so near, as chains are innocent of that.
+/// Names the chain that does not keep the distance that was asked for. Chains that keep it may have links too long for
+/// a smaller distance: then the points that are so near are named, as chains are innocent of that.
 void check_what_was_asked(const ChainPieces& pieces, const ClosureMeasures& measures, std::int64_t measured,
                           std::int64_t asked)
 {

@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-/// The same as certify(), for sets with chains. Throws InputError, a sentence that names the tile or the chain,
-/// where the theorem does not hold.
+/// Certifies a set with chains, as certify() does sets with strips. Throws InputError, a sentence that names the tile
+/// or the chain, where the theorem does not hold.
 TileCertificate certify_chains(const PoissonTileSet& set);
 
 }

@@ -28,8 +28,8 @@ struct ClassPairProof
     bool operator==(const ClassPairProof&) const = default;
 };
 
-/// By class_pair(); empty where points have no classes. Throws InputError where tiles do not fit together. The result
-/// is the same for any number of threads.
+/// Proves the distance of each pair of classes, in the order of class_pair(); empty where points have no classes.
+/// Throws InputError where tiles do not fit together. The result is the same for any number of threads.
 std::vector<ClassPairProof> certify_classes(const PoissonTileSet& set);
 
 /// Throws InputError, a sentence, where less is proven of a pair of classes than is asked for or stated by a set,

@@ -26,7 +26,7 @@ public:
     /// `known`. There must be points.
     double radius(std::span<const UnitPosition> points, double known);
 
-    /// The same of circles around centres in a polygon, which lies within half a tile of the tile's square.
+    /// Finds such a radius of circles around centres in a polygon, which lies within half a tile of the tile's square.
     double radius_in(std::span<const UnitPosition> polygon, std::span<const UnitPosition> points, double known);
 
 private:

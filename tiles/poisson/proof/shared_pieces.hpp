@@ -26,7 +26,7 @@ public:
     /// The points in the region of a cell, as numbers: equal numbers are equal points.
     std::span<const std::uint64_t> in(const TileCell& cell) const;
 
-    /// Two equal points, the number of one of them; no points are equal: null.
+    /// Finds two equal points: the number of one of them, or null where all points differ.
     const std::uint64_t* duplicate() const;
 
     /// The position of the point with a number.
@@ -43,7 +43,7 @@ public:
     /// disagree on a variant, or a tile has two equal points. Runs on all threads.
     explicit SharedPieces(const PoissonTileSet& set) : SharedPieces(set, regions_of(set.parameters)) {}
 
-    /// The same with these regions: those of a set that this one is a part of.
+    /// Takes the regions of a set that this one is a part of.
     SharedPieces(const PoissonTileSet& set, const TileRegions& regions);
 
     const TileRegions& regions() const { return regions_; }

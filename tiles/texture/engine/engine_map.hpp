@@ -33,7 +33,7 @@ struct EngineMap
 /// The map of atlas.png.
 EngineMap color_map(const TextureSet& set);
 
-/// That map, and those of companions, whose atlases are read from the set's folder. `heights` is a
+/// The map of atlas.png, and those of companions, whose atlases are read from the set's folder. `heights` is a
 /// companion of which a map NAME-normals follows, where `relief` texels are from a height of 0 to one of 1; empty:
 /// none. Throws InputError for files that do not fit, for more than 4 channels, and as height_normals() does.
 std::vector<EngineMap> engine_maps(const std::filesystem::path& folder, const TextureSet& set,

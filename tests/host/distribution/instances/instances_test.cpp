@@ -140,7 +140,7 @@ TEST(Instances, AreTheSameInPartsAndAtOnce)
         }
     const auto whole = made(plane_instance_tiles(), some_trees({-1, -2, 3, 2}));
     EXPECT_EQ(in_order(parts), in_order(whole));
-    // The same bytes as well.
+    // Files are equal byte for byte as well.
     EXPECT_EQ(instances_csv(in_order(parts)), instances_csv(in_order(whole)));
     EXPECT_NEAR(static_cast<double>(whole.size()), 300, 4 * std::sqrt(300));
 }

@@ -156,7 +156,7 @@ TEST(Domain, MovementEndsAtASquareOrSlidesAlongIt)
     EXPECT_EQ(allowed_displacement(domain, left, {0.05, 0.02, 0}, true), (Vector{0.05, 0.02, 0}));
     // A step that would pass over it ends before it.
     expect_near(allowed_displacement(domain, left, {0.5, 0, 0}, false), {0.1, 0, 0});
-    // The same place from the other side, across the border.
+    // A step from the other side, across the border, ends at that place, too.
     expect_near(allowed_displacement(domain, {0.9, 0.5, 0}, {0.7, 0, 0}, false), {0.5, 0, 0});
 }
 

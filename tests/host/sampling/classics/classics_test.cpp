@@ -157,8 +157,8 @@ TEST(TorusGrid, FindsTheNearestPoint)
     }
 }
 
-/// Without grids and rounds: each point is the first of the farthest candidates. The program's rounds have some points
-/// each, or end among the candidates of a point.
+/// Makes sets without grids and rounds: each point is the first of the farthest candidates. The program's rounds have
+/// some points each, or end among the candidates of a point.
 TEST(BestCandidate, IsWhatItSays)
 {
     using Case = std::tuple<int, std::uint32_t, std::uint32_t, bool>; // dimension, points, candidates, do they grow?

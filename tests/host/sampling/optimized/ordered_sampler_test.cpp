@@ -50,7 +50,7 @@ double prefix_radius(PointSet points, std::size_t count)
     return relative_radius(test::brute_force_min_distance(points), count, points.dimension);
 }
 
-/// So many points of a set by chance, by the order of random words.
+/// Chooses `count` points of a set by chance, in the order of random words.
 PointSet random_part(const PointSet& points, std::size_t count, std::uint32_t realization)
 {
     std::vector<std::pair<std::uint32_t, std::size_t>> order;

@@ -26,8 +26,8 @@ PointSet random_target_start(std::size_t points, unsigned seed)
     return test::random_points(points, 2, random);
 }
 
-/// Of 1,024 points; frequencies are whole, and what is asked of one is asked of a ring from half below to half above
-/// it.
+/// Half the width of a ring, over the root of 1,024 points. Frequencies are whole, and a ring reaches from half below
+/// one to half above it.
 constexpr double half_a_ring = 0.5 / 32;
 
 std::vector<RadialBin> radial_bins(const PointSet& points)

@@ -161,7 +161,7 @@ std::vector<StreamKey> streams_of(std::uint32_t count)
     return streams;
 }
 
-/// So many sets side by side, and the twin's one after the other.
+/// Compares `count` sets that are made side by side with the twin's, made one after the other.
 void expect_same_sets(const SectorDartRequest& request, std::uint32_t count)
 {
     static Device device = Device::open();

@@ -350,7 +350,7 @@ TEST(Straightening, SaysWhatItCannotDo)
     EXPECT_EQ(regularity_note(test::random_picture(128, 128, 1, 3), 64), "");
 }
 
-/// By counting pixels: rows of one phase are 16 apart.
+/// Distances of windows are counted in pixels: rows of one phase are 16 apart.
 TEST(PhaseRule, LetsWindowsLieAWholeNumberOfPeriodsApart)
 {
     PngPixels picture{160, 160, 1, {}};

@@ -63,7 +63,7 @@ TEST(RecursivePoints, AreAsManyAsAreAskedFor)
         }
 }
 
-/// To the last bit, for uniform densities and pictures of them.
+/// Points of less density are among those of more to the last bit, for uniform densities and formulas.
 TEST(RecursivePoints, OfLessDensityAreAmongThoseOfMore)
 {
     const Density formula = density_of_formula("gauss-and-waves", 1, 1);
@@ -181,7 +181,7 @@ TEST(RecursiveWindows, HaveThePointsOfTheTorus)
     }
 }
 
-/// The same density over a larger window, and over one of larger tiles.
+/// A window has the points that a larger window around it, and one of larger tiles, have there at this density.
 TEST(RecursiveWindows, HaveThePointsOfWindowsAround)
 {
     const RecursiveTiling tiling = recursive_tiling(3);
