@@ -98,7 +98,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
 {
     for (const auto& [tables, module] : std::vector<std::pair<std::string, std::string>>{
              {"[[method]]\nsampler = \"corner-tiles\"\n", "tiles"},
-             {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "tiles"},
+             {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "other_tiles"},
              {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
              {"[[method]]\nsampler = \"random\"\nregion = \"disk 0 0 1\"\n", "regions"},
              {"[[distribution]]\nkind = \"darts\"\n", "distributions"},
