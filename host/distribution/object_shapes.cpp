@@ -23,8 +23,8 @@ enum ShapeNumber : std::uint32_t
     flower_shape,
     heart_shape,
     daisy_shape,
-    square_shape,
-    rounded_square_shape,
+    abstract_square_shape,
+    rounded_square_shape, ///< beside the next one: section 7.6.2.3's Mondriaan shapes are both
     rounded_triangle_shape,
     starfish_shape,
     starfish_inner_shape,
@@ -62,8 +62,6 @@ double petals(double angle, double count, double power)
     return 0.25 + 0.75 * std::pow(std::abs(std::cos(count * angle / 2)), power);
 }
 
-double square_radius(double angle) { return 1 / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))); }
-
 /// A convex hexagon: six borders in directions near those of a regular one, at random distances.
 double hexagon_radius(std::uint32_t number, double angle)
 {
@@ -86,7 +84,7 @@ std::vector<std::function<double(double)>> shape_functions()
         [](double t) { return petals(t - pi / 2, 5, 0.6); },
         heart_radius,
         [](double t) { return petals(t, 13, 0.7); },
-        square_radius,
+        [](double t) { return superformula(t, 4, 8, 8); },
         [](double t) { return superformula(t, 4, 12, 12); },
         [](double t) { return superformula(t - pi / 2, 3, 6.7, 12); },
         [](double t) { return superformula(t - pi / 2, 5, 2, 7); },
@@ -145,9 +143,11 @@ const std::vector<Look>& plane_looks()
          {0x2f6b2a, 0x6b9b37, 0xffffff, 0xffc400, 0xffa000},
          10},
         {"mondriaan",
-         {{square_shape, 1, 1, 2, 1}, {square_shape, 1, 0.86f, 3, 4}},
+         {{rounded_square_shape, 2, 1, 2, 1}, {rounded_square_shape, 2, 0.86f, 3, 4}},
          {0xf4f0e4, 0xf4f0e4, 0x101010, 0xd40920, 0x1356a2, 0xf7d842, 0xfafafa}},
-        {"squares", {{rounded_square_shape, 1, 1, 2, 4}}, {0x30343c, 0x30343c, 0x8ecae6, 0x219ebc, 0xffb703, 0xfb8500}},
+        {"squares",
+         {{abstract_square_shape, 1, 1, 2, 4}},
+         {0x30343c, 0x30343c, 0x8ecae6, 0x219ebc, 0xffb703, 0xfb8500}},
         {"triangles",
          {{rounded_triangle_shape, 1, 1, 2, 4}},
          {0xf1f1ee, 0xf1f1ee, 0x264653, 0x2a9d8f, 0xe9c46a, 0xe76f51}},

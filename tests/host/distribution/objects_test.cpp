@@ -169,8 +169,9 @@ TEST(ObjectShapes, AreFoundByDirection)
         const double angle = 2 * std::numbers::pi * i / 1000;
         const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
         EXPECT_NEAR(shape_radius(radii, 0, x, y), 1, 1e-6);
-        const double square = 1 / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))) / std::numbers::sqrt2;
-        EXPECT_NEAR(shape_radius(radii, 5, x, y), square, 1e-3) << i;
+        // Abstract squares, figure 7.12 g: m = 4, n1 = n2 = n3 = 8; the corners are at the distance 2^(3/8).
+        const double square = std::pow(std::pow(std::cos(angle), 8) + std::pow(std::sin(angle), 8), -1.0 / 8);
+        EXPECT_NEAR(shape_radius(radii, 5, x, y), square / std::pow(2, 3.0 / 8), 1e-3) << i;
     }
     for (std::uint32_t i = 0; i < object_shapes().size() * SHAPE_STEPS; ++i) {
         EXPECT_GE(radii[i], 0);
