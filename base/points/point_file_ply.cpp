@@ -41,6 +41,8 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
             fail("PLY header", "the element `vertex` must have the properties x and y");
         }
     }
+    if (std::ranges::find(table->properties, "class", &PlyProperty::name) != table->properties.end())
+        file.tell("the classes of the points are left out");
     if (table->has_lists) fail("PLY header", "the element `vertex` must not have lists");
     if (table->count == 0) fail("no points", "the element `vertex` must have at least one row");
     return vertices;

@@ -58,6 +58,15 @@ TEST(TextTable, LeavesOutOtherColumnsWithAWord)
     EXPECT_EQ(table(",0,1,2\n0,0.5,0.25,0.375\n1,0.125,0.75,0.625\n"), two_in_space);
 }
 
+TEST(TextTable, LeavesOutClassesAsPlyDoes)
+{
+    const ReadSet ply =
+        read_set("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                          "property uint class\nend_header\n0.5 0.25 0\n0.125 0.75 3\n");
+    EXPECT_EQ(ply.set, two);
+    EXPECT_THAT(ply.told, ElementsAre("a.ply: the classes of the points are left out"));
+}
+
 TEST(TextTable, LeavesOutRowNamesAsRWritesThem)
 {
     const char* blanks = "\"x\" \"y\"\n\"1\" 0.5 0.25\n\"2\" 0.125 0.75\n"; // write.table
