@@ -19,10 +19,10 @@ void skip_blanks(std::string_view& text)
 bool LineReader::next()
 {
     if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
+    const std::size_t end = rest_.find(end_);
     line_ = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (line_.ends_with('\r')) line_.remove_suffix(1);
+    if (end_ == '\n' && line_.ends_with('\r')) line_.remove_suffix(1);
     ++number_;
     return true;
 }

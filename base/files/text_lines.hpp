@@ -5,12 +5,15 @@
 
 namespace poissonlab {
 
-/// Goes through a text line by line. Lines end in LF or CRLF; the last one may lack its end.
+/// Goes through a text line by line. Lines end in LF or CRLF, in CR where the text has no LF; the last one may lack its
+/// end.
 class LineReader
 {
 public:
     /// The first line of `text` has the number `line_before` + 1.
-    explicit LineReader(std::string_view text, int line_before = 0) : rest_(text), number_(line_before) {}
+    explicit LineReader(std::string_view text, int line_before = 0)
+        : rest_(text), number_(line_before), end_(text.find('\n') == text.npos ? '\r' : '\n')
+    {}
 
     /// Moves to the next line; false when there is none.
     bool next();
@@ -26,6 +29,7 @@ private:
     std::string_view rest_;
     std::string_view line_;
     int number_;
+    char end_;
 };
 
 /// Goes through the words of a line, which blanks, tabs or a comma separate. A comma with nothing before or

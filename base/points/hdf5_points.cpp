@@ -3,12 +3,16 @@
 #include "base/points/hdf5_points.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
 #include "base/points/hdf5_files.hpp"
 #include "base/points/hdf5_reading.hpp"
+#include "base/points/unit_coordinates.hpp"
 #include "base/programs/loaded_module.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <fstream>
 #include <limits>
 
 namespace poissonlab {
@@ -55,18 +59,59 @@ std::vector<PlacedColumn> hdf5_columns(const std::filesystem::path& file, const 
     return hdf5_files().columns(file, target, head);
 }
 
-std::pair<std::uint64_t, int> size_of_hdf5_points(const std::filesystem::path& path) { return hdf5_files().size(path); }
-
-void stream_hdf5_points(const std::filesystem::path& path, std::optional<CoordinateRange> range, const PieceSink& sink)
+Hdf5Head head_of_hdf5_points(const std::filesystem::path& path, const PointReading& how)
 {
-    hdf5_files().stream(path, range, sink);
+    return hdf5_files().head(path, how);
 }
 
-PointSet read_hdf5_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
+std::vector<std::filesystem::path> parts_of_hdf5_points(const std::filesystem::path& path)
 {
-    PointSet set{2, {}};
-    stream_hdf5_points(path, range, [&](int dimension, std::span<const double> coordinates, const char* /*done*/) {
-        set.dimension = dimension;
+    return hdf5_files().parts(path);
+}
+
+bool is_hdf5_file(const std::filesystem::path& path)
+{
+    if (is_no_lasting_file(path)) return false;
+    std::array<char, hdf5_magic.size()> begin{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), begin.size());
+    return std::string_view(begin.data(), static_cast<std::size_t>(file.gcount())) == hdf5_magic;
+}
+
+namespace {
+
+void stream_pieces(const std::filesystem::path& path, const PointReading& how, const Hdf5Head& head,
+                   const PieceSink& sink)
+{
+    const PointFileContent file{path.string(), {}, head.range, how.told, how.options};
+    for (const std::string& sentence : head.told) file.tell(sentence);
+    UnitCoordinates units(file);
+    const auto axes = static_cast<std::size_t>(head.dimension);
+    std::vector<double> piece;
+    hdf5_files().stream(path, how, [&](std::uint64_t first, std::span<const double> stored) {
+        piece.resize(stored.size());
+        for (std::size_t i = 0; i < stored.size(); ++i)
+            piece[i] = units(stored[i], i % axes, head.rounding, [&] {
+                return CoordinatePlace{0, fmt::format("point {}: {}", first + i / axes + 1, stored[i])};
+            });
+        if (!units.are_refused()) sink(head.dimension, piece, nullptr);
+    });
+    units.finish();
+}
+
+}
+
+void stream_hdf5_points(const std::filesystem::path& path, const PointReading& how, const PieceSink& sink)
+{
+    stream_pieces(path, how, head_of_hdf5_points(path, how), sink);
+}
+
+PointSet read_hdf5_points(const std::filesystem::path& path, const PointReading& how, CoordinateRange& range)
+{
+    const Hdf5Head head = head_of_hdf5_points(path, how);
+    range = head.range;
+    PointSet set{head.dimension, {}};
+    stream_pieces(path, how, head, [&](int /*dimension*/, std::span<const double> coordinates, const char* /*done*/) {
         set.coordinates.insert(set.coordinates.end(), coordinates.begin(), coordinates.end());
     });
     return set;

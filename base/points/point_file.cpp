@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace poissonlab {
 
@@ -30,7 +31,16 @@ std::string shown(std::string_view text)
     return result;
 }
 
-/// The end of the message about a number that is no coordinate: the numbers that are.
+/// Does a line of text begin with a number, whatever comes after it?
+bool begins_with_number(std::string_view line)
+{
+    double value = 0;
+    if (line.starts_with('"')) line.remove_prefix(1);
+    return parse_number(line.substr(0, line.find_first_of(" \t,;\"")), value);
+}
+
+}
+
 std::string allowed_coordinate(double value, const CoordinateRange& range)
 {
     if (range.high == any_coordinates.high) return "must be a number";
@@ -40,21 +50,12 @@ std::string allowed_coordinate(double value, const CoordinateRange& range)
     return allowed;
 }
 
-bool is_number(std::string_view word)
-{
-    double value = 0;
-    return parse_number(word, value);
-}
-
-}
-
 CoordinateRange declared_range(const PointFileContent& file)
 {
     for (LineReader lines(file.bytes); lines.next();) {
         WordReader words(lines.line());
-        const bool has_word = words.next();
-        const std::string_view first = has_word ? words.word() : std::string_view{};
-        if (first == "end_header" || (has_word && is_number(first))) break;
+        const std::string_view first = words.next() ? words.word() : std::string_view{};
+        if (first == "end_header" || begins_with_number(trimmed(lines.line()))) break;
         if ((first != "#" && first != "comment") || !words.next() || words.word() != "domain") continue;
         const std::string_view text = words.next() ? words.word() : std::string_view{};
         if (const auto range = parse_range(text)) return *range;
@@ -76,15 +77,23 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
 
 namespace {
 
-/// The sets of a file as they are there; `range` becomes that of their coordinates.
-std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, std::optional<CoordinateRange>& range)
+PointFileContent content_of(const std::filesystem::path& path, std::string_view bytes, const PointReading& how)
 {
+    return {path.string(), bytes, {}, how.told, how.options};
+}
+
+/// The sets of a file as they are there; `range` becomes that of their coordinates.
+std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, const PointReading& how,
+                                           CoordinateRange& range)
+{
+    if (is_hdf5_file(path)) return {read_hdf5_points(path, how, range)};
     const std::string content = read_whole_file(path);
-    PointFileContent file{path.string(), content};
-    if (file.bytes.starts_with(hdf5_magic)) return {read_hdf5_points(path, range)};
+    PointFileContent file = content_of(path, content, how);
+    check_no_particles(how, path);
     const bool is_npy = file.bytes.starts_with(npy_magic);
     const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
-    file.range = range ? *range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
+    if (!is_npy && !is_utk) file.bytes = plain_text(file.name, file.bytes);
+    file.range = how.range ? *how.range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
     range = file.range;
     if (is_npy) return read_npy_points(file);
     if (is_utk) return read_utk_points(file);
@@ -95,41 +104,81 @@ std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, st
 
 }
 
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range,
-                                  const std::function<void(const std::string& sentence)>& told)
+std::vector<PointSet> read_points(const std::filesystem::path& path, const PointReading& how)
 {
-    std::vector<PointSet> sets = read_all_coordinates(path, range);
-    if (are_flat(sets, range ? to_unit(0, *range) : 0)) {
-        for (PointSet& set : sets) set = without_third(std::move(set));
-        if (told) told(printable(path.string()) + ": " + flat_sentence);
+    CoordinateRange range;
+    std::vector<PointSet> sets = read_all_coordinates(path, how, range);
+    if (const auto axis = flat_axis(sets, to_unit(0, range))) {
+        for (PointSet& set : sets) set = without_axis(std::move(set), *axis);
+        if (how.told) how.told(printable(path.string()) + ": " + flat_sentence(*axis));
     }
     return sets;
 }
 
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
+{
+    return read_points(path, PointReading{.range = range});
+}
+
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
 {
-    return read_all_coordinates(path, range);
+    CoordinateRange found;
+    return read_all_coordinates(path, PointReading{.range = range}, found);
 }
 
-void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates)
+std::vector<std::filesystem::path> files_of_points(const std::filesystem::path& path)
+{
+    if (is_hdf5_file(path)) return parts_of_hdf5_points(path);
+    return {path};
+}
+
+std::vector<std::filesystem::path> without_further_parts(const std::vector<std::filesystem::path>& files,
+                                                         const std::function<void(const std::string&)>& told)
+{
+    std::vector<std::filesystem::path> kept;
+    std::map<std::filesystem::path, std::filesystem::path> first_of; // parts, and the file that names them all
+    for (const auto& file : files) {
+        const auto named = first_of.find(std::filesystem::weakly_canonical(file));
+        if (named != first_of.end()) {
+            if (told)
+                told(fmt::format("{}: is read already, as part of the snapshot of {}", printable(file.string()),
+                                 printable(named->second.string())));
+            continue;
+        }
+        kept.push_back(file);
+        const auto parts = files_of_points(file);
+        if (parts.size() < 2) continue;
+        for (const auto& part : parts) first_of.emplace(std::filesystem::weakly_canonical(part), file);
+    }
+    return kept;
+}
+
+void check_no_particles(const PointReading& how, const std::filesystem::path& path)
+{
+    if (!how.particles) return;
+    throw InputError::at({path.string()},
+                         fmt::format("has no types of particles: {} is for snapshots in HDF5",
+                                     fmt::format(fmt::runtime(how.options.particles), *how.particles)));
+}
+
+std::string_view plain_text(const std::string& name, std::string_view text)
+{
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw InputError::at({name}, "is text in UTF-16, as some programs call \"Unicode\": must be saved as UTF-8");
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    return text;
+}
+
+double number_in(const PointFileContent& file, int line, std::string_view word)
 {
     double value = 0;
-    if (!parse_number(word, value)) {
-        if (!std::ranges::all_of(word, is_printable)) {
-            fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
-        }
-        fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
-                           allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +
-                               "; a line that is not a point starts with `# `");
-    }
-    if (!is_coordinate(value, file.range)) fail_in_point_file(file, line, word, allowed_coordinate(value, file.range));
-    coordinates.push_back(to_unit(value, file.range));
-}
-
-void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value)
-{
-    throw InputError::at({file.name},
-                         fmt::format("byte {}: {}: {}", offset, value, allowed_coordinate(value, file.range)));
+    if (parse_number(word, value)) return value;
+    if (!std::ranges::all_of(word, is_printable))
+        fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy), HDF5 or UTK (.bin)");
+    fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
+                       allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +
+                           "; a line that is not a point starts with `# `");
 }
 
 void fail_in_point_file(const PointFileContent& file, int line, std::string_view value, std::string_view allowed)

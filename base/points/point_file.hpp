@@ -1,4 +1,5 @@
-// Point sets as files: text, PLY, NumPy and those of UTK, told apart by their first bytes, not by their names.
+// Point sets as files: text and tables, PLY, NumPy, HDF5 and those of UTK, told apart by their first bytes, not by
+// their names.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -30,29 +31,59 @@ inline constexpr CoordinateRange any_coordinates{-std::numeric_limits<double>::i
 /// LOW is not below HIGH.
 std::optional<CoordinateRange> parse_range(std::string_view text);
 
-/// Reads the point sets of a file, one a realization. Coordinates are in `range`; when that is not given, in the range
-/// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped
-/// to [0, 1), but for any_coordinates, which stay as they are.
+/// What messages call the options of who asks for points, as formats of fmt; empty: there is none.
+struct PointOptions
+{
+    const char* domain = "";    ///< of the range's two ends
+    const char* region = "";    ///< of the rectangle's two corners
+    const char* particles = ""; ///< of the type of particles
+};
+
+/// How a file is read.
+struct PointReading
+{
+    /// That of the coordinates. Not given: the range that the file declares by a comment `domain LOW:HIGH` before its
+    /// points, by its attributes, or else [0, 1). any_coordinates stay as they are, others are mapped to [0, 1).
+    std::optional<CoordinateRange> range{};
+
+    /// The type of particles of a snapshot; not given: its only one.
+    std::optional<int> particles{};
+
+    /// Takes sentences about what was left out, or taken for something else.
+    std::function<void(const std::string& sentence)> told{};
+
+    PointOptions options{};
+};
+
+/// Reads the point sets of a file, one a realization.
 ///
-/// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
-/// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
-/// the number of points alone (as for psa), which must be right then, or the names x,y or x,y,z of CSV files.
+/// Text: one point a line, 2 or 3 coordinates separated by blanks, a comma or a semicolon; a line with `#` alone
+/// separates realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
+/// the number of points alone (as for psa), which must be right then, or names of columns: see text_table.hpp.
 /// PLY: ascii and binary (either byte order), vertex properties x, y and, where there is one, z.
 /// NPY: float32 or float64 (either byte order), shape (N, 2), (N, 3), (K, N, 2) or (K, N, 3), C or Fortran
 /// order.
+/// HDF5: see hdf5_reading.hpp.
 /// UTK (.bin): a header of 20 bytes, then int32, int64, uint32, uint64, float or double, all sets of one size.
 ///
-/// Points of the plane are often stored as x, y and one number that is always the same: where all points of a file, at
-/// least two, have one third coordinate, it is left out, and `told` is called with a sentence that says so. A single
-/// point loses it where it is 0.
+/// Points of the plane are often stored as x, y and one number that is always the same: such a coordinate is left out,
+/// with a sentence, see flat_points.hpp.
 ///
 /// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
 /// number in its range, lines of unequal length, truncated files.
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {},
-                                  const std::function<void(const std::string& sentence)>& told = {});
+std::vector<PointSet> read_points(const std::filesystem::path& path, const PointReading& how);
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
 
 /// Reads points that the program itself has written: all of their coordinates, and else as above.
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
+
+/// The files that a set is read from where this one is named: all parts of a snapshot, or the file itself.
+std::vector<std::filesystem::path> files_of_points(const std::filesystem::path& path);
+
+/// The files without those that are parts of a snapshot of which one is named before; `told` is called with a sentence
+/// where some are.
+std::vector<std::filesystem::path> without_further_parts(const std::vector<std::filesystem::path>& files,
+                                                         const std::function<void(const std::string&)>& told);
 
 /// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
 /// dimension), .h5 (HDF5), .hdf5 and .h5part (particles in 3D, see hdf5_points.hpp), .csv (columns x, y and, in 3D, z),

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -20,6 +21,13 @@ struct PointFileContent
     std::string name;
     std::string_view bytes;
     CoordinateRange range = {};
+    std::function<void(const std::string& sentence)> told = {};
+    PointOptions options = {};
+
+    void tell(const std::string& sentence) const
+    {
+        if (told) told(name + ": " + sentence);
+    }
 };
 
 /// Takes the unit coordinates of a set that is read in pieces, each of whole points, and the place in the file up to
@@ -76,11 +84,17 @@ inline double to_unit(double value, const CoordinateRange& range)
     return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
 }
 
-/// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
-void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates);
+/// The number in `word`. Throws InputError when it is none.
+double number_in(const PointFileContent& file, int line, std::string_view word);
 
-/// Throws InputError for a coordinate of a binary file.
-[[noreturn]] void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value);
+/// The end of the message about a number that is no coordinate: the numbers that are.
+std::string allowed_coordinate(double value, const CoordinateRange& range);
+
+/// Throws InputError where a type of particles is asked of a file that has none.
+void check_no_particles(const PointReading& how, const std::filesystem::path& path);
+
+/// Text without what editors of some systems put in front, a byte order mark. Throws InputError for UTF-16.
+std::string_view plain_text(const std::string& name, std::string_view text);
 
 /// Throws InputError `file:line: value: allowed`; line 0 is left out.
 [[noreturn]] void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,

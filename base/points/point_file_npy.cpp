@@ -3,6 +3,7 @@
 // libraries (xtensor) do not say what is wrong with a file, and do not compare its shape with its size.
 #include "base/files/byte_order.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/points/unit_coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -131,19 +132,31 @@ void check_size(const PointFileContent& file, const NpyLayout& layout)
     }
 }
 
-double value_at(const PointFileContent& file, const NpyLayout& layout, std::size_t index)
+/// The coordinates of a file, in [0, 1).
+class NpyCoordinates
 {
-    const std::size_t offset = layout.data_offset + index * layout.value_bytes;
-    const std::string_view bytes = file.bytes.substr(offset);
-    const double value =
-        layout.value_bytes == 8 ? load<double>(bytes, layout.byte_order) : load<float>(bytes, layout.byte_order);
-    if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
-    return value;
-}
+public:
+    NpyCoordinates(const PointFileContent& file, const NpyLayout& layout) : file_(file), layout_(layout), units_(file)
+    {}
 
-}
+    double at(std::size_t realization, std::size_t point, std::size_t axis)
+    {
+        const std::size_t offset = layout_.data_offset + layout_.index(realization, point, axis) * layout_.value_bytes;
+        const std::string_view bytes = file_.bytes.substr(offset);
+        const bool is_double = layout_.value_bytes == 8;
+        const double value =
+            is_double ? load<double>(bytes, layout_.byte_order) : load<float>(bytes, layout_.byte_order);
+        return units_(value, axis, is_double ? half_ulp_of_double : half_ulp_of_float,
+                      [&] { return place_at_byte(offset, value); });
+    }
 
-namespace {
+    const UnitCoordinates& units() const { return units_; }
+
+private:
+    const PointFileContent& file_;
+    const NpyLayout& layout_;
+    UnitCoordinates units_;
+};
 
 NpyLayout read_npy_layout(const PointFileContent& file)
 {
@@ -171,33 +184,34 @@ void stream_npy_points(const PointFileContent& file, const PieceSink& sink)
     if (layout.realizations != 1)
         fail_in_point_file(file, 0, fmt::format("{} sets", layout.realizations),
                            "a file that is read in pieces has one");
+    NpyCoordinates coordinates(file, layout);
     std::vector<double> piece;
     for (std::size_t n = 0; n < layout.points;) {
         const std::size_t end = std::min(layout.points, n + points_of_piece);
         piece.clear();
         for (; n < end; ++n)
-            for (std::size_t axis = 0; axis < layout.dimension; ++axis)
-                piece.push_back(to_unit(value_at(file, layout, layout.index(0, n, axis)), file.range));
+            for (std::size_t axis = 0; axis < layout.dimension; ++axis) piece.push_back(coordinates.at(0, n, axis));
         const std::size_t done =
             layout.fortran_order ? 0 : layout.data_offset + n * layout.dimension * layout.value_bytes;
-        sink(static_cast<int>(layout.dimension), piece, file.bytes.data() + done);
+        if (!coordinates.units().are_refused())
+            sink(static_cast<int>(layout.dimension), piece, file.bytes.data() + done);
     }
+    coordinates.units().finish();
 }
 
 std::vector<PointSet> read_npy_points(const PointFileContent& file)
 {
     const NpyLayout layout = read_npy_layout(file);
+    NpyCoordinates coordinates(file, layout);
     std::vector<PointSet> sets(layout.realizations);
     for (std::size_t k = 0; k < layout.realizations; ++k) {
         sets[k].dimension = static_cast<int>(layout.dimension);
         sets[k].coordinates.reserve(layout.points * layout.dimension);
-        for (std::size_t n = 0; n < layout.points; ++n) {
-            for (std::size_t axis = 0; axis < layout.dimension; ++axis) {
-                const double value = value_at(file, layout, layout.index(k, n, axis));
-                sets[k].coordinates.push_back(to_unit(value, file.range));
-            }
-        }
+        for (std::size_t n = 0; n < layout.points; ++n)
+            for (std::size_t axis = 0; axis < layout.dimension; ++axis)
+                sets[k].coordinates.push_back(coordinates.at(k, n, axis));
     }
+    coordinates.units().finish();
     return sets;
 }
 

@@ -2,6 +2,7 @@
 #include "base/files/text_lines.hpp"
 #include "base/points/ply_header.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/points/unit_coordinates.hpp"
 #include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
@@ -40,6 +41,8 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
             fail("PLY header", "the element `vertex` must have the properties x and y");
         }
     }
+    if (std::ranges::find(table->properties, "class", &PlyProperty::name) != table->properties.end())
+        file.tell("the classes of the points are left out");
     if (table->has_lists) fail("PLY header", "the element `vertex` must not have lists");
     if (table->count == 0) fail("no points", "the element `vertex` must have at least one row");
     return vertices;
@@ -80,6 +83,7 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
     std::vector<double> coordinates;
     coordinates.reserve(vertices.table->count * vertices.columns.size());
     std::vector<std::string_view> row;
+    UnitCoordinates units(file);
     for (std::size_t i = 0; i < vertices.table->count; ++i) {
         next_row(*vertices.table);
         if (lines.line().find(',') != std::string_view::npos)
@@ -91,10 +95,14 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
             fail_in_point_file(file, lines.number(), fmt::format("{} numbers", row.size()),
                                fmt::format("must be {}, as the header says", width));
         }
-        for (const std::size_t column : vertices.columns) {
-            append_coordinate(file, lines.number(), row[column], coordinates);
+        for (std::size_t axis = 0; axis < vertices.columns.size(); ++axis) {
+            const std::string_view word = row[vertices.columns[axis]];
+            coordinates.push_back(units(number_in(file, lines.number(), word), axis, 0, [&] {
+                return CoordinatePlace{lines.number(), std::string(word)};
+            }));
         }
     }
+    units.finish();
 
     // Points that the header does not count would be lost without a word.
     const bool last = vertices.element + 1 == header.elements.size();
@@ -105,6 +113,11 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
         }
     }
     return coordinates;
+}
+
+double rounding_of(PlyType type)
+{
+    return type == PlyType::float64 ? half_ulp_of_double : type == PlyType::float32 ? half_ulp_of_float : 0;
 }
 
 /// Coordinates from a binary body.
@@ -126,17 +139,17 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
     check_room(file, *vertices.table, body.size(), row_bytes);
     std::vector<double> coordinates;
     coordinates.reserve(vertices.table->count * vertices.columns.size());
+    UnitCoordinates units(file);
     for (std::size_t i = 0; i < vertices.table->count; ++i) {
-        for (const std::size_t column : vertices.columns) {
-            const PlyProperty& property = vertices.table->properties[column];
+        for (std::size_t axis = 0; axis < vertices.columns.size(); ++axis) {
+            const PlyProperty& property = vertices.table->properties[vertices.columns[axis]];
             const std::string_view bytes = body.substr(i * row_bytes + property.offset);
             const double value = load_ply_value(bytes, property.type, header.byte_order);
-            if (!is_coordinate(value, file.range)) {
-                fail_coordinate_at_byte(file, file.bytes.size() - bytes.size(), value);
-            }
-            coordinates.push_back(to_unit(value, file.range));
+            coordinates.push_back(units(value, axis, rounding_of(property.type),
+                                        [&] { return place_at_byte(file.bytes.size() - bytes.size(), value); }));
         }
     }
+    units.finish();
 
     const std::size_t left = body.size() - vertices.table->count * row_bytes;
     if (vertices.element + 1 == header.elements.size() && left > 0) {

@@ -1,6 +1,8 @@
-// Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or CSV.
+// Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or tables.
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/points/text_table.hpp"
+#include "base/points/unit_coordinates.hpp"
 #include "base/text/decimal_commas.hpp"
 
 #include <fmt/format.h>
@@ -15,16 +17,18 @@ namespace {
 class TextPoints
 {
 public:
-    explicit TextPoints(const PointFileContent& file) : file_(file) {}
+    explicit TextPoints(const PointFileContent& file) : file_(file), table_(file), units_(file) {}
 
     /// The points of one set go on in pieces, and are not kept.
-    TextPoints(const PointFileContent& file, const PieceSink& sink) : file_(file), sink_(&sink) {}
+    TextPoints(const PointFileContent& file, const PieceSink& sink)
+        : file_(file), table_(file), units_(file), sink_(&sink)
+    {}
 
     /// Hands on what there is, unless it is still little: up to `place` of the file.
     void hand_on(const char* place, std::size_t least)
     {
         if (current_.size() <= least) return;
-        (*sink_)(dimension_, current_, place);
+        if (!units_.are_refused()) (*sink_)(dimension_, current_, place);
         handed_on_ += current_.size();
         current_.clear();
     }
@@ -33,6 +37,7 @@ public:
     {
         hand_on(file_.bytes.data() + file_.bytes.size(), 0);
         if (handed_on_ == 0) fail_without_points();
+        units_.finish();
         const std::string points = std::to_string(handed_on_ / static_cast<std::size_t>(dimension_));
         if (!announced_.empty() && announced_ != points)
             fail_in_point_file(file_, announced_line_, announced_, "is not the number of points, which is " + points);
@@ -44,7 +49,7 @@ public:
         if (text.empty()) return;
         if (text == "#") {
             end_realization(number);
-        } else if (text.front() != '#' && !is_header(text)) {
+        } else if (text.front() != '#') {
             add_point(text, number);
         }
     }
@@ -52,6 +57,7 @@ public:
     std::vector<PointSet> finish()
     {
         if (!current_.empty()) store();
+        units_.finish();
         check_announced_number();
         if (sets_.empty()) fail_without_points();
         return std::move(sets_);
@@ -73,11 +79,16 @@ private:
             return;
         }
         if (has_ended_) fail_in_point_file(file_, line, text, "a file that is read in pieces has one set");
-        check_commas(text, line);
-        const std::size_t before = current_.size();
-        for (WordReader words(text); words.next();) append_coordinate(file_, line, words.word(), current_);
-        const auto count = static_cast<int>(current_.size() - before);
-
+        if (is_before_points() && table_.takes(text, line)) return;
+        const auto words = table_.coordinates(text, line);
+        const auto count = static_cast<int>(words.size());
+        for (std::size_t axis = 0; axis < words.size(); ++axis) {
+            const double value = number_in(file_, line, words[axis]);
+            if (axis < 3)
+                current_.push_back(units_(value, axis, 0, [&] {
+                    return CoordinatePlace{line, std::string(words[axis])};
+                }));
+        }
         if (count != 2 && count != 3) {
             fail_in_point_file(file_, line, fmt::format("{} coordinate{}", count, count == 1 ? "" : "s"),
                                "a point has 2 or 3; a line that is not a point starts with `# `" +
@@ -90,31 +101,12 @@ private:
         }
     }
 
-    /// Throws where commas stand within numbers, as many languages write decimals: "12,5 7" is no point in space.
-    void check_commas(std::string_view text, int line) const
-    {
-        const std::string_view number = decimal_comma_in(text);
-        if (number.empty()) return;
-        const bool has_other_separators = std::ranges::any_of(text, [&](const char& c) {
-            const bool is_beside_comma =
-                (&c > text.data() && *(&c - 1) == ',') || (&c < &text.back() && *(&c + 1) == ',');
-            return c == ';' || ((c == ' ' || c == '\t') && !is_beside_comma);
-        });
-        if (has_other_separators)
-            fail_in_point_file(file_, line, text, "commas separate numbers" + decimal_comma_words(text));
-    }
-
-    /// The names of columns, before all points.
-    bool is_header(std::string_view text) const
-    {
-        return current_.empty() && sets_.empty() && handed_on_ == 0 && (text == csv_header_2d || text == csv_header_3d);
-    }
+    bool is_before_points() const { return current_.empty() && sets_.empty() && handed_on_ == 0; }
 
     /// The number of points alone, before all of them.
     bool is_announced_number(std::string_view text) const
     {
-        return current_.empty() && sets_.empty() && handed_on_ == 0 && announced_.empty() &&
-               text.find_first_not_of("0123456789") == text.npos;
+        return is_before_points() && announced_.empty() && text.find_first_not_of("0123456789") == text.npos;
     }
 
     void check_announced_number() const
@@ -148,6 +140,8 @@ private:
     }
 
     const PointFileContent& file_;
+    TextTable table_;
+    UnitCoordinates units_;
     std::vector<PointSet> sets_;
     std::vector<double> current_;
     int dimension_ = 0;
@@ -158,21 +152,13 @@ private:
     bool has_ended_ = false;    ///< the set that is handed on
 };
 
-/// Editors of some systems put a byte order mark in front.
-std::string_view without_mark(std::string_view text)
-{
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    return text;
-}
-
 }
 
 void stream_text_points(const PointFileContent& file, const PieceSink& sink)
 {
     constexpr std::size_t numbers_of_piece = std::size_t{1} << 19;
     TextPoints points(file, sink);
-    for (LineReader lines(without_mark(file.bytes)); lines.next();) {
+    for (LineReader lines(file.bytes); lines.next();) {
         points.add_line(lines.line(), lines.number());
         points.hand_on(lines.rest().data(), numbers_of_piece);
     }
@@ -182,7 +168,7 @@ void stream_text_points(const PointFileContent& file, const PieceSink& sink)
 std::vector<PointSet> read_text_points(const PointFileContent& file)
 {
     TextPoints points(file);
-    for (LineReader lines(without_mark(file.bytes)); lines.next();) points.add_line(lines.line(), lines.number());
+    for (LineReader lines(file.bytes); lines.next();) points.add_line(lines.line(), lines.number());
     return points.finish();
 }
 

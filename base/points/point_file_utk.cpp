@@ -8,6 +8,7 @@
 // the first set again and again where there are several (2024); such files are read as they are.
 #include "base/files/byte_order.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/points/unit_coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ struct UtkLayout
     std::uint8_t type = 5;
     std::size_t sets = 0, points = 0, dimension = 0;
 
+    double rounding() const { return type < 4 ? 0 : type == 4 ? half_ulp_of_float : half_ulp_of_double; }
     std::size_t value_bytes() const { return type == 1 || type == 3 || type == 5 ? 8 : 4; }
 };
 
@@ -89,16 +91,19 @@ std::vector<PointSet> read_utk_points(const PointFileContent& file)
     const UtkLayout layout = read_layout(file);
     check_layout(file, layout);
     std::vector<PointSet> sets(layout.sets);
+    UnitCoordinates units(file);
+    const double rounding = layout.rounding();
     std::size_t offset = utk_header_bytes;
     for (PointSet& set : sets) {
         set.dimension = static_cast<int>(layout.dimension);
         set.coordinates.reserve(layout.points * layout.dimension);
         for (std::size_t i = 0; i < layout.points * layout.dimension; ++i, offset += layout.value_bytes()) {
             const double value = number_of(file.bytes.substr(offset), layout);
-            if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
-            set.coordinates.push_back(to_unit(value, file.range));
+            set.coordinates.push_back(
+                units(value, i % layout.dimension, rounding, [&] { return place_at_byte(offset, value); }));
         }
     }
+    units.finish();
     return sets;
 }
 

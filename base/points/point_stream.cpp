@@ -4,6 +4,7 @@
 #include "base/files/mapped_file.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/flat_points.hpp"
 #include "base/points/hdf5_reading.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/programs/interrupt.hpp"
@@ -58,12 +59,12 @@ bool can_be_streamed(const std::filesystem::path& path)
     return has_one_set(mapped);
 }
 
-std::optional<KnownShape> known_shape(const std::filesystem::path& path)
+std::optional<KnownShape> known_shape(const std::filesystem::path& path, const PointReading& how)
 {
     const std::string begin = begin_of(path);
     if (begin.starts_with(hdf5_magic)) {
-        const auto [points, dimension] = size_of_hdf5_points(path);
-        return KnownShape{points, dimension};
+        const Hdf5Head head = head_of_hdf5_points(path, how);
+        return KnownShape{head.points, head.dimension};
     }
     if (!begin.starts_with(npy_magic)) return std::nullopt;
     const MappedFile mapped(path);
@@ -71,38 +72,37 @@ std::optional<KnownShape> known_shape(const std::filesystem::path& path)
     return KnownShape{shape.points, shape.dimension};
 }
 
-std::uint64_t points_at_most(const std::filesystem::path& path)
+std::uint64_t points_at_most(const std::filesystem::path& path, const PointReading& how)
 {
-    if (const auto shape = known_shape(path)) return shape->points;
+    if (const auto shape = known_shape(path, how)) return shape->points;
     return std::filesystem::file_size(path) / least_text_bytes + 1;
 }
 
-PointStrips read_into_strips(const std::filesystem::path& path, std::optional<CoordinateRange> range,
+PointStrips read_into_strips(const std::filesystem::path& path, const PointReading& how,
                              const std::filesystem::path& folder,
                              const std::function<void(std::span<const double> coordinates)>& told)
 {
-    const std::uint64_t expected = points_at_most(path);
+    const std::uint64_t expected = points_at_most(path, how);
     std::optional<PointStrips> strips;
-    std::optional<double> third;
-    bool is_flat = true;
+    FlatAxes flat;
     const auto take = [&](int dimension, std::span<const double> coordinates) {
         stop_if_interrupted();
         if (!strips) strips.emplace(folder, dimension, expected);
-        is_flat = is_flat && dimension == 3;
-        for (std::size_t i = 2; is_flat && i < coordinates.size(); i += 3)
-            is_flat = coordinates[i] == *(third = third.value_or(coordinates[i]));
+        flat.add(dimension, coordinates);
         strips->add(coordinates);
         told(coordinates);
     };
     const std::string begin = begin_of(path);
     if (begin.starts_with(hdf5_magic)) {
-        stream_hdf5_points(path, range,
+        stream_hdf5_points(path, how,
                            [&](int dimension, std::span<const double> piece, const char*) { take(dimension, piece); });
     } else {
         MappedFile mapped(path);
         const bool is_npy = begin.starts_with(npy_magic);
-        PointFileContent file{path.string(), mapped.bytes()};
-        file.range = range ? *range : is_npy ? CoordinateRange{} : declared_range(file);
+        check_no_particles(how, path);
+        PointFileContent file{path.string(), mapped.bytes(), {}, how.told, how.options};
+        if (!is_npy) file.bytes = plain_text(file.name, file.bytes);
+        file.range = how.range ? *how.range : is_npy ? CoordinateRange{} : declared_range(file);
         const auto sink = [&](int dimension, std::span<const double> piece, const char* done) {
             take(dimension, piece);
             mapped.release_before(done);
@@ -113,9 +113,10 @@ PointStrips read_into_strips(const std::filesystem::path& path, std::optional<Co
             stream_text_points(file, sink);
     }
     strips->finish();
-    if (is_flat && strips->size() > 1)
-        throw InputError::at({path.string()}, "all points have the same third coordinate: to be read in pieces, points "
-                                              "of the plane must have two");
+    if (strips->size() > 1 && flat.axis())
+        throw InputError::at({path.string()},
+                             "all points have one coordinate in common: to be read in pieces, points of "
+                             "the plane must have two");
     return std::move(*strips);
 }
 

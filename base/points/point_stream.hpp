@@ -23,15 +23,15 @@ struct KnownShape
 };
 
 /// The shape that the head of a NumPy or HDF5 file tells; text has none.
-std::optional<KnownShape> known_shape(const std::filesystem::path& path);
+std::optional<KnownShape> known_shape(const std::filesystem::path& path, const PointReading& how = {});
 
 /// About as many points, or more, as a file that can be read in pieces has; exactly as many for NumPy and HDF5.
-std::uint64_t points_at_most(const std::filesystem::path& path);
+std::uint64_t points_at_most(const std::filesystem::path& path, const PointReading& how = {});
 
 /// Reads the file into strips, in a folder that is there and as read_points() would read it, and tells of all
-/// coordinates in their order. Throws InputError where it holds several sets, or points of the plane with a third
+/// coordinates in their order. Throws InputError where it holds several sets, or points of the plane with another
 /// coordinate; StorageError.
-PointStrips read_into_strips(const std::filesystem::path& path, std::optional<CoordinateRange> range,
+PointStrips read_into_strips(const std::filesystem::path& path, const PointReading& how,
                              const std::filesystem::path& folder,
                              const std::function<void(std::span<const double> coordinates)>& told);
 

@@ -19,9 +19,9 @@ std::optional<std::string> take_quoted_field(std::string_view& line)
     return std::nullopt;
 }
 
-std::string take_plain_field(std::string_view& line)
+std::string take_plain_field(std::string_view& line, char separator)
 {
-    const std::string_view text = line.substr(0, line.find(','));
+    const std::string_view text = line.substr(0, line.find(separator));
     line.remove_prefix(text.size());
     return std::string(text);
 }
@@ -38,15 +38,15 @@ std::string csv_quoted(std::string_view text)
     return quoted + "\"";
 }
 
-std::optional<std::vector<std::string>> csv_fields(std::string_view line)
+std::optional<std::vector<std::string>> csv_fields(std::string_view line, char separator)
 {
     std::vector<std::string> fields;
     while (true) {
-        auto field = line.starts_with('"') ? take_quoted_field(line) : take_plain_field(line);
+        auto field = line.starts_with('"') ? take_quoted_field(line) : take_plain_field(line, separator);
         if (!field) return std::nullopt;
         fields.push_back(std::move(*field));
         if (line.empty()) return fields;
-        if (line.front() != ',') return std::nullopt;
+        if (line.front() != separator) return std::nullopt;
         line.remove_prefix(1);
     }
 }

@@ -13,6 +13,6 @@ std::string csv_quoted(std::string_view text);
 
 /// The fields of a line without its end, taken out of their quotes. Nothing where a quote stays open, or where a field
 /// goes on behind its closing quote.
-std::optional<std::vector<std::string>> csv_fields(std::string_view line);
+std::optional<std::vector<std::string>> csv_fields(std::string_view line, char separator = ',');
 
 }

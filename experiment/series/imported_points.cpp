@@ -142,24 +142,24 @@ std::filesystem::path place_beside(const std::filesystem::path& path)
     return place;
 }
 
-std::shared_ptr<const KeptSet> keep_set(const std::filesystem::path& file, std::optional<CoordinateRange> domain,
+std::shared_ptr<const KeptSet> keep_set(const std::filesystem::path& file, const PointReading& how,
                                         const std::filesystem::path& beside)
 {
     ScratchFolder folder(beside);
     Xxh64 hash;
-    PointStrips strips = read_into_strips(file, domain, folder.path(),
+    PointStrips strips = read_into_strips(file, how, folder.path(),
                                           [&](std::span<const double> coordinates) { add_bytes(hash, coordinates); });
     return std::make_shared<const KeptSet>(KeptSet{std::move(folder), std::move(strips), hash.value()});
 }
 
 /// All files in pieces.
 Experiment import_large(const std::vector<std::filesystem::path>& files, const std::string& label,
-                        std::optional<CoordinateRange> domain, const std::filesystem::path& beside)
+                        const PointReading& how, const std::filesystem::path& beside)
 {
     const std::filesystem::path place = place_beside(beside);
     PointFileHead needed;
     for (const auto& file : files)
-        if (const auto shape = known_shape(file)) {
+        if (const auto shape = known_shape(file, how)) {
             needed.points += shape->points;
             needed.dimension = shape->dimension;
         }
@@ -168,7 +168,7 @@ Experiment import_large(const std::vector<std::filesystem::path>& files, const s
     std::vector<std::uint64_t> hashes;
     std::vector<std::string> paths;
     for (const auto& file : files) {
-        const auto set = keep_set(file, domain, place);
+        const auto set = keep_set(file, how, place);
         hashes.push_back(set->hash);
         paths.push_back(file.string());
         strips.emplace_back(set, &set->strips);
@@ -181,7 +181,7 @@ Experiment import_large(const std::vector<std::filesystem::path>& files, const s
 }
 
 /// Must, or should, the files be read in pieces?
-bool is_large(const std::vector<std::filesystem::path>& files, const LargeImports& large)
+bool is_large(const std::vector<std::filesystem::path>& files, const PointReading& how, const LargeImports& large)
 {
     if (large.beside.empty()) return false;
     for (const auto& file : files)
@@ -190,27 +190,33 @@ bool is_large(const std::vector<std::filesystem::path>& files, const LargeImport
             throw InputError::at({file.string()},
                                  "only text, CSV, NumPy and HDF5, one set a file, can be read in pieces");
         }
-    return large.all || std::ranges::any_of(files, [](const std::filesystem::path& file) {
-               return points_at_most(file) > most_points_in_memory;
+    return large.all || std::ranges::any_of(files, [&](const std::filesystem::path& file) {
+               return points_at_most(file, how) > most_points_in_memory;
            });
 }
 
 }
 
-Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                         std::optional<CoordinateRange> domain, const LargeImports& large)
+Experiment import_points(const std::vector<std::filesystem::path>& named, const std::string& label,
+                         const PointReading& asked, const LargeImports& large)
 {
-    for (const auto& file : files)
+    for (const auto& file : named)
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
-    const std::string name = label.empty() ? files.front().stem().string() : label;
-    if (is_large(files, large)) return import_large(files, name, domain, large.beside);
+    const std::string name = label.empty() ? named.front().stem().string() : label;
+    std::vector<std::string> paths, notes;
+    PointReading how = asked;
+    how.told = [&](const std::string& sentence) { notes.push_back(sentence); };
+    const auto files = without_further_parts(named, how.told);
+    if (is_large(files, how, large)) {
+        Experiment experiment = import_large(files, name, how, large.beside);
+        experiment.notes = notes;
+        return experiment;
+    }
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
-    std::vector<std::string> paths, notes;
     for (const auto& file : files) {
-        std::vector<PointSet> read =
-            read_points(file, domain, [&](const std::string& sentence) { notes.push_back(sentence); });
+        std::vector<PointSet> read = read_points(file, how);
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));

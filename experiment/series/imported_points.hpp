@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +25,13 @@ struct LargeImports
 inline constexpr std::uint64_t most_points_in_memory = std::uint64_t{1} << 24;
 
 /// Reads every file, one or more realizations each, in the order given. All sets must have the same number of
-/// points. `label` is for the report; empty: the first file's stem. `domain`: see read_points(). Where one of the files
+/// points. `label` is for the report; empty: the first file's stem. `how`: see read_points(). Files that are parts of a
+/// snapshot of which one is named before are left out. Where one of the files
 /// is large and can be read in pieces (see point_stream.hpp), all are, one realization each.
 /// Throws InputError that names the file: unreadable, of another size than the first, not 2D; and where the disk has no
 /// room for what must be kept there.
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                         std::optional<CoordinateRange> domain = {}, const LargeImports& large = {});
+                         const PointReading& how = {}, const LargeImports& large = {});
 
 /// Throws InputError where the options ask for what sets that are read in pieces do not have: zone plates, exact
 /// spectra.

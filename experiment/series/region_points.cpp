@@ -11,15 +11,18 @@
 namespace poissonlab {
 
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                                const FramedRegion& region)
+                                const FramedRegion& region, const PointReading& asked)
 {
     std::vector<PointSet> sets;
     std::vector<std::string> paths, notes;
-    for (const auto& file : files) {
+    PointReading how = asked;
+    how.range = any_coordinates;
+    how.told = [&](const std::string& sentence) { notes.push_back(sentence); };
+    for (const auto& file : files)
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
-        std::vector<PointSet> read =
-            read_points(file, any_coordinates, [&](const std::string& sentence) { notes.push_back(sentence); });
+    for (const auto& file : without_further_parts(files, how.told)) {
+        std::vector<PointSet> read = read_points(file, how);
         for (std::size_t i = 0; i < read.size(); ++i) // throws where some are outside
             region.framed(read[i],
                           read.size() == 1 ? file.string() : fmt::format("{}: realization {}", file.string(), i + 1));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
+#include "base/points/point_file.hpp"
 #include "experiment/series/experiment.hpp"
 
 #include <filesystem>
@@ -13,6 +14,6 @@ namespace poissonlab {
 /// Reads files as import_points() does, with coordinates in the region's units. Throws InputError that names the file
 /// where points lie outside.
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                                const FramedRegion& region);
+                                const FramedRegion& region, const PointReading& how = {});
 
 }

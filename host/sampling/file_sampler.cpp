@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -17,6 +18,12 @@ namespace poissonlab {
 namespace {
 
 constexpr const char* path_key = "path";
+constexpr const char* particles_key = "particles";
+
+/// How messages about files call the keys.
+constexpr PointOptions key_words{.domain = "a line `# domain {}:{}` before the points of a text",
+                                 .region = "region = \"rectangle {} {} {} {}\"",
+                                 .particles = "particles = {}"};
 
 InputError path_error(const Parameters& parameters, const std::string& path, const std::string& allowed)
 {
@@ -49,7 +56,14 @@ std::vector<std::filesystem::path> files_of(const Parameters& parameters)
             files.push_back(std::move(file));
         }
     }
-    return files;
+    return without_further_parts(files, {});
+}
+
+PointReading reading_of(const Parameters& parameters, std::optional<CoordinateRange> range)
+{
+    PointReading how{.range = range, .options = key_words};
+    if (parameters.is_given(particles_key)) how.particles = static_cast<int>(parameters.integer(particles_key));
+    return how;
 }
 
 std::string size_in_words(const std::filesystem::path& file, const PointSet& points)
@@ -58,10 +72,11 @@ std::string size_in_words(const std::filesystem::path& file, const PointSet& poi
 }
 
 /// The sets of a file: in the unit square, or in a region, in its units.
-std::vector<PointSet> sets_of(const std::filesystem::path& file, const FramedRegion* region)
+std::vector<PointSet> sets_of(const std::filesystem::path& file, const Parameters& parameters,
+                              const FramedRegion* region)
 {
-    if (!region) return read_points(file);
-    std::vector<PointSet> sets = read_points(file, any_coordinates);
+    if (!region) return read_points(file, reading_of(parameters, {}));
+    std::vector<PointSet> sets = read_points(file, reading_of(parameters, any_coordinates));
     for (const PointSet& points : sets) region->framed(points, file.string()); // throws where some are outside
     return sets;
 }
@@ -73,7 +88,7 @@ std::vector<PointSet> read_realizations(const Parameters& parameters, const Fram
     std::filesystem::path first_file;
     for (const std::filesystem::path& file : files_of(parameters)) {
         if (realizations.empty()) first_file = file;
-        for (PointSet& points : sets_of(file, region)) {
+        for (PointSet& points : sets_of(file, parameters, region)) {
             realizations.push_back(std::move(points));
             const PointSet& first = realizations.front();
             const PointSet& last = realizations.back();
@@ -122,25 +137,33 @@ SamplerSpec file_sampler()
     SamplerSpec spec;
     spec.name = "file";
     spec.title = "File";
-    spec.summary = "point sets from text, PLY or NumPy files";
+    spec.summary = "point sets from text, CSV, PLY, NumPy or HDF5 files";
     spec.dimensions = {2, 3};
     spec.parameters = {{.key = path_key,
                         .kind = ParameterSpec::Kind::paths,
-                        .help = "point files: names and globs, relative to the folder of the config"}};
+                        .help = "point files: names and globs, relative to the folder of the config"},
+                       {.key = particles_key,
+                        .kind = ParameterSpec::Kind::integer,
+                        .help = "the type of a snapshot's particles that are the points: 0 for PartType0",
+                        .minimum = 0,
+                        .maximum = 6,
+                        .unless_given = "its only type"}};
     spec.has_own_points = true;
     spec.check = check_file;
     spec.available_realizations = [](const Parameters& parameters) {
         std::size_t count = 0;
-        for (const auto& file : files_of(parameters)) count += read_points(file, any_coordinates).size();
+        for (const auto& file : files_of(parameters))
+            count += read_points(file, reading_of(parameters, any_coordinates)).size();
         return count;
     };
     spec.outside_input = [](const Parameters& parameters) {
         Xxh64 hash;
-        for (const std::filesystem::path& file : files_of(parameters)) {
-            const std::string content = read_whole_file(file);
-            hash.add(fmt::format("{} ", content.size()));
-            hash.add(content);
-        }
+        for (const std::filesystem::path& file : files_of(parameters))
+            for (const std::filesystem::path& part : files_of_points(file)) {
+                const std::string content = read_whole_file(part);
+                hash.add(fmt::format("{} ", content.size()));
+                hash.add(content);
+            }
         return hash.value();
     };
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {

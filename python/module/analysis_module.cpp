@@ -48,9 +48,9 @@ public:
             sets_.push_back(point_set_of(arrays[i], name, options.has_value()));
         }
         if (sets_.empty()) throw InputError(label + ": there are no points");
-        if (are_flat(sets_)) {
-            for (PointSet& set : sets_) set = without_third(std::move(set));
-            warnings_.push_back(fmt::format("{}: {}", label, flat_sentence));
+        if (const auto axis = flat_axis(sets_)) {
+            for (PointSet& set : sets_) set = without_axis(std::move(set), *axis);
+            warnings_.push_back(fmt::format("{}: {}", label, flat_sentence(*axis)));
         }
         for (std::size_t i = 0; options && i < sets_.size(); ++i) // throws where some are outside
             options->region->framed(sets_[i], fmt::format("{}: realization {}", label, i));

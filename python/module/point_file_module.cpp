@@ -9,7 +9,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace py = pybind11;
 
@@ -18,15 +20,27 @@ namespace {
 
 using Range = std::optional<std::array<double, 2>>;
 
-std::vector<py::array_t<double>> read_sets(const std::filesystem::path& file, const Range& domain)
+/// How messages about files call the arguments.
+constexpr PointOptions argument_words{
+    .domain = "domain=({}, {})", .region = "region=\"rectangle {} {} {} {}\"", .particles = "particles={}"};
+
+/// The sets of all files. `depth`: how many calls of Python are between the caller and this.
+std::vector<py::array_t<double>> read_sets(const std::vector<std::filesystem::path>& files, const Range& domain,
+                                           const std::optional<int>& particles, bool has_region, int depth)
 {
-    std::optional<CoordinateRange> range;
-    if (domain) range = CoordinateRange{(*domain)[0], (*domain)[1]};
+    PointReading how{.particles = particles, .options = argument_words};
+    if (domain) how.range = CoordinateRange{(*domain)[0], (*domain)[1]};
+    if (!has_region) how.options.region = "";
+    std::vector<std::string> told;
+    how.told = [&](const std::string& sentence) { told.push_back(sentence); };
+    std::vector<PointSet> sets;
+    without_lock([&] {
+        for (const auto& file : without_further_parts(files, how.told))
+            for (PointSet& set : read_points(file, how)) sets.push_back(std::move(set));
+    });
+    for (const std::string& sentence : told)
+        py::module_::import("warnings").attr("warn")(sentence, py::arg("stacklevel") = depth);
     std::vector<py::array_t<double>> arrays;
-    std::string warning;
-    std::vector<PointSet> sets = without_lock(
-        [&] { return read_points(file, range, [&](const std::string& sentence) { warning = sentence; }); });
-    if (!warning.empty()) py::module_::import("warnings").attr("warn")(warning, py::arg("stacklevel") = 2);
     for (PointSet& set : sets) arrays.push_back(array_of(std::move(set)));
     return arrays;
 }
@@ -41,8 +55,8 @@ void write_set(const std::filesystem::path& file, const AnyArray& points, const 
 
 void add_point_files(py::module_& module)
 {
-    module.def("read_points", read_sets, py::arg("file"), py::arg("domain"),
-               "The sets of a file, each (points, dimension).");
+    module.def("read_points", read_sets, py::arg("files"), py::arg("domain"), py::arg("particles"),
+               py::arg("has_region"), py::arg("depth"), "The sets of files, each (points, dimension).");
     module.def("write_points", write_set, py::arg("file"), py::arg("points"), py::arg("comment"));
 }
 

@@ -231,12 +231,14 @@ def to_unit(points, domain):
     return numpy.where(points < high, numpy.minimum(mapped, 1 - 2.0**-53), mapped)
 
 
-def sets_of(points, domain):
+def sets_of(points, domain, particles):
     """The sets that an argument stands for, a list of arrays of shape (points, dimension)."""
     is_one = isinstance(points, (str, os.PathLike)) or (isinstance(points, numpy.ndarray) and points.ndim == 2)
     items = [points] if is_one else list(points)
     if items and all(isinstance(item, (str, os.PathLike)) for item in items):
-        return [each for file in items for each in _poissonlab.read_points(file, domain)]
+        return _poissonlab.read_points(items, domain, particles, True, 4)
+    if particles is not None:
+        raise _poissonlab.InputError(f"analyze: particles={particles}: is for files of snapshots")
     arrays = [numpy.asarray(item, dtype=float) for item in items]
     if arrays and arrays[0].ndim < 2:  # its items are points
         arrays = [numpy.asarray(items, dtype=float)]
@@ -251,7 +253,7 @@ def window_options(sets, options):
 
 
 def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[float, float]] = None,
-            periodic: Optional[bool] = None, **options: Any) -> Analysis:
+            periodic: Optional[bool] = None, particles: Optional[int] = None, **options: Any) -> Analysis:
     """Measure point sets, wherever they come from, as `poissonlab analyze` does.
 
     points: one set, an array of shape (n, d); several, of shape (k, n, d) or a list of arrays; or the name of a point
@@ -260,6 +262,7 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
     domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says.
     periodic: whether the sets go on across their border as on a torus. False: they are measured within the square
         (cube). Default: as on a torus, with a warning where the closest pairs meet across the border.
+    particles: the type of the particles of a snapshot, 0 for PartType0; default: its only one.
     options: keys of a config's [analysis], such as region="park.geojson" (the sets lie in that region, in its units;
         GeoJSON as a dict, or anything with a `__geo_interface__`), spectrum="exact" or "none", window=True (the sets
         are windows, not tori), tiles=8 (the sets are made of 8 x 8 tiles), spectrum_size=2048, measures="distances".
@@ -269,7 +272,7 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
         if domain is not None:
             raise _poissonlab.InputError("analyze: domain: does not go with region, whose units points are in")
         domain = (-numpy.inf, numpy.inf)  # as they are
-    sets = sets_of(points, domain)
+    sets = sets_of(points, domain, particles)
     if periodic is not None and options.get("region") is not None:
         raise _poissonlab.InputError("analyze: periodic: does not go with region: nothing goes around a torus there")
     if periodic is False:

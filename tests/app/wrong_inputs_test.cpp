@@ -9,6 +9,7 @@
 // and `git diff` shows what became of them. Cases run in this process: starting two hundred programs takes a minute.
 #include "app/command_line.hpp"
 #include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
 #include "experiment/crew/failure.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -125,6 +126,11 @@ protected:
         folder_.write("page/index.html", "<html><body>The page of another.</body></html>");
         folder_.write("commas.txt", "0,5 0,25\n0,75 0,5\n");
         folder_.write("commas.csv", "x,y\n0,5;0,25\n");
+        folder_.write("names.csv", "lon,lat\n7.1,50.2\n");
+        folder_.write("fields.csv", "id,x,y\n1,0.5\n");
+        folder_.write("mixed.csv", "x;y\n0,5;0.25\n");
+        folder_.write("wide.csv", "x,y\n120.5,8\n511.7,300\n12,64.5\n88,500.5\n");
+        write_points(folder_.path() / "glass.hdf5", {3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}});
         std::filesystem::create_directory(folder_.path() / "folder");
         std::filesystem::current_path(folder_.path());
         said_of("tiles build corner --colors 2 --points 4 --relative-radius 0.4 --lloyd 1 --engine reference --quiet "

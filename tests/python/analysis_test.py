@@ -150,6 +150,26 @@ class Analyses(FolderTest):
         self.assert_same_bytes(numpy.loadtxt(self.folder / "set.txt"), points)
         self.assert_same_bytes(pl.read_points(self.folder / "set.txt")[0], points)
 
+    def test_read_tables_and_snapshots_with_warnings(self):
+        (self.folder / "set.csv").write_text("id;X;Y\n1;0,5;0,25\n2;0,125;0,75\n")
+        with self.assertWarnsRegex(UserWarning, "only the columns x and y are read; left out: id") as caught:
+            points = pl.read_points(self.folder / "set.csv")[0]
+        self.assertEqual(caught.filename, __file__)
+        self.assert_same_bytes(points, numpy.array([[0.5, 0.25], [0.125, 0.75]]))
+        with self.assertWarnsRegex(UserWarning, "left out: id") as caught:
+            self.assertEqual(pl.analyze(self.folder / "set.csv", spectrum="none").points, 2)
+        self.assertEqual(caught.filename, __file__)
+        space = sets_of(1, 20, 3)[0]
+        pl.write_points(self.folder / "set.hdf5", space)
+        self.assert_same_bytes(pl.read_points(self.folder / "set.hdf5", particles=1)[0], space)
+        with self.assertRaisesRegex(pl.InputError, r"has no particles of type 0; it has PartType1 \(20\)"):
+            pl.analyze(self.folder / "set.hdf5", particles=0)
+        with self.assertRaisesRegex(pl.InputError, "particles=0: is for files of snapshots"):
+            pl.analyze(space, particles=0)
+        numpy.save(self.folder / "wide.npy", 512 * space)
+        with self.assertRaisesRegex(pl.InputError, r"would fit$"):
+            pl.read_points(self.folder / "wide.npy")
+
     def test_take_whatever_becomes_an_array(self):
         points = sets_of(2, 50)
         self.assertEqual(pl.analyze(points[0].tolist()).realizations, 1)

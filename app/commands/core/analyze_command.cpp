@@ -19,7 +19,8 @@ namespace {
 
 constexpr auto analyze_notes =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
-a line with # alone separates realizations), CSV, PLY, NumPy .npy or UTK .bin. All realizations must have as many points.
+a line with # alone separates realizations), CSV (columns x, y and z by name), PLY, NumPy .npy, HDF5 or UTK .bin. All
+realizations must have as many points. Of a snapshot in several files, one is named: all are read.
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
   poissonlab analyze set-*.dat --label "My method" --out mine
 --set takes the keys of a config's [analysis] that are about the analysis:
@@ -32,12 +33,15 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 
+constexpr std::uint32_t no_type = 99; // of particles
+
 struct AnalyzeOptions
 {
     std::vector<std::filesystem::path> files;
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
-    std::string domain;   ///< as for parse_range(); empty: what the files say
+    std::string domain; ///< as for parse_range(); empty: what the files say
+    std::uint32_t particles = no_type;
     std::string region;   ///< as for read_region(); empty: sets fill their square
     std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
@@ -47,6 +51,10 @@ struct AnalyzeOptions
     bool quiet = false;
     std::string command;
 };
+
+/// How messages about files call the options.
+constexpr PointOptions option_words{
+    .domain = "--domain {}:{}", .region = "--region 'rectangle {} {} {} {}'", .particles = "--particles {}"};
 
 /// An option as the key of [analysis] that it stands for.
 ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::value) value, const std::string& text)
@@ -102,6 +110,8 @@ void analyze(const AnalyzeOptions& options)
                              decimal_comma_words(options.domain));
     }
     check_periodic(options);
+    PointReading how{.range = domain, .options = option_words};
+    if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
     ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
     if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
@@ -109,8 +119,8 @@ void analyze(const AnalyzeOptions& options)
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
                              options.in_pieces};
-    Experiment experiment = region ? import_region_points(options.files, options.label, *region->region)
-                                   : import_points(options.files, options.label, domain, large);
+    Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
+                                   : import_points(options.files, options.label, how, large);
     if (options.periodic == "no") entries = window_entry(experiment, options.overrides);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
@@ -137,6 +147,11 @@ Command analyze_command(const std::string& typed)
              {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
              {"--domain", &o->domain,
               "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+             allowing({"--particles", &o->particles,
+                       "The particles of a snapshot that are the points: 0 for PartType0, and so on; default: the only "
+                       "type that it has",
+                       "TYPE"},
+                      Integers{0, 6}),
              {"--region", &o->region,
               "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
               "X0 Y0 X1 Y1, disk X Y RADIUS",

@@ -44,8 +44,9 @@ ReadSets read(const std::string& name, const std::string& content, std::optional
 {
     const TemporaryFolder folder;
     ReadSets result;
-    result.sets = read_points(folder.write(name, content), range,
-                              [&](const std::string& sentence) { result.told.push_back(sentence); });
+    result.sets =
+        read_points(folder.write(name, content),
+                    {.range = range, .told = [&](const std::string& sentence) { result.told.push_back(sentence); }});
     return result;
 }
 
@@ -62,7 +63,7 @@ TEST(FlatPoints, LoseTheirThirdCoordinateInEveryFormat)
         const ReadSets flat = read(name, content);
         EXPECT_EQ(flat.sets, std::vector{plane}) << name;
         ASSERT_EQ(flat.told.size(), 1U) << name;
-        EXPECT_THAT(flat.told[0], EndsWith(name + ": " + flat_sentence));
+        EXPECT_THAT(flat.told[0], EndsWith(name + ": " + flat_sentence(2)));
     }
 }
 
@@ -73,6 +74,16 @@ TEST(FlatPoints, AreThoseOfAllSetsOfAFile)
     const ReadSets space = read("a", "0.1 0.2 0.5\n#\n0.3 0.4 0.6\n");
     EXPECT_EQ(space.sets, (std::vector<PointSet>{{3, {0.1, 0.2, 0.5}}, {3, {0.3, 0.4, 0.6}}}));
     EXPECT_TRUE(space.told.empty());
+}
+
+TEST(FlatPoints, LieAcrossAnyAxis)
+{
+    const ReadSets across_x = read("a", "0.5 0.1 0.2\n0.5 0.3 0.4\n");
+    EXPECT_EQ(across_x.sets, (std::vector<PointSet>{{2, {0.1, 0.2, 0.3, 0.4}}}));
+    EXPECT_THAT(across_x.told.at(0), EndsWith("all points have the same first coordinate: they are taken as points of "
+                                              "the plane, without it"));
+    EXPECT_EQ(read("a", "0.1 0.5 0.2\n0.3 0.5 0.4\n").sets, (std::vector<PointSet>{{2, {0.1, 0.2, 0.3, 0.4}}}));
+    EXPECT_EQ(read("a", "0.5 0.1 0\n0.5 0.3 0\n").sets, (std::vector<PointSet>{{2, {0.5, 0.1, 0.5, 0.3}}}));
 }
 
 TEST(FlatPoints, OnePointIsFlatAtZeroOnly)

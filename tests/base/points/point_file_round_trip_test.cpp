@@ -47,8 +47,9 @@ RC_GTEST_PROP(PointFileRoundTrip, GivesTheSameBits, ())
         points * static_cast<std::size_t>(dimension), rc::gen::scale(100.0, rc::gen::arbitrary<std::uint64_t>()));
     PointSet set{dimension, {}};
     for (const std::uint64_t word : bits) set.coordinates.push_back(coordinate_from_bits(word));
-    // A z that is the same everywhere, or 0 of a single point, is no third dimension.
-    if (dimension == 3) set.coordinates[2] = set.coordinates.back() == 0.5 ? 0.25 : 0.5;
+    // A coordinate that is the same everywhere, or a z that is 0 of a single point, is no dimension.
+    for (std::size_t axis = 0; dimension == 3 && axis < 3; ++axis)
+        set.coordinates[axis] = set.coordinates[set.coordinates.size() - 3 + axis] == 0.5 ? 0.25 : 0.5;
 
     const TemporaryFolder folder;
     for (const char* name : {"points.dat", "points.ply", "points.npy", "points.csv"}) {

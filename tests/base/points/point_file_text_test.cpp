@@ -114,9 +114,9 @@ TEST(PointFileText, RefusesARealizationWithoutPoints)
 TEST(PointFileText, RefusesBinaryFilesInPrintableWords)
 {
     EXPECT_EQ(input_error_of("points.dat", std::string_view("\x89PNG\r\n\x1a\n\0\0", 10)),
-              "points.dat:1: ?PNG: not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
+              "points.dat:1: ?PNG: not text; a point file is text, PLY, NumPy (.npy), HDF5 or UTK (.bin)");
     EXPECT_EQ(input_error_of("points.dat", std::string_view("0.1\0\1\2", 6)),
-              "points.dat:1: 0.1???: not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
+              "points.dat:1: 0.1???: not text; a point file is text, PLY, NumPy (.npy), HDF5 or UTK (.bin)");
     EXPECT_THAT(input_error_of("points.dat", std::string(100000, 'a')),
                 StartsWith("points.dat:1: " + std::string(40, 'a') + "...: must be"));
 }
@@ -125,7 +125,7 @@ TEST(PointFileText, RefusesBinaryFilesInPrintableWords)
 TEST(PointFileText, NamesDecimalCommas)
 {
     const std::string words = "the comma of \"0,5\" is no decimal point: must be 0.5";
-    for (const char* content : {"0,5 0,25\n", "0,5;0,25\n", "0,5\t0,25\n", "0,5 0\n", "0.1 0.2\n0.2 0.3\n0,5 0,25\n"})
+    for (const char* content : {"0,5 0,25\n", "0,5 0\n", "0.1 0.2\n0.2 0.3\n0,5 0,25\n", "x,y\n0,5;0,25\n"})
         EXPECT_THAT(input_error_of("points.dat", content), HasSubstr(words)) << content;
     const TemporaryFolder folder;
     EXPECT_THAT(refusal_of([&] {

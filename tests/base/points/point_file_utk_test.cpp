@@ -61,7 +61,7 @@ TEST(PointFileUtk, ThatAreBrokenAreRefusedInOneLine)
     EXPECT_THAT(refused(utk(5, 0, 2, 2, values)), HasSubstr("0 sets of 2 points"));
     EXPECT_THAT(refused(utk(5, 1, 3, 2, values)), HasSubstr("32 bytes of coordinates: must be 1 x 3 x 2 x 8"));
     EXPECT_THAT(refused(utk(5, UINT32_MAX, UINT32_MAX, 2, values)), HasSubstr("32 bytes of coordinates"));
-    EXPECT_THAT(refused(utk<double>(5, 1, 1, 2, {0.5, 1.0})), HasSubstr("byte 28: 1: must be a number in [0, 1)"));
+    EXPECT_THAT(refused(utk<double>(5, 1, 1, 2, {0.5, 1.5})), HasSubstr("byte 28: 1.5: must be a number in [0, 1)"));
 }
 
 }

@@ -1,6 +1,6 @@
 #include "base/errors/errors.hpp"
+#include "base/particles/hdf5_objects.hpp"
 #include "base/points/hdf5_files.hpp"
-#include "base/points/hdf5_objects.hpp"
 
 #include <fmt/format.h>
 

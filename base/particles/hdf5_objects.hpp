@@ -1,6 +1,8 @@
 // Objects of HDF5 that close themselves, and their attributes. What fails throws StorageError without the file's name.
 #pragma once
 
+#include "base/errors/errors.hpp"
+
 #include <hdf5.h>
 
 #include <array>
@@ -11,7 +13,20 @@
 
 namespace poissonlab {
 
-/// HDF5 says what went wrong by errno alone, if that; the file's name is put in front later.
+/// What HDF5 refused. The message is for files that are written; `cause` is HDF5's own.
+class Hdf5Failure : public StorageError
+{
+public:
+    Hdf5Failure(const std::string& message, std::string cause) : StorageError(message), cause_(std::move(cause)) {}
+
+    /// Empty where the library gives none.
+    const std::string& cause() const { return cause_; }
+
+private:
+    std::string cause_;
+};
+
+/// Throws Hdf5Failure; the file's name is put in front later.
 [[noreturn]] void fail_hdf5(const char* what);
 
 /// HDF5 prints no errors of its own meanwhile. At the end of the program it would try again to write files that a full

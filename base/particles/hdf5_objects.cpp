@@ -1,4 +1,4 @@
-#include "base/points/hdf5_objects.hpp"
+#include "base/particles/hdf5_objects.hpp"
 
 #include "base/errors/errors.hpp"
 
@@ -9,11 +9,31 @@
 
 namespace poissonlab {
 
+namespace {
+
+/// Takes the innermost of HDF5's errors that has words.
+herr_t take_words(unsigned /*number*/, const H5E_error2_t* error, void* words)
+{
+    auto& text = *static_cast<std::string*>(words);
+    if (text.empty() && error->desc != nullptr) text = error->desc;
+    return 0;
+}
+
+std::string cause_of_failure()
+{
+    std::string words;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_words, &words);
+    return words;
+}
+
+}
+
 void fail_hdf5(const char* what)
 {
     const int error = errno;
-    throw StorageError(error == 0 ? fmt::format("cannot be written: HDF5 refuses {}", what)
-                                  : fmt::format("cannot be written: {}", std::strerror(error)));
+    throw Hdf5Failure(error == 0 ? fmt::format("cannot be written: HDF5 refuses {}", what)
+                                 : fmt::format("cannot be written: {}", std::strerror(error)),
+                      cause_of_failure());
 }
 
 QuietHdf5::QuietHdf5()

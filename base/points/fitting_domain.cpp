@@ -1,0 +1,106 @@
+#include "base/points/fitting_domain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+/// The number that is written with so many digits.
+double rounded_to(double value, int digits)
+{
+    return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
+}
+
+bool is_whole(double value) { return value == std::floor(value) && std::abs(value) < 1e9; }
+
+/// The multiple of a power of ten just below `near` that is next to `value`, below it or above.
+double multiple_beside(double value, double near, bool is_above)
+{
+    const double step = std::pow(10.0, std::floor(std::log10(near)));
+    const double steps = std::floor(value / step) + (is_above ? 1 : 0);
+    const double found = rounded_to(steps * step, 15);
+    const bool is_beside = is_above ? found > value : found <= value;
+    return is_beside ? found : std::nextafter(value, is_above ? HUGE_VAL : -HUGE_VAL);
+}
+
+/// The roundest number above `value` that is near, or a power of two. Whole numbers are counted from 0: 9 is the last
+/// of 10.
+double round_number_above(double value, double near, double far)
+{
+    if (is_whole(value) && far >= 1) return value + 1;
+    if (value < 0 && -value <= near) return 0;
+    for (int digits = 1; value > 0 && digits < 4; ++digits) {
+        const double unit = std::pow(10.0, std::floor(std::log10(value)) + 1 - digits);
+        const double power = std::exp2(std::floor(std::log2(value)) + 1);
+        const double next = std::min(power, rounded_to((std::floor(value / unit) + 1) * unit, digits));
+        if (next > value && next - value <= near) return next;
+    }
+    return multiple_beside(value, near, true);
+}
+
+/// The roundest number at `value` or below it that is near; `high` is the range's end.
+double round_number_below(double value, double high, double near, double far)
+{
+    if (value >= 0 && value <= far) return 0;
+    if (high > 0 && -high <= value && value + high <= 2 * near) return -high;
+    return is_whole(value) ? value : multiple_beside(value, near, false);
+}
+
+double length_of(const CoordinateRange& range) { return range.high - range.low; }
+
+}
+
+std::size_t Extent::dimension() const
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(axes_, [](const CoordinateRange& axis) { return axis.low <= axis.high; }));
+}
+
+CoordinateRange Extent::of_all() const
+{
+    CoordinateRange all = nothing;
+    for (const CoordinateRange& axis : axes_) {
+        all.low = std::min(all.low, axis.low);
+        all.high = std::max(all.high, axis.high);
+    }
+    return all;
+}
+
+CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t points, std::size_t dimension)
+{
+    const double length = length_of(numbers), count = static_cast<double>(points);
+    if (!(length > 0)) return {numbers.low, numbers.low + 1};
+    const double near = length * std::max(0.002, std::min(0.1, 4 / count));
+    const double far = length * std::min(0.5, 2 * std::pow(count, -1 / static_cast<double>(dimension)));
+    const double high = round_number_above(numbers.high, near, far);
+    return {round_number_below(numbers.low, high, near, far), high};
+}
+
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options)
+{
+    const CoordinateRange all = extent.of_all();
+    const std::size_t dimension = extent.dimension();
+    if (*options.domain == '\0' || !std::isfinite(length_of(all)) || (all.low >= range.low && all.high <= range.high))
+        return {};
+    const auto fitting = [&](const CoordinateRange& numbers) {
+        return fitting_range(numbers, extent.points(), dimension);
+    };
+    const CoordinateRange cube = fitting(all);
+    double least = length_of(cube);
+    for (std::size_t axis = 0; axis < dimension; ++axis) least = std::min(least, length_of(extent.along(axis)));
+    const bool is_rectangle = dimension == 2 && *options.region != '\0' && least < 0.9 * length_of(cube);
+    std::string would_fit;
+    if (!is_rectangle || least > 0.5 * length_of(cube))
+        would_fit = fmt::format(fmt::runtime(options.domain), cube.low, cube.high);
+    if (is_rectangle) {
+        const CoordinateRange x = fitting(extent.along(0)), y = fitting(extent.along(1));
+        would_fit +=
+            (would_fit.empty() ? "" : " or ") + fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
+    }
+    return fmt::format("; the numbers go from {:.6g} to {:.6g}: {} would fit", all.low, all.high, would_fit);
+}
+
+}

@@ -1,0 +1,48 @@
+// The domain that would fit the numbers of a file, for messages about numbers that lie outside of theirs.
+#pragma once
+
+#include "base/points/point_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace poissonlab {
+
+/// The least and the largest number along each axis.
+class Extent
+{
+public:
+    void add(std::size_t axis, double value)
+    {
+        axes_[axis].low = std::min(axes_[axis].low, value);
+        axes_[axis].high = std::max(axes_[axis].high, value);
+        points_ += axis == 0;
+    }
+
+    std::size_t dimension() const;
+    std::uint64_t points() const { return points_; }
+    const CoordinateRange& along(std::size_t axis) const { return axes_[axis]; }
+
+    /// That of the numbers along all axes together.
+    CoordinateRange of_all() const;
+
+private:
+    static constexpr CoordinateRange nothing{std::numeric_limits<double>::infinity(),
+                                             -std::numeric_limits<double>::infinity()};
+    std::array<CoordinateRange, 3> axes_{nothing, nothing, nothing};
+    std::uint64_t points_ = 0;
+};
+
+/// A range of round numbers that holds these, for so many points in so many dimensions: wider by about the distance of
+/// neighbours at most, since a set says no more of the torus that it is from.
+CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t points, std::size_t dimension);
+
+/// The end of a message about numbers that are not all in `range`: where they lie, and the option that would fit. Empty
+/// where they are, or where no option is there.
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options);
+
+}

@@ -1,0 +1,86 @@
+// The domain that messages name where numbers lie outside of theirs: it holds all of them, is round, and not much
+// wider.
+#include "base/points/fitting_domain.hpp"
+
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string fitting(double low, double high, std::uint64_t points, std::size_t dimension = 2)
+{
+    const CoordinateRange range = fitting_range({low, high}, points, dimension);
+    return fmt::format("{}:{}", range.low, range.high);
+}
+
+TEST(FittingDomain, IsThatOfWhichTheNumbersCanBe)
+{
+    EXPECT_EQ(fitting(0.02, 511.7, 1000), "0:512");
+    EXPECT_EQ(fitting(0.5, 511.5, 262'144), "0:512");
+    EXPECT_EQ(fitting(0, 9, 100), "0:10");
+    EXPECT_EQ(fitting(0.001, 91.999, 700'000, 3), "0:92");
+    EXPECT_EQ(fitting(-0.998, 0.9991, 1000), "-1:1");
+    EXPECT_EQ(fitting(0.01, 99.7, 500), "0:100");
+    EXPECT_EQ(fitting(-180, 179.9, 1000), "-180:180");
+}
+
+TEST(FittingDomain, HoldsAllNumbers)
+{
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> exponent(-9, 9), sign(-1, 1);
+    for (int i = 0; i < 2000; ++i) {
+        const double a = sign(random) * std::pow(10, exponent(random)),
+                     b = a + std::max(std::abs(a) * 1e-6, std::pow(10, exponent(random)));
+        const CoordinateRange range = fitting_range({a, b}, 1 + random() % 100'000, 2 + random() % 2);
+        EXPECT_LE(range.low, a) << a << " " << b;
+        EXPECT_GT(range.high, b) << a << " " << b;
+        EXPECT_LE(range.high - range.low, 4 * (b - a) + 1e-15) << a << " " << b;
+    }
+}
+
+std::string message(const std::string& name, std::string_view content, PointReading how = {})
+{
+    how.options = {.domain = "--domain {}:{}", .region = "--region 'rectangle {} {} {} {}'"};
+    const TemporaryFolder folder;
+    return message_of([&] { read_points(folder.write(name, content), how); });
+}
+
+TEST(FittingDomain, IsInTheMessage)
+{
+    EXPECT_THAT(
+        message("a.txt", "0.5 500\n3 2\n511.7 100\n0.1 0.2\n"),
+        EndsWith("a.txt:1: 500: must be a number in [0, 1); the numbers go from 0.1 to 511.7: --domain 0:512 would "
+                 "fit"));
+    EXPECT_THAT(message("a.csv", "id;x;y\n1;-0,9;0,99\n2;0,99;-0,95\n"),
+                EndsWith("a.csv:2: -0.9: must be a number in [0, 1); the numbers go from -0.95 to 0.99: --domain -1:1 "
+                         "would fit"));
+}
+
+TEST(FittingDomain, IsARectangleWhereAxesDiffer)
+{
+    EXPECT_THAT(message("a.csv", "x,y\n500000,5400000\n500999,5400400\n500500,5400100\n"), HasSubstr("would fit"));
+    EXPECT_THAT(message("a.csv", "x,y\n500000,5400000\n500999,5400400\n500500,5400100\n"),
+                HasSubstr(": --region 'rectangle 500000 5400000 501000 54004"));
+    EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"), HasSubstr("--domain 0:100 or --region 'rectangle 0 0 100 8"));
+}
+
+TEST(FittingDomain, IsNotSaidOfNumbersThatNoDomainHolds)
+{
+    EXPECT_THAT(message("a.txt", "0.5 1\n"), EndsWith("without 1 itself (on the torus, 1 is 0)"));
+    EXPECT_THAT(message("a.txt", "0.5 nan\n"), EndsWith("must be a number in [0, 1)"));
+    EXPECT_THAT(message("a.txt", "0.5 7\n0.5 word\n"), HasSubstr("a.txt:2: word: must be a number"));
+}
+
+}
+}
