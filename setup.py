@@ -16,8 +16,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCE = pathlib.Path(__file__).resolve().parent
-TARGETS = ["poissonlab_python", "poissonlab_pictures", "poissonlab_particles", "poissonlab_meshes",
-           "poissonlab_stubs"]
+TARGETS = ["poissonlab_python", "poissonlab_pictures", "poissonlab_particles", "poissonlab_stubs"]
 HOW_TO_BUILD = "the compiler, CMake and libraries that it needs: see docs/install.md, or run ./lab test once"
 
 
@@ -38,15 +37,14 @@ def run(*command):
 
 
 class CMakeModule(build_ext):
-    """Puts the module, the modules of pictures, particles and meshes that it loads, and the types that the build wrote beside the package."""
+    """Puts the module, the modules of pictures and particles that it loads, and the types that the build wrote beside the package."""
 
     def run(self):
         named = os.environ.get("POISSONLAB_BUILD")
         folder = SOURCE / named if named else self.built()
         built = folder / "python/poissonlab"
         files = [built / self.get_ext_filename("_poissonlab"), built / "samplers.pyi",
-                 folder / "libpoissonlab_pictures.so", folder / "libpoissonlab_particles.so",
-                 folder / "libpoissonlab_meshes.so"]
+                 folder / "libpoissonlab_pictures.so", folder / "libpoissonlab_particles.so"]
         missing = [file for file in files if not file.is_file()]
         if missing:
             if not named:

@@ -56,7 +56,7 @@ private:
         } else if (words[0] == "property" && words.size() == 3) {
             add_property(words[1], words[2]);
         } else if (words[0] == "property" && words.size() == 5 && words[1] == "list") {
-            current_element().has_lists = true;
+            add_list(words[2], words[3], words[4]);
         } else {
             fail(line, "must be a `format`, `element`, `property`, `comment` or `end_header` line of PLY");
         }
@@ -83,6 +83,22 @@ private:
 
     void add_property(std::string_view type_word, std::string_view name)
     {
+        const PlyType type = type_of(type_word);
+        PlyElement& element = current_element();
+        element.columns.push_back({std::string(name), type, std::nullopt});
+        element.properties.push_back({std::string(name), type, element.row_bytes});
+        element.row_bytes += size_of(type);
+    }
+
+    void add_list(std::string_view count_word, std::string_view type_word, std::string_view name)
+    {
+        PlyElement& element = current_element();
+        element.columns.push_back({std::string(name), type_of(type_word), type_of(count_word)});
+        element.has_lists = true;
+    }
+
+    PlyType type_of(std::string_view word) const
+    {
         static const std::map<std::string_view, PlyType> types{
             {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
             {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
@@ -90,11 +106,9 @@ private:
             {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
             {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
             {"float64", PlyType::float64}};
-        const auto type = types.find(type_word);
-        if (type == types.end()) fail(type_word, "must be a type of PLY, such as float or double");
-        PlyElement& element = current_element();
-        element.properties.push_back({std::string(name), type->second, element.row_bytes});
-        element.row_bytes += size_of(type->second);
+        const auto type = types.find(word);
+        if (type == types.end()) fail(word, "must be a type of PLY, such as float or double");
+        return type->second;
     }
 
     PlyElement& current_element()

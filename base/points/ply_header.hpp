@@ -1,11 +1,10 @@
 // The header of a PLY file (Turk 1994, "The PLY polygon file format").
-//
-// CGAL reads PLY as well, but says neither the line nor the reason where a file is wrong.
 #pragma once
 
 #include "base/points/point_file_formats.hpp"
 
 #include <bit>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,14 +35,23 @@ struct PlyProperty
     std::size_t offset = 0; ///< bytes from the start of its element, in binary files
 };
 
+/// A property of any kind: of lists, how the number of entries is stored, which comes before them.
+struct PlyColumn
+{
+    std::string name;
+    PlyType type = PlyType::float32; ///< of the entries, too
+    std::optional<PlyType> count;
+};
+
 /// A table of the file: `count` rows with the same properties.
 struct PlyElement
 {
     std::string name;
     std::size_t count = 0;
-    std::vector<PlyProperty> properties;
-    std::size_t row_bytes = 0; ///< in binary files
-    bool has_lists = false;    ///< rows have no fixed size
+    std::vector<PlyColumn> columns;      ///< all properties
+    std::vector<PlyProperty> properties; ///< those that are no lists
+    std::size_t row_bytes = 0;           ///< of these, in binary files
+    bool has_lists = false;              ///< rows have no fixed size
 };
 
 struct PlyHeader
@@ -57,11 +65,5 @@ struct PlyHeader
 
 /// Throws InputError with file and line.
 PlyHeader read_ply_header(const PointFileContent& file);
-
-/// Columns of an element without lists, row after row: `element` and `columns` count as the header has them. Numbers
-/// lie in the file's range, and are mapped from it. Throws InputError, also where an element with lists comes before it
-/// in a binary file.
-std::vector<double> read_ply_columns(const PointFileContent& file, const PlyHeader& header, std::size_t element,
-                                     const std::vector<std::size_t>& columns);
 
 }

@@ -161,18 +161,12 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
 
 }
 
-std::vector<double> read_ply_columns(const PointFileContent& file, const PlyHeader& header, std::size_t element,
-                                     const std::vector<std::size_t>& columns)
-{
-    const Vertices vertices{element, &header.elements[element], columns};
-    return header.ascii ? read_ascii(file, header, vertices) : read_binary(file, header, vertices);
-}
-
 std::vector<PointSet> read_ply_points(const PointFileContent& file)
 {
     const PlyHeader header = read_ply_header(file);
     const Vertices vertices = find_vertices(file, header);
-    std::vector<double> coordinates = read_ply_columns(file, header, vertices.element, vertices.columns);
+    std::vector<double> coordinates =
+        header.ascii ? read_ascii(file, header, vertices) : read_binary(file, header, vertices);
     return {PointSet{static_cast<int>(vertices.columns.size()), std::move(coordinates)}};
 }
 

@@ -1,39 +1,185 @@
-// Assimp brings libraries that no other command needs, and is loaded with the first file of glTF.
-#include "base/surfaces/gltf_mesh.hpp"
+// Triangles of glTF: those of all nodes of a scene, with the places and texture coordinates of their corners.
+#include "base/surfaces/gltf_movement.hpp"
+#include "base/surfaces/gltf_numbers.hpp"
 
-#include "base/files/whole_file.hpp"
-#include "base/programs/loaded_module.hpp"
+#include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cctype>
+#include <cmath>
 
 namespace poissonlab {
+namespace {
 
-TriangleMesh read_gltf_mesh(const std::filesystem::path& file)
+enum class GltfMode
 {
-    static const auto read = reinterpret_cast<GltfReader>(
-        function_of_module("poissonlab_meshes", gltf_reader_function, "files of glTF need assimp"));
-    TriangleMesh mesh;
-    read(file, mesh);
-    return mesh;
-}
+    points,
+    lines,
+    line_loop,
+    line_strip,
+    triangles,
+    strip,
+    fan
+};
 
-std::vector<std::filesystem::path> files_beside_mesh(const std::filesystem::path& file)
+class GltfReader
 {
-    std::string end = file.extension().string();
-    std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (end != ".gltf") return {};
-    std::vector<std::filesystem::path> files;
-    const auto scene = nlohmann::json::parse(read_whole_file(file), nullptr, false);
-    if (!scene.is_object() || !scene.contains("buffers")) return {};
-    for (const auto& buffer : scene["buffers"]) {
-        if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
-        const std::string name = buffer["uri"];
-        if (!name.starts_with("data:")) files.push_back(file.parent_path() / name);
+public:
+    explicit GltfReader(const MeshBytes& file)
+        : file_(file), content_(file), numbers_(content_), nodes_(content_.list("nodes")),
+          meshes_(content_.list("meshes")), is_used_(nodes_.size())
+    {}
+
+    PolygonSoup read()
+    {
+        constexpr Movement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+        for (const std::size_t node : roots()) add_node(node, unmoved, 0);
+        if (soup_.texture_points.empty()) soup_.texture_corners.clear();
+        return std::move(soup_);
     }
-    return files;
+
+private:
+    /// The nodes of the scene that the file names, or of its first one; of a file without scenes, all that are below no
+    /// other.
+    std::vector<std::size_t> roots()
+    {
+        const std::vector<StoredObject> scenes = content_.list("scenes");
+        if (scenes.empty()) return uppermost_nodes();
+        const StoredObject& scene =
+            content_.root().has("scene") ? named_in(scenes, content_.root(), "scene") : scenes.front();
+        if (scenes.size() > 1)
+            soup_.notes.push_back(fmt::format(
+                "scene {} of {} was read, which {}", &scene - scenes.data() + 1, scenes.size(),
+                content_.root().has("scene") ? "is the one that the file shows" : "is the first: the file names none"));
+        return scene.has("nodes") ? scene.counts("nodes") : std::vector<std::size_t>{};
+    }
+
+    std::vector<std::size_t> uppermost_nodes() const
+    {
+        std::vector<bool> is_below(nodes_.size());
+        for (const StoredObject& node : nodes_)
+            if (node.has("children"))
+                for (const std::size_t child : node.counts("children"))
+                    if (child < is_below.size()) is_below[child] = true;
+        std::vector<std::size_t> roots;
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (!is_below[i]) roots.push_back(i);
+        return roots;
+    }
+
+    void add_node(std::size_t index, const Movement& outside, int depth)
+    {
+        constexpr int deepest = 1000;
+        if (index >= nodes_.size()) fail(fmt::format("nodes[{}] is named and not there", index));
+        if (is_used_[index]) fail(fmt::format("nodes[{}] comes twice: a node is below one other, or none", index));
+        if (depth > deepest) fail(fmt::format("has nodes within nodes, more than {} deep", deepest));
+        is_used_[index] = true;
+        const StoredObject& node = nodes_[index];
+        const Movement movement = movement_of_both(outside, movement_of_node(node));
+        if (node.has("mesh"))
+            for (const StoredObject& part : named_in(meshes_, node, "mesh").objects("primitives"))
+                add_part(part, movement);
+        if (node.has("children"))
+            for (const std::size_t child : node.counts("children")) add_node(child, movement, depth + 1);
+    }
+
+    void add_part(const StoredObject& part, const Movement& movement)
+    {
+        const auto mode = static_cast<GltfMode>(part.has("mode") ? part.integer("mode", 0, 6)
+                                                                 : static_cast<std::int64_t>(GltfMode::triangles));
+        const StoredObject attributes = part.object("attributes");
+        if (!attributes.has("POSITION")) return; // has nothing that is shown, by the specification
+        if (mode < GltfMode::triangles) {
+            ++soup_.lines;
+            return;
+        }
+        const std::size_t first = soup_.points.size(), first_texture = soup_.texture_points.size();
+        add_points(attributes, movement);
+        const std::size_t count = soup_.points.size() - first;
+        const bool has_texture = add_texture(attributes, count);
+        const std::vector<std::size_t> corners = corners_of(part, count);
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+            for (const std::size_t corner : {corners[a], corners[b], corners[c]}) {
+                soup_.corners.push_back(static_cast<std::uint32_t>(first + corner));
+                soup_.texture_corners.push_back(has_texture ? static_cast<std::uint32_t>(first_texture + corner)
+                                                            : no_texture_point);
+            }
+            soup_.sizes.push_back(3);
+        };
+        const std::size_t step = mode == GltfMode::triangles ? 3 : 1;
+        if (mode == GltfMode::triangles && corners.size() % 3 != 0)
+            throw part.error("indices", fmt::format("are {} corners: triangles have three each", corners.size()));
+        const bool is_mirrored = is_mirroring(movement);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+            const std::size_t a = mode == GltfMode::fan ? 0 : i;
+            if (is_mirrored != (mode == GltfMode::strip && i % 2 == 1))
+                add(i + 2, i + 1, a);
+            else
+                add(a, i + 1, i + 2);
+        }
+    }
+
+    void add_points(const StoredObject& attributes, const Movement& movement)
+    {
+        const std::vector<double> numbers = numbers_.read(attributes, "POSITION", "VEC3", 3);
+        if (soup_.points.size() + numbers.size() / 3 > most_in_mesh)
+            fail(fmt::format("has more than {} vertices", most_in_mesh));
+        for (std::size_t i = 0; i < numbers.size(); i += 3) {
+            soup_.points.push_back(moved_by(movement, {numbers[i], numbers[i + 1], numbers[i + 2]}));
+            for (const double c : soup_.points.back())
+                if (!std::isfinite(c))
+                    throw attributes.error("POSITION",
+                                           fmt::format("row {} has a coordinate that is no finite number", i / 3 + 1));
+        }
+    }
+
+    /// Texture coordinates are counted from above in glTF. False where there are none.
+    bool add_texture(const StoredObject& attributes, std::size_t count)
+    {
+        if (file_.parts != MeshParts::faces_and_texture || !attributes.has("TEXCOORD_0")) return false;
+        const std::vector<double> numbers = numbers_.read(attributes, "TEXCOORD_0", "VEC2", 2);
+        if (numbers.size() != 2 * count)
+            throw attributes.error("TEXCOORD_0",
+                                   fmt::format("has {} rows, and POSITION {}", numbers.size() / 2, count));
+        for (std::size_t i = 0; i < numbers.size(); i += 2) {
+            soup_.texture_points.push_back({numbers[i], 1 - numbers[i + 1]});
+            if (!std::isfinite(numbers[i]) || !std::isfinite(numbers[i + 1]))
+                throw attributes.error("TEXCOORD_0",
+                                       fmt::format("row {} has a coordinate that is no finite number", i / 2 + 1));
+        }
+        return true;
+    }
+
+    /// The vertices of the corners of a part, all of which are there.
+    std::vector<std::size_t> corners_of(const StoredObject& part, std::size_t count)
+    {
+        std::vector<std::size_t> corners;
+        if (!part.has("indices")) {
+            for (std::size_t i = 0; i < count; ++i) corners.push_back(i);
+        } else {
+            for (const double index : numbers_.read(part, "indices", "SCALAR", 1)) {
+                if (!(index >= 0) || index >= static_cast<double>(count))
+                    throw part.error("indices", fmt::format("corner {} has vertex {}, which is not there: they are 0 "
+                                                            "to {}",
+                                                            corners.size(), index, count - 1));
+                corners.push_back(static_cast<std::size_t>(index));
+            }
+        }
+        if (soup_.corners.size() + 3 * corners.size() > most_in_mesh)
+            fail(fmt::format("has more than {} corners", most_in_mesh));
+        return corners;
+    }
+
+    [[noreturn]] void fail(const std::string& problem) const { throw InputError::at({file_.name}, problem); }
+
+    const MeshBytes& file_;
+    GltfFile content_;
+    GltfNumbers numbers_;
+    std::vector<StoredObject> nodes_, meshes_;
+    std::vector<bool> is_used_;
+    PolygonSoup soup_;
+};
+
 }
+
+PolygonSoup read_gltf(const MeshBytes& file) { return GltfReader(file).read(); }
 
 }

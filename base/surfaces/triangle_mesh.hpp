@@ -1,10 +1,11 @@
-// Surfaces as triangles, read from files of polygons: OFF, OBJ, PLY and STL, by CGAL, and glTF, by assimp.
+// Surfaces as triangles, read from files of polygons: OFF, OBJ, PLY, STL and glTF.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -28,6 +29,8 @@ struct TriangleMesh
     std::vector<TexturePoint> texture_points = {}; ///< all of them finite
     /// Numbers of texture points, of each triangle, or no_texture_point. Empty: they were not read, or there are none.
     std::vector<MeshTriangle> texture_triangles = {};
+
+    std::vector<std::string> notes = {}; ///< what of the file was left out, a sentence each
 };
 
 /// Parts of a mesh that are read.
@@ -38,11 +41,12 @@ enum class MeshParts
 };
 
 /// Reads a mesh; the end of its name says the format: .off, .obj, .ply, .stl, .gltf or .glb. Materials, colours and
-/// normals of files are left alone. Texture coordinates are `vt` of OBJ, s and t, u and v, or texture_u and texture_v
-/// of a PLY file's vertices, and TEXCOORD_0 of glTF, whose v is counted from below as in OBJ; other formats have none.
-/// Meshes of glTF are joined, each where its nodes put it. Throws InputError, a line that names the file: what is no
-/// mesh, has no faces, coordinates that are no finite numbers, or faces with vertices that are not there (of glTF,
-/// assimp leaves these faces out); StorageError where glTF is read without its module.
+/// normals of files are left alone, and so are skins and morph targets of glTF. Texture coordinates are `vt` of OBJ, s
+/// and t, u and v, or texture_u and texture_v of a PLY file's vertices, and TEXCOORD_0 of glTF, whose v is counted from
+/// below as in OBJ; other formats have none. Vertices are those of the file, in its order; of STL, those at one place
+/// are one. Meshes of glTF are joined, each where its nodes put it. Throws InputError, a line that names the file, the
+/// place in it and the cause: what is no mesh, has no faces, coordinates that are no finite numbers, faces with
+/// vertices that are not there, ends early or late, or requires an extension of glTF that is not known here.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts = MeshParts::faces);
 
 /// Files that hold a part of a mesh that was read: those of numbers that .gltf names.

@@ -60,7 +60,7 @@ class Wheels(FolderTest):
         module = pathlib.Path(pl._poissonlab.__file__).name
         self.assertEqual({file.name for file in (installed / "poissonlab").iterdir()},
                          files | {module, "samplers.pyi", "libpoissonlab_pictures.so", "libpoissonlab_particles.so",
-                                  "libpoissonlab_meshes.so", "py.typed"})
+                                  "py.typed"})
         self.assertEqual(sorted(path.name for path in installed.iterdir()), ["poissonlab", f"poissonlab-{version}.dist-info"])
         metadata = (installed / f"poissonlab-{version}.dist-info/METADATA").read_text()
         self.assertRegex(metadata, r"(?m)^Requires-Dist: numpy")

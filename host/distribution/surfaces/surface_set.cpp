@@ -137,7 +137,7 @@ DistributionNumber uncovered_part(const SurfaceSet& set, double distance, std::u
 
 std::vector<std::string> SurfaceMesh::notes() const
 {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = mesh.notes;
     if (mesh.divided > 0)
         notes.push_back(counted(mesh.divided, "face", "faces") + " of more than three corners became triangles");
     if (const std::size_t dropped = surface.flat + mesh.dropped; dropped > 0)

@@ -14,6 +14,7 @@
 namespace poissonlab {
 namespace {
 
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 
@@ -98,23 +99,88 @@ TEST_F(GltfFiles, AreJoinedWhereNodesPutThem)
     }
 }
 
+/// A .gltf file of the bent sheet in which a piece of text is another.
+class ChangedGltf : public GltfFiles
+{
+protected:
+    std::string refusal_with(const std::string& from, const std::string& to)
+    {
+        const TriangleMesh mesh = bent_sheet();
+        test::write_gltf(folder_.path() / "a.gltf", mesh);
+        std::string text = read_whole_file(folder_.path() / "a.gltf");
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, text.npos) << from;
+        return refusal("a.gltf", text.replace(std::min(at, text.size()), from.size(), to));
+    }
+};
+
 TEST_F(GltfFiles, SayWhatIsWrong)
 {
-    EXPECT_THAT(refusal("a.gltf", "words"), HasSubstr("a.gltf: cannot be read as glTF: "));
-    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}})"), HasSubstr("a.gltf: "));
+    EXPECT_THAT(refusal("a.gltf", "words"), HasSubstr("a.gltf:1: is not JSON: "));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}})"),
+                EndsWith("a.gltf: has no faces: no node of its scene has a mesh of triangles"));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "1.0"}})"),
+                EndsWith("a.gltf: asset.version = \"1.0\": only glTF 2 is read"));
     EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
                                       "nodes": [{"translation": [1, 2, 3]}]})"),
-                EndsWith("a.gltf: has no triangles"));
+                EndsWith("a.gltf: has no faces: no node of its scene has a mesh of triangles"));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"scale": [1, 2]}]})"),
+                EndsWith("a.gltf: nodes[0].scale: must have 3 numbers"));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+                                      "nodes": [{"children": [1]}, {"children": [0]}]})"),
+                EndsWith("a.gltf: nodes[0] comes twice: a node is below one other, or none"));
     EXPECT_THAT(refusal("a.gltf", test::gltf_json(bent_sheet(), R"([{"mesh": 0}])", "[0]", R"("uri": "none.bin", )")),
-                HasSubstr("a.gltf: cannot be read as glTF: "));
+                AllOf(HasSubstr("a.gltf: buffers[0].uri = \"none.bin\": "), EndsWith("must be a file that is there")));
+    EXPECT_THAT(refusal("a.gltf", test::gltf_json(bent_sheet(), R"([{"mesh": 0}])", "[0]", R"("uri": "data:,a", )")),
+                EndsWith("a.gltf: buffers[0].uri = \"data:,a\": must be base64 after `data:...;base64,`"));
     TriangleMesh mesh = bent_sheet();
     mesh.vertices[3][1] = NAN;
     EXPECT_THAT(refusal("a.glb", test::glb_bytes(mesh)),
-                EndsWith("a.glb: vertex 4 has a coordinate that is no finite number"));
+                EndsWith("a.glb: meshes[0].primitives[0].attributes.POSITION = 0: row 4 has a coordinate that is no "
+                         "finite number"));
     mesh = bent_sheet();
     mesh.triangles[2][1] = 1000;
-    write_whole_file(folder_.path() / "a.glb", test::glb_bytes(mesh));
-    EXPECT_EQ(read("a.glb").triangles.size(), mesh.triangles.size() - 1); // assimp leaves it out
+    EXPECT_THAT(refusal("a.glb", test::glb_bytes(mesh)),
+                EndsWith("a.glb: meshes[0].primitives[0].indices = 1: corner 7 has vertex 1000, which is not there: "
+                         "they are 0 to 44"));
+}
+
+TEST_F(ChangedGltf, SaysWhereItIsWrong)
+{
+    const std::string after_asset = R"("asset": {"version": "2.0"}, )";
+    for (const char* name : {"EXT_meshopt_compression", "KHR_draco_mesh_compression", "ABC_unheard_of"})
+        EXPECT_THAT(refusal_with(after_asset, after_asset + "\"extensionsRequired\": [\"" + name + "\"], "),
+                    EndsWith(std::string("a.gltf: extensionsRequired: ") + name +
+                             " is not known here, and without it the file cannot be read right: store it without this "
+                             "extension"));
+    EXPECT_THAT(refusal_with("\"scene\": 0", "\"scene\": 1"), EndsWith("a.gltf: scene = 1: is not there: there are 1"));
+    EXPECT_THAT(refusal_with("[{\"mesh\": 0}]", "[{\"mesh\": 3}]"),
+                EndsWith("a.gltf: nodes[0].mesh = 3: is not there: there are 1"));
+    EXPECT_THAT(refusal_with("\"nodes\": [0]", "\"nodes\": [5]"), EndsWith("a.gltf: nodes[5] is named and not there"));
+    EXPECT_THAT(refusal_with("\"componentType\": 5126", "\"componentType\": 5130"),
+                EndsWith("a.gltf: accessors[0].componentType = 5130: must be 5120 to 5123, 5125 or 5126"));
+    EXPECT_THAT(refusal_with("\"type\": \"VEC3\"", "\"type\": \"VEC2\""),
+                EndsWith("a.gltf: accessors[0].type = \"VEC2\": must be VEC3"));
+    EXPECT_THAT(
+        refusal_with("\"count\": 45", "\"count\": 46"),
+        EndsWith("a.gltf: accessors[0].bufferView = 0: has 540 bytes, in which 46 rows of 12 bytes from 0 on do "
+                 "not fit"));
+    EXPECT_THAT(refusal_with("\"count\": 192", "\"count\": 191"),
+                EndsWith("a.gltf: meshes[0].primitives[0].indices = 1: are 191 corners: triangles have three each"));
+    EXPECT_THAT(refusal_with("\"byteLength\": 540", "\"byteLength\": 5400"),
+                EndsWith("a.gltf: bufferViews[0].byteLength = 5400: ends after its buffer, which has 1668 bytes"));
+    EXPECT_THAT(refusal_with("\"byteLength\": 1668", "\"byteLength\": 1669"),
+                EndsWith("a.gltf: buffers[0].byteLength = 1669: there are 1668 bytes"));
+}
+
+TEST_F(GltfFiles, NameFilesBesideThemWithBlanks)
+{
+    const TriangleMesh mesh = bent_sheet();
+    write_whole_file(folder_.path() / "my numbers%.bin", test::gltf_numbers(mesh));
+    write_whole_file(folder_.path() / "a.gltf",
+                     test::gltf_json(mesh, R"([{"mesh": 0}])", "[0]", R"("uri": "my%20numbers%.bin", )"));
+    EXPECT_EQ(read("a.gltf").vertices, mesh.vertices);
+    EXPECT_EQ(files_beside_mesh(folder_.path() / "a.gltf"), std::vector{folder_.path() / "my numbers%.bin"});
 }
 
 /// Files that end early, or with bits that fell over: an error of one line, or a mesh.
@@ -134,7 +200,7 @@ TEST_F(GltfFiles, MayBeDamaged)
             for (const MeshTriangle& triangle : mesh.triangles)
                 for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh.vertices.size());
         } catch (const std::runtime_error& error) {
-            EXPECT_THAT(error.what(), HasSubstr("a.glb: "));
+            EXPECT_THAT(error.what(), HasSubstr("a.glb:"));
             EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
         }
     }

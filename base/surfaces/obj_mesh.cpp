@@ -1,0 +1,141 @@
+// OBJ: Wavefront, Advanced Visualizer, appendix B1. Vertices, texture coordinates and faces; groups, materials and
+// normals are left alone.
+#include "base/surfaces/mesh_words.hpp"
+#include "base/surfaces/polygon_soup.hpp"
+
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace poissonlab {
+namespace {
+
+/// Statements that would add to the surface: free forms and other files.
+constexpr std::array<std::string_view, 6> unread_statements{"surf", "bzp", "bsp", "cdp", "call", "csh"};
+
+class ObjReader
+{
+public:
+    explicit ObjReader(const MeshBytes& file)
+        : file_(file), has_texture_(file.parts == MeshParts::faces_and_texture),
+          words_(file.name, file.bytes, MeshWords::Lines::continued)
+    {}
+
+    PolygonSoup read()
+    {
+        while (words_.next_line())
+            if (words_.next()) read_statement(words_.word());
+        if (farthest_ > soup_.points.size())
+            throw InputError::at(
+                {file_.name, farthest_line_},
+                fmt::format("\"{}\": there is no such vertex: the file has {}", farthest_, soup_.points.size()));
+        if (soup_.texture_points.empty()) soup_.texture_corners.clear();
+        return std::move(soup_);
+    }
+
+private:
+    void read_statement(std::string_view name)
+    {
+        if (name == "v")
+            read_vertex();
+        else if (name == "vt" && has_texture_)
+            read_texture_point();
+        else if (name == "f" || name == "fo") // as older files have it
+            read_face();
+        else if (name == "l" || name == "p")
+            ++soup_.lines;
+        else if (std::ranges::find(unread_statements, name) != unread_statements.end())
+            words_.fail(fmt::format("{}: only vertices and faces of OBJ are read, no free forms and no other files: "
+                                    "store the surface as polygons",
+                                    name));
+    }
+
+    void read_vertex()
+    {
+        MeshPoint& point = soup_.points.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!words_.next()) words_.fail(fmt::format("a vertex has three coordinates, this one {}", k));
+            point[k] = words_.number("a coordinate");
+        }
+        if (soup_.points.size() > most_in_mesh) words_.fail(fmt::format("is more than {} vertices", most_in_mesh));
+    }
+
+    void read_texture_point()
+    {
+        TexturePoint& point = soup_.texture_points.emplace_back();
+        for (std::size_t k = 0; k < 2 && words_.next(); ++k) point[k] = words_.number("a texture coordinate");
+    }
+
+    void read_face()
+    {
+        std::uint32_t size = 0;
+        for (; words_.next(); ++size) {
+            const std::string_view word = words_.word(), number = word.substr(0, word.find('/'));
+            soup_.corners.push_back(vertex(number));
+            if (has_texture_) soup_.texture_corners.push_back(texture_point(word));
+        }
+        soup_.sizes.push_back(size);
+        if (soup_.corners.size() > most_in_mesh) words_.fail(fmt::format("is more than {} corners", most_in_mesh));
+    }
+
+    /// The number of a vertex, which may come later; negative ones count from the last before this line.
+    std::uint32_t vertex(std::string_view number)
+    {
+        std::int64_t index = index_of(number);
+        const auto count = static_cast<std::int64_t>(soup_.points.size());
+        if (index == 0) words_.fail(fmt::format("\"{}\": vertices are counted from 1", words_.word()));
+        if (index < -count || index > static_cast<std::int64_t>(most_in_mesh))
+            words_.fail(fmt::format("\"{}\": there is no such vertex before this line, of {}", shortened(words_.word()),
+                                    count));
+        if (index < 0) index += count + 1;
+        if (index > count && static_cast<std::size_t>(index) > farthest_) {
+            farthest_ = static_cast<std::size_t>(index);
+            farthest_line_ = words_.line();
+        }
+        return static_cast<std::uint32_t>(index - 1);
+    }
+
+    /// The number of the texture point of a corner: 5 of "3/5/2" and "3/5"; negative ones count from the last.
+    std::uint32_t texture_point(std::string_view word) const
+    {
+        const std::size_t slash = word.find('/');
+        if (slash == word.npos) return no_texture_point;
+        const std::string_view number = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+        if (number.empty()) return no_texture_point;
+        std::int64_t index = index_of(number);
+        const auto count = static_cast<std::int64_t>(soup_.texture_points.size());
+        if (index < 0) index += count + 1;
+        if (index < 1 || index > count)
+            words_.fail(fmt::format("\"{}\": there is no such texture coordinate before this line, of {}",
+                                    shortened(word), count));
+        return static_cast<std::uint32_t>(index - 1);
+    }
+
+    std::int64_t index_of(std::string_view number) const
+    {
+        std::int64_t index = 0;
+        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
+        if (error != std::errc() || end != number.data() + number.size())
+            words_.fail(fmt::format("\"{}\": a corner of a face is a whole number, or several with slashes between "
+                                    "them, as in 3, 3/1 and 3/1/2",
+                                    shortened(words_.word())));
+        return index;
+    }
+
+    const MeshBytes& file_;
+    const bool has_texture_;
+    MeshWords words_;
+    PolygonSoup soup_;
+    std::size_t farthest_ = 0; ///< the largest number of a vertex that was not there yet
+    int farthest_line_ = 0;
+};
+
+}
+
+PolygonSoup read_obj(const MeshBytes& file) { return ObjReader(file).read(); }
+
+}

@@ -1,0 +1,146 @@
+// Small meshes by hand, one a habit of those who write files, beside their areas; and the same with other ends of
+// lines.
+#include "base/files/text_lines.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How large a mesh is; see right.txt.
+struct Extent
+{
+    double triangles = 0, vertices = 0, area = 0, shadow = 0, volume = 0;
+};
+
+Extent extent_of(const TriangleMesh& mesh)
+{
+    Extent extent{static_cast<double>(mesh.triangles.size()), static_cast<double>(mesh.vertices.size())};
+    for (const MeshTriangle& t : mesh.triangles) {
+        const MeshPoint &a = mesh.vertices.at(t[0]), &b = mesh.vertices.at(t[1]), &c = mesh.vertices.at(t[2]);
+        MeshPoint normal{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            normal[k] = ((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])) / 2;
+            extent.volume += normal[k] * a[k] / 3;
+        }
+        extent.area += std::hypot(normal[0], normal[1], normal[2]);
+        extent.shadow += normal[2];
+    }
+    return extent;
+}
+
+struct RightMesh
+{
+    std::string file;
+    Extent extent;
+};
+
+const fs::path corpus = fs::path(source_folder()) / "tests/base/surfaces/meshes";
+
+std::vector<RightMesh> right_meshes()
+{
+    const std::string text = read_whole_file(corpus / "right.txt");
+    std::vector<RightMesh> meshes;
+    for (LineReader lines(text); lines.next();) {
+        if (lines.line().starts_with('#')) continue;
+        std::istringstream words{std::string(lines.line())};
+        RightMesh& mesh = meshes.emplace_back();
+        Extent& e = mesh.extent;
+        words >> mesh.file >> e.triangles >> e.vertices >> e.area >> e.shadow >> e.volume;
+        EXPECT_TRUE(words) << lines.line();
+    }
+    return meshes;
+}
+
+void expect_extent(const TriangleMesh& mesh, const Extent& right)
+{
+    const Extent found = extent_of(mesh);
+    EXPECT_EQ(found.triangles, right.triangles);
+    EXPECT_EQ(found.vertices, right.vertices);
+    EXPECT_NEAR(found.area, right.area, 1e-13 * right.area);
+    EXPECT_NEAR(found.shadow, right.shadow, 1e-13 * right.area);
+    EXPECT_NEAR(found.volume, right.volume, 2e-13 * right.area);
+}
+
+TEST(MeshCorpus, HasItsRightSizes)
+{
+    for (const RightMesh& right : right_meshes()) {
+        SCOPED_TRACE(right.file);
+        expect_extent(read_triangle_mesh(corpus / right.file), right.extent);
+    }
+}
+
+TEST(MeshCorpus, IsKnown)
+{
+    std::set<std::string> known, found;
+    for (const RightMesh& right : right_meshes()) known.insert(right.file);
+    for (const auto& file : fs::recursive_directory_iterator(corpus))
+        if (file.is_regular_file() && file.path().filename() != "right.txt")
+            found.insert(fs::relative(file.path(), corpus).string());
+    EXPECT_EQ(found, known);
+}
+
+std::string replaced(const std::string& text, const std::string& from, const std::string& to)
+{
+    std::string result;
+    std::size_t begin = 0;
+    for (std::size_t at; (at = text.find(from, begin)) != text.npos; begin = at + from.size())
+        result += text.substr(begin, at - begin) + to;
+    return result + text.substr(begin);
+}
+
+/// Ends of lines of three systems, blanks before them, no end of the last line, and a byte order mark.
+TEST(MeshCorpus, IsTheSameFromOtherSystems)
+{
+    const TemporaryFolder folder;
+    for (const RightMesh& right : right_meshes()) {
+        const std::string text = read_whole_file(corpus / right.file);
+        const TriangleMesh mesh = read_triangle_mesh(corpus / right.file);
+        std::vector<std::string> others{replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text,
+                                        text.substr(0, text.size() - 1)};
+        if (!right.file.ends_with("continued.obj")) others.push_back(replaced(text, "\n", " \t\n"));
+        if (!right.file.ends_with(".ply")) others.push_back(replaced(text, " ", "\t"));
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            SCOPED_TRACE(right.file + ", " + std::to_string(i));
+            const fs::path file = folder.path() / fs::path(right.file).filename();
+            write_whole_file(file, others[i]);
+            const TriangleMesh other = read_triangle_mesh(file);
+            EXPECT_EQ(other.vertices, mesh.vertices);
+            EXPECT_EQ(other.triangles, mesh.triangles);
+        }
+    }
+}
+
+/// What is left out is said.
+TEST(MeshCorpus, IsLeftOutWithAWord)
+{
+    const auto notes = [](const char* file) { return read_triangle_mesh(corpus / file).notes; };
+    using testing::ElementsAre;
+    EXPECT_THAT(notes("obj/triangles.obj"), ElementsAre());
+    EXPECT_THAT(notes("obj/lines.obj"),
+                ElementsAre("3 lines or points of the file, which have no area, were left out"));
+    EXPECT_THAT(notes("gltf/lines.gltf"),
+                ElementsAre("2 lines or points of the file, which have no area, were left out"));
+    EXPECT_THAT(notes("ply/elements.ply"),
+                ElementsAre("2 lines or points of the file, which have no area, were left out"));
+    EXPECT_THAT(notes("gltf/named-scene.gltf"),
+                ElementsAre("scene 2 of 2 was read, which is the one that the file shows"));
+    EXPECT_THAT(notes("gltf/unnamed-scene.gltf"),
+                ElementsAre("scene 1 of 2 was read, which is the first: the file names none"));
+    EXPECT_EQ(read_triangle_mesh(corpus / "obj/numbers.obj").dropped, 2U);
+}
+
+}
+}
