@@ -54,10 +54,12 @@ CL_API_ENTRY cl_int CL_API_CALL clGetDeviceInfo(cl_device_id device, cl_device_i
     const char* variable = variable_of(name);
     if (result != CL_SUCCESS || !value || !variable) return result;
     const size_t most = limit(variable);
-    if (size == sizeof(cl_uint)) {
+    if (name == CL_DEVICE_PARTITION_PROPERTIES) {
+        if (most == 0) memset(value, 0, size);
+    } else if (size == sizeof(cl_uint)) {
         cl_uint* number = value;
         if (*number > most) *number = (cl_uint)most;
-    } else { /* of a list, the first */
+    } else {
         cl_ulong* number = value;
         if (*number > most) *number = most;
     }

@@ -4,56 +4,66 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace poissonlab {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
-using ::testing::Not;
 
-/// Each method with kernels, at a size that takes no time, by its table.
-const std::map<std::string, std::string> methods{
+/// Methods with kernels, at sizes that take no time, and their parameters.
+using Methods = std::map<std::string, std::string>;
+
+const Methods in_plane{
     {"dart-throwing", "relative_radius = 0.6"},
     {"relaxation-dart-throwing", ""},
     {"voronoi-darts", "relative_radius = 0.6"},
     {"sector-darts", ""},
     {"lloyd", "iterations = 2\nrepulsion = true\nuntil_relative_radius = 0.5"},
     {"sample-elimination", ""},
-    {"farthest-points", "iterations = 1"},
+    {"farthest-point", "iterations = 1"},
     {"gaussian-blue-noise", "iterations = 2"},
     {"equal-areas", "iterations = 1"},
+};
+const Methods in_space{{"dart-throwing", "relative_radius = 0.6"}, {"lloyd", "iterations = 1"}};
+const Methods by_tiles{
     {"corner-tiles", "colors = 1\npoints_per_tile = 16\nlloyd_iterations = 2"},
-    {"edge-tiles", "colors = 1\npoints_per_tile = 16\nlloyd_iterations = 2"},
-    {"template-tiles", "tiles = 1\npoints_per_tile = 16\nlloyd_iterations = 2"},
     {"averaged-tiles", "points_per_tile = 16\niterations = 1"},
     {"penrose", ""},
-    {"polyominoes", ""},
 };
-
-/// Methods that have kernels for space, too.
-const std::vector<std::string> spatial{"dart-throwing", "relaxation-dart-throwing", "lloyd", "sample-elimination",
-                                       "gaussian-blue-noise"};
-
-std::string table_of(const std::string& method)
-{
-    return "[[method]]\nsampler = \"" + method + "\"\n" + methods.at(method) + "\n";
-}
 
 class SmallDevice : public BadLuck
 {
 protected:
-    SmallDevice()
+    /// Runs all methods in one config.
+    Outcome run_all(const std::string& out, const std::string& environment, const Methods& methods,
+                    int dimension = 2) const
     {
-        std::string plane, space;
-        for (const auto& [method, parameters] : methods) plane += table_of(method);
-        for (const std::string& method : spatial) space += table_of(method);
-        write_config("plane.toml", plane);
-        write_config("space.toml", space);
-        folder_.write("space.toml", "dimension = 3\n" + content_of(path("space.toml")));
+        std::string text =
+            "[analysis]\npoints = 256\nrealizations = 1\ndimension = " + std::to_string(dimension) + "\n";
+        for (const auto& [method, parameters] : methods)
+            text += "[[method]]\nsampler = \"" + method + "\"\n" + parameters + "\n";
+        folder_.write("all.toml", text);
+        return run(out, environment, "all.toml");
     }
 
-    nlohmann::json devices(const std::string& environment) const
+    /// A device with few resources makes what PoCL makes.
+    void expect_the_same(const Methods& methods, int dimension = 2) const
+    {
+        const Outcome whole = run_all("whole", "", methods, dimension);
+        ASSERT_EQ(whole.status, 0) << whole.error;
+        ::setenv("POISSONLAB_CACHE", path("other cache").c_str(), 1); // for tile sets
+        const Outcome outcome =
+            run_all("small",
+                    small_device("SMALL_DEVICE_LOCAL=16384 SMALL_DEVICE_ALLOCATION=268435456 SMALL_DEVICE_GROUP=64 "
+                                 "SMALL_DEVICE_UNITS=1 SMALL_DEVICE_DIVIDES=0"),
+                    methods, dimension);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_EQ(lasting_files(path("small")), lasting_files(path("whole")));
+    }
+
+    nlohmann::json device(const std::string& environment) const
     {
         const Outcome outcome = run_program(folder_.path(), {"devices", "--json"}, environment);
         EXPECT_EQ(outcome.status, 0) << outcome.error;
@@ -61,50 +71,39 @@ protected:
     }
 };
 
-TEST_F(SmallDevice, GivesTheSameSets)
-{
-    const std::string small = small_device("SMALL_DEVICE_LOCAL=16384 SMALL_DEVICE_ALLOCATION=268435456 "
-                                           "SMALL_DEVICE_GROUP=64 SMALL_DEVICE_UNITS=1 SMALL_DEVICE_DIVIDES=0");
-    for (const std::string config : {"plane", "space"}) {
-        SCOPED_TRACE(config);
-        const Outcome whole = run(config, "", config + ".toml");
-        ASSERT_EQ(whole.status, 0) << whole.error;
-        ::setenv("POISSONLAB_CACHE", path("other cache").c_str(), 1); // for tile sets
-        const Outcome outcome = run(config + "-small", small, config + ".toml");
-        EXPECT_EQ(outcome.status, 0) << outcome.error;
-        EXPECT_EQ(lasting_files(path(config + "-small")), lasting_files(path(config)));
-    }
-}
+TEST_F(SmallDevice, GivesTheSameSetsInThePlane) { expect_the_same(in_plane); }
+TEST_F(SmallDevice, GivesTheSameSetsInSpace) { expect_the_same(in_space, 3); }
+TEST_F(SmallDevice, GivesTheSameTiles) { expect_the_same(by_tiles); }
 
-/// What `devices` says of it holds: these methods run, and all others are told why they do not, before work begins.
-TEST_F(SmallDevice, WithoutDoublePrecisionRunsWhatItSays)
+/// The list of `devices` holds: these methods run, and all others say why they do not.
+TEST_F(SmallDevice, WithoutDoublePrecisionMakesWhatItCan)
 {
     const std::string single = small_device("SMALL_DEVICE_DOUBLES=0");
-    const auto runs = devices(single).at("methods").get<std::vector<std::string>>();
-    EXPECT_THAT(runs, IsSupersetOf({"dart-throwing", "relaxation-dart-throwing", "penrose"}));
-    for (const auto& [method, parameters] : methods) {
-        SCOPED_TRACE(method);
-        write_config("one.toml", table_of(method));
-        const Outcome outcome = run("out-" + method, single, "one.toml");
-        if (std::ranges::find(runs, method) != runs.end()) {
-            EXPECT_EQ(outcome.status, 0) << outcome.error;
-        } else {
-            expect_one_line(outcome, 3, method + " needs double precision, which ");
-            EXPECT_THAT(outcome.error, HasSubstr("the reference engine needs none"));
-            EXPECT_FALSE(std::filesystem::exists(path("out-" + method) / "results.json"));
+    const auto listed = device(single).at("methods").get<std::set<std::string>>();
+    EXPECT_THAT(listed, IsSupersetOf({"dart-throwing", "relaxation-dart-throwing"}));
+    EXPECT_THAT(device("").at("methods").get<std::set<std::string>>(), IsSupersetOf({"dart-throwing", "lloyd"}));
+
+    const Outcome outcome = run_all("out", single, in_plane);
+    EXPECT_EQ(outcome.status, 3);
+    const auto results = nlohmann::json::parse(read_whole_file(path("out") / "results.json"));
+    std::set<std::string> made;
+    for (const auto& series : results.at("series")) made.insert(series.at("sampler").get<std::string>());
+    std::string why;
+    for (const auto& missing : results.at("missing")) why += missing.get<std::string>() + "\n";
+    for (const auto& [method, parameters] : in_plane) {
+        EXPECT_EQ(made.contains(method), listed.contains(method)) << method;
+        if (!listed.contains(method)) {
+            EXPECT_THAT(why, HasSubstr(": " + method + " needs double precision, which "));
         }
     }
-    EXPECT_THAT(devices("").at("methods").get<std::vector<std::string>>(), IsSupersetOf({"lloyd", "corner-tiles"}));
 }
 
-TEST_F(SmallDevice, WithoutDoublePrecisionKeepsWhatItMakes)
+TEST_F(SmallDevice, WithoutDoublePrecisionIsToldInOneLine)
 {
-    write_config("both.toml", table_of("dart-throwing") + table_of("lloyd"));
-    const Outcome outcome = run("out", small_device("SMALL_DEVICE_DOUBLES=0"), "both.toml");
-    EXPECT_EQ(outcome.status, 3);
-    EXPECT_THAT(outcome.error, HasSubstr("lloyd needs double precision"));
-    EXPECT_THAT(read_whole_file(path("out") / "results.json"), HasSubstr("lloyd needs double precision"));
-    EXPECT_THAT(read_whole_file(path("out") / "results.json"), HasSubstr("dart-throwing"));
+    const Outcome outcome = run_all("out", small_device("SMALL_DEVICE_DOUBLES=0"), {{"lloyd", "iterations = 1"}});
+    expect_one_line(outcome, 3, "lloyd needs double precision, which ");
+    EXPECT_THAT(outcome.error, HasSubstr("the reference engine needs none"));
+    EXPECT_FALSE(std::filesystem::exists(path("out") / "results.json"));
 }
 
 /// Many drivers lack the call that divides a device, and say that there is no way to divide it.
@@ -118,10 +117,10 @@ TEST_F(SmallDevice, ThatCannotBeDividedIsTakenWhole)
 
 TEST_F(SmallDevice, WithoutComputeUnitsIsNotUsed)
 {
-    expect_one_line(run("out", small_device("SMALL_DEVICE_UNITS=0")), 3, "the driver reports no compute units");
-    const nlohmann::json device = devices(small_device("SMALL_DEVICE_UNITS=0"));
-    EXPECT_EQ(device.at("unusable"), "the driver reports no compute units");
-    EXPECT_TRUE(device.at("methods").empty());
+    const std::string none = small_device("SMALL_DEVICE_UNITS=0");
+    expect_one_line(run("out", none), 3, "the driver reports no compute units");
+    EXPECT_EQ(device(none).at("unusable"), "the driver reports no compute units");
+    EXPECT_TRUE(device(none).at("methods").empty());
     expect_one_line(run("out", small_device("SMALL_DEVICE_GROUP=16")), 3, "at most 16 work-items");
 }
 
