@@ -68,5 +68,6 @@ kernel void place_instances(struct InstanceScene scene, struct ObjectTiles tiles
     instance.tilt = scene.tilt * (double)pobjects_uniform(id, PURPOSE_TILT);
     instance.tilt_direction = WHOLE_TURN * (double)pobjects_uniform(id, PURPOSE_TILT_DIRECTION);
     instance.is_inside = is_in_scene(&scene, tiles.dimension, instance.position);
+    instance.unused = 0;
     instances[item] = instance;
 }

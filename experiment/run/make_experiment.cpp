@@ -6,6 +6,7 @@
 #include "experiment/crew/crew.hpp"
 #include "experiment/crew/thread_limit.hpp"
 #include "host/device/device.hpp"
+#include "host/settings/method_needs.hpp"
 
 #include <fmt/format.h>
 
@@ -25,11 +26,14 @@ public:
         : selector_(std::move(selector)), threads_(threads), engine_(engine)
     {}
 
+    /// The default device is one that meets these needs, if there is one. Before the device is used.
+    void look_for(const KernelNeeds& needs) { needs_ = needs; }
+
     bool is_open() const { return device_.has_value(); }
 
     Device& get()
     {
-        if (!device_) device_ = Device::open(selector_, threads_);
+        if (!device_) device_ = Device::open(selector_, threads_, needs_);
         return *device_;
     }
 
@@ -52,7 +56,7 @@ private:
         if (is_described_ || engine_ != Engine::opencl) return info_;
         is_described_ = true;
         try {
-            info_ = Device::find(selector_);
+            info_ = Device::find(selector_, needs_);
         } catch (const DeviceError&) {
             // A missing device is an error only for work that needs one, which will say so.
         }
@@ -62,6 +66,7 @@ private:
     std::string selector_;
     unsigned threads_;
     Engine engine_;
+    KernelNeeds needs_ = all_kernel_needs();
     std::optional<Device> device_;
     std::optional<DeviceInfo> info_;
     bool is_described_ = false;
@@ -131,10 +136,20 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
+/// The needs of a plan's methods. Tables beside them may take any kernel.
+KernelNeeds needs_of_plan(const std::vector<SeriesPlan>& plan, const std::vector<Exhibit>& exhibits)
+{
+    if (std::ranges::any_of(exhibits, [](const Exhibit& exhibit) { return exhibit.kind->uses_device; }))
+        return all_kernel_needs();
+    KernelNeeds needs;
+    for (const SeriesPlan& series : plan) needs |= needs_of(*series.sampler, series.parameters);
+    return needs;
+}
+
 /// The device that a plan will work on, if it needs one. A missing device is no error here, as everything may be stored
 /// already.
 std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, const std::vector<Exhibit>& exhibits,
-                                         Engine engine, const std::string& selector)
+                                         Engine engine, const std::string& selector, const KernelNeeds& needs)
 {
     const bool needs_device = std::ranges::any_of(
         plan, [](const SeriesPlan& series) { return static_cast<bool>(series.sampler->device_memory); });
@@ -143,7 +158,7 @@ std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, co
     if (engine != Engine::opencl || (!needs_device && !shows_device)) return std::nullopt;
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) return std::nullopt;
-    const DeviceInfo& device = devices[choose_device(devices, selector)];
+    const DeviceInfo& device = devices[choose_device(devices, selector, needs)];
     return device.unusable.empty() ? std::optional(device) : std::nullopt;
 }
 
@@ -209,7 +224,9 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     std::set<std::string> names; // folders of the series come first
     for (const SeriesPlan& series : plan) names.insert(series.name);
     experiment.exhibits = exhibits_of(config, names);
-    const std::optional<DeviceInfo> info = device_of_plan(plan, experiment.exhibits, config.engine, device);
+    const KernelNeeds needs = needs_of_plan(plan, experiment.exhibits);
+    lazy->look_for(needs);
+    const std::optional<DeviceInfo> info = device_of_plan(plan, experiment.exhibits, config.engine, device, needs);
     if (info) check_memory_of_device(*info, plan, experiment.exhibits);
     for (const SeriesPlan& series : plan) {
         experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));

@@ -1,11 +1,13 @@
 #include "host/device/device.hpp"
 
+#include "host/device/device_needs.hpp"
 #include "host/device/kernel_source.hpp"
 #include "host/device/opencl.hpp"
 #include "host/device/pocl_needs.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -32,7 +34,20 @@ std::string why_unusable(const cl::Device& device)
     if (language.substr(0, 9) == "OpenCL C " && language.substr(9, 3) < "1.2") return language + " is older than 1.2";
     if (device.getInfo<CL_DEVICE_PROFILE>() != "FULL_PROFILE") return "the embedded profile may lack 64-bit integers";
     if (!device.getInfo<CL_DEVICE_ENDIAN_LITTLE>()) return "the device is big-endian";
+    if (device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>() == 0) return "the driver reports no compute units";
+    const std::size_t group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    if (group_size < default_work_group_size)
+        return fmt::format("work-groups have at most {} work-items there; kernels take {}", group_size,
+                           default_work_group_size);
     return {};
+}
+
+/// Drivers of OpenCL 1.1 may know the question as that of an extension only, and refuse it without that.
+bool has_double_precision(const cl::Device& device)
+{
+    cl_device_fp_config config = 0;
+    return ::clGetDeviceInfo(device(), CL_DEVICE_DOUBLE_FP_CONFIG, sizeof config, &config, nullptr) == CL_SUCCESS &&
+           config != 0;
 }
 
 void read_info(const cl::Device& device, DeviceInfo& info)
@@ -48,6 +63,7 @@ void read_info(const cl::Device& device, DeviceInfo& info)
     info.max_allocation_bytes = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.local_memory_bytes = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
     info.max_work_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    info.has_double_precision = has_double_precision(device);
     info.unusable = why_unusable(device);
 }
 
@@ -95,10 +111,22 @@ std::vector<cl::Device> all_devices()
     return devices;
 }
 
+/// Drivers that cannot divide a device, such as Mesa's, need not have the call that does it.
+bool can_be_divided(const cl::Device& device)
+{
+    std::vector<cl_device_partition_property> ways;
+    try {
+        ways = device.getInfo<CL_DEVICE_PARTITION_PROPERTIES>();
+    } catch (const cl::Error&) {
+        return false;
+    }
+    return std::ranges::find(ways, CL_DEVICE_PARTITION_BY_COUNTS) != ways.end();
+}
+
 cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned compute_units)
 {
-    if (threads == 0 || threads >= compute_units || !(device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU))
-        return device;
+    const bool is_asked = threads > 0 && threads < compute_units;
+    if (!is_asked || !(device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) || !can_be_divided(device)) return device;
     const cl_device_partition_property properties[] = {CL_DEVICE_PARTITION_BY_COUNTS, threads,
                                                        CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0};
     std::vector<cl::Device> parts;
@@ -162,20 +190,20 @@ std::vector<DeviceInfo> list_devices()
     return infos;
 }
 
-DeviceInfo Device::find(const std::string& selector)
+DeviceInfo Device::find(const std::string& selector, const KernelNeeds& needs)
 {
     const std::vector<DeviceInfo> infos = list_devices();
-    return infos[choose_device(infos, selector)];
+    return infos[choose_device(infos, selector, needs)];
 }
 
 Device::Device(std::shared_ptr<DeviceImpl> impl) : impl_(std::move(impl)) {}
 
-Device Device::open(const std::string& selector, unsigned threads)
+Device Device::open(const std::string& selector, unsigned threads, const KernelNeeds& needs)
 {
     const std::vector<cl::Device> devices = all_devices();
     std::vector<DeviceInfo> infos;
     for (const cl::Device& device : devices) infos.push_back(describe(device));
-    const std::size_t chosen = choose_device(infos, selector);
+    const std::size_t chosen = choose_device(infos, selector, needs);
     if (!infos[chosen].unusable.empty()) {
         throw DeviceError("the OpenCL device " + infos[chosen].name + " cannot be used: " + infos[chosen].unusable);
     }
@@ -196,6 +224,7 @@ double Device::build_seconds() const { return impl_->build_seconds; }
 
 Kernel Device::kernel(const KernelProgram& program, const std::string& name)
 {
+    check_needs("kernels/" + program.file, program.needs, impl_->info);
     return kernel_from_text(kernel_source("kernels/" + program.file), program.file, name, program.options);
 }
 

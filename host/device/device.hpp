@@ -30,6 +30,7 @@ struct DeviceInfo
     std::uint64_t max_allocation_bytes = 0; ///< of one buffer
     std::uint64_t local_memory_bytes = 0;
     std::size_t max_work_group_size = 0;
+    bool has_double_precision = false;
     std::string unusable; ///< why the laboratory's kernels cannot run there; empty: they can
 
     /// The kind of device, on which the last bits of results may depend. Stored results of one model of graphics card
@@ -42,9 +43,11 @@ struct DeviceInfo
 std::vector<DeviceInfo> list_devices();
 
 /// The device that Device::open() opens, by its number in the list. `selector`: such a number; a name, or a part of
-/// one device's or platform's name (letter case does not matter); or empty for the default: PoCL where it is there,
-/// else the first usable one. Throws DeviceError when none matches, or several that differ in their names.
-std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector);
+/// one device's or platform's name (letter case does not matter); or empty for the default: PoCL where it is there and
+/// meets the needs of what is asked, else the first that meets them, else the first usable one. Throws DeviceError when
+/// none matches, or several that differ in their names.
+std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector,
+                          const KernelNeeds& needs = all_kernel_needs());
 
 struct DeviceImpl;
 
@@ -53,16 +56,18 @@ class Device
 {
 public:
     /// Opens the device that choose_device() chooses. `threads` > 0 restricts a CPU device to that many compute
-    /// units; 0 takes all, and other devices have no threads of this machine. Throws DeviceError when there is no
-    /// such device. A device that is open already is handed out again.
-    static Device open(const std::string& selector = {}, unsigned threads = 0);
+    /// units, if its driver can divide it; 0 takes all, and other devices have no threads of this machine. Throws
+    /// DeviceError when there is no such device. A device that is open already is handed out again.
+    static Device open(const std::string& selector = {}, unsigned threads = 0,
+                       const KernelNeeds& needs = all_kernel_needs());
 
     /// The device that open() would open; it stays closed. Throws DeviceError as open() does.
-    static DeviceInfo find(const std::string& selector = {});
+    static DeviceInfo find(const std::string& selector = {}, const KernelNeeds& needs = all_kernel_needs());
 
     const DeviceInfo& info() const;
 
-    /// A kernel of an embedded file. The program is built at its first use, and kept.
+    /// A kernel of an embedded file. The program is built at its first use, and kept. Throws DeviceError, before that,
+    /// where the device lacks what it needs.
     Kernel kernel(const KernelProgram& program, const std::string& name);
 
     /// Builds a source text that is not embedded; `file` is its name in messages.

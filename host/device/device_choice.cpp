@@ -1,6 +1,7 @@
 // Which device is meant: by number, by name, or none in particular.
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
+#include "host/device/device_needs.hpp"
 #include "host/device/pocl_needs.hpp"
 
 #include <fmt/format.h>
@@ -48,14 +49,14 @@ std::string list_of_names(const std::vector<DeviceInfo>& devices, const std::vec
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::size_t default_device(const std::vector<DeviceInfo>& devices)
+std::size_t default_device(const std::vector<DeviceInfo>& devices, const KernelNeeds& needs)
 {
-    const auto usable_pocl = [](const DeviceInfo& i) { return is_pocl(i.platform) && i.unusable.empty(); };
-    const auto usable = [](const DeviceInfo& i) { return i.unusable.empty(); };
-    auto found = std::ranges::find_if(devices, usable_pocl);
-    if (found == devices.end()) found = std::ranges::find_if(devices, usable);
-    if (found == devices.end()) found = devices.begin(); // who opens it says why it is not usable
-    return static_cast<std::size_t>(found - devices.begin());
+    std::vector<std::size_t> preferred = all_of(devices);
+    std::ranges::stable_partition(preferred, [&](std::size_t i) { return is_pocl(devices[i].platform); });
+    auto found = std::ranges::find_if(preferred, [&](std::size_t i) { return can_run(needs, devices[i]); });
+    if (found == preferred.end()) // parts of the work may be done there
+        found = std::ranges::find_if(preferred, [&](std::size_t i) { return devices[i].unusable.empty(); });
+    return found == preferred.end() ? 0 : *found; // who opens it says why it is not usable
 }
 
 std::size_t device_of_number(const std::vector<DeviceInfo>& devices, const std::string& selector)
@@ -69,10 +70,10 @@ std::size_t device_of_number(const std::vector<DeviceInfo>& devices, const std::
 
 }
 
-std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector)
+std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector, const KernelNeeds& needs)
 {
     if (devices.empty()) throw DeviceError(no_device);
-    if (selector.empty()) return default_device(devices);
+    if (selector.empty()) return default_device(devices, needs);
     if (is_number(selector)) return device_of_number(devices, selector);
 
     std::vector<std::size_t> found = all_of(devices);

@@ -1,8 +1,9 @@
-// The kernel files and the constants that each is built with, in one list: programs are made by it, and a test compiles
-// every one of them for other devices.
+// The kernel files, what each needs of a device and the constants that it is built with, in one list: programs are made
+// by it, and a test compiles every one of them for other devices.
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,20 +18,41 @@ struct KernelConstant
     bool has_more = false;
 };
 
+/// All that kernels need of a device beyond OpenCL 1.2 with little-endian 64-bit integers. None uses images, printf,
+/// sub-groups or 64-bit atomics, which tests look for.
+struct KernelNeeds
+{
+    bool double_precision = false;
+    std::uint64_t local_bytes = 0; ///< of a work-group, whatever its size; at most
+
+    bool operator==(const KernelNeeds&) const = default;
+
+    /// Of kernels that run one after the other.
+    KernelNeeds& operator|=(const KernelNeeds& other);
+};
+
 struct KernelFile
 {
     std::string name; ///< below kernels/
+    KernelNeeds needs;
     std::vector<KernelConstant> constants;
 };
 
 /// All kernel files. kernel_program.cpp lists them, and must list new ones.
 const std::vector<KernelFile>& kernel_files();
 
+/// The needs of these files together. Throws std::logic_error where one is not listed.
+KernelNeeds needs_of(const std::vector<std::string>& files);
+
+/// The needs of all files together.
+KernelNeeds all_kernel_needs();
+
 /// A kernel file with a value for each of its constants.
 struct KernelProgram
 {
     std::string file;
     std::string options; ///< for the compiler
+    KernelNeeds needs;
 };
 
 /// The value that a constant is given.

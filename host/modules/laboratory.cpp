@@ -3,6 +3,7 @@
 #include "base/errors/missing_module.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/modules/manifest.hpp"
+#include "host/settings/method_needs.hpp"
 #include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_registry.hpp"
 
@@ -60,10 +61,19 @@ std::vector<Item> in_order(std::vector<Item> brought, ManifestWord word, NameOf 
     return ordered;
 }
 
-Laboratory ordered_laboratory()
+/// All that modules bring.
+Laboratory brought_laboratory()
 {
     Laboratory brought;
     for (const Module& module : built_modules()) module.add(brought);
+    for (SamplerRegistry* samplers : {&brought.samplers, &brought.region_samplers})
+        for (SamplerSpec& sampler : *samplers) sampler = asking_for_needs(std::move(sampler));
+    return brought;
+}
+
+Laboratory ordered_laboratory()
+{
+    Laboratory brought = brought_laboratory();
     Laboratory ordered;
     ordered.samplers = in_order(std::move(brought.samplers), ManifestWord::sampler, &SamplerSpec::name, absent_sampler);
     ordered.region_samplers =

@@ -187,6 +187,7 @@ SamplerSpec dart_sampler(const DartMethod& method)
         check_memory(given, request);
     };
     spec.most_points = most_points;
+    spec.kernels = method.kernels;
     spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [memory = method.memory](const Parameters& given, const SampleRequest& request,
                                                   const DeviceInfo& device) {

@@ -20,6 +20,7 @@ struct DartMethod
     std::string name, title, summary; ///< see SamplerSpec
     std::vector<int> dimensions;
     Purpose purpose{};
+    std::vector<std::string> kernels; ///< see SamplerSpec
     std::function<DeviceMemory(const DartThrowingRequest&, const DeviceInfo&)> memory;
     std::function<ThrowDarts(Device*)> thrower; ///< on a device; the reference where there is none
 };

@@ -142,7 +142,7 @@ private:
         using contract::dart_throwing::THROW_RUN;
         const std::size_t items = (parent_count + THROW_RUN - 1) / THROW_RUN;
         const std::size_t group_size = std::max<std::size_t>(1, group_size_ / THROW_RUN);
-        const std::size_t staged = group_size_ * (std::size_t{1} << D);
+        const std::size_t staged = staged_entries();
         for (;;) {
             const contract::dart_throwing::Batch batch{.step = torus_.hierarchy.step,
                                                        .squared_min_distance = torus_.squared_min_distance,
@@ -190,6 +190,15 @@ private:
     }
 
     std::size_t point_count() const { return batch_ends_.empty() ? 0 : batch_ends_.back(); }
+
+    /// Of each list, in local memory: all that a work-group can make, or as many as there is room for.
+    std::size_t staged_entries() const
+    {
+        constexpr std::size_t entry_bytes = (D + dart_words) * sizeof(std::uint32_t);
+        constexpr std::size_t group_bytes = contract::dart_throwing::GROUP_WORDS * sizeof(std::uint32_t);
+        return std::min(group_size_ * (std::size_t{1} << D),
+                        (device_.info().local_memory_bytes - group_bytes) / entry_bytes);
+    }
 
     static LocalMemory local_words(std::size_t count) { return {count * sizeof(std::uint32_t)}; }
     static std::uint32_t u32(std::size_t value) { return static_cast<std::uint32_t>(value); }

@@ -110,6 +110,7 @@ SamplerSpec relaxation_dart_throwing_sampler()
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return RelaxationDartThrower::memory(request_for(parameters, request));
     };
+    spec.kernels = {"relaxation_dart_throwing.cl"};
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<RelaxationDartThrowingSampler>(parameters, request, engine, device);

@@ -129,6 +129,9 @@ struct SamplerSpec
     /// How device_memory grows with the number of points, without what the start takes; a test compares the two.
     MemoryGrowth memory_growth = MemoryGrowth::none;
 
+    /// The files of kernels that make its sets on a device, without those of its start; empty: none does.
+    std::vector<std::string> kernels = {};
+
     /// The number of points that a set may have, where that is not the number that is asked for (as near as chance
     /// lets it be said). Empty: that number.
     std::function<std::size_t(const Parameters&, const SampleRequest&)> most_points;

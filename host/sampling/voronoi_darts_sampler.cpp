@@ -10,6 +10,7 @@ SamplerSpec voronoi_dart_sampler()
                          .summary = "dart throwing into what disks leave of Voronoi cells, by area (Jones)",
                          .dimensions = {2},
                          .purpose = Purpose::voronoi_darts,
+                         .kernels = {"voronoi_darts.cl"},
                          .memory = VoronoiDarts::memory,
                          .thrower = thrower_by<VoronoiDarts, reference::throw_voronoi_darts>});
 }

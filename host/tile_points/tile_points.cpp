@@ -87,9 +87,10 @@ NeededBuffers TilePointGenerator::Buffers::needed(const PoissonTileParameters& p
 
 TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles, std::size_t work_group_size)
     : device_(std::move(device)), parameters_(tiles.parameters),
-      work_group_size_(work_group_size == 0 ? 256 : work_group_size), values_per_tile_(values_of_tile(parameters_)),
-      look_up_(kernel("look_up_tiles", "float")), place_floats_(kernel("place_points", "float")),
-      place_integers_(kernel("place_points", "uint"))
+      work_group_size_(work_group_size > 0 ? work_group_size
+                                           : std::min<std::size_t>(256, device_.info().max_work_group_size)),
+      values_per_tile_(values_of_tile(parameters_)), look_up_(kernel("look_up_tiles", "float")),
+      place_floats_(kernel("place_points", "float")), place_integers_(kernel("place_points", "uint"))
 {
     reserve(device_, buffers_.needed(parameters_, 0));
     buffers_.units.write(tiles.points);

@@ -267,6 +267,7 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
         return parameters.integer(size_key(family)) == 1 && sets_of(parameters) == 1 &&
                (parameters.flag("ranked") || density_of(parameters) == 1);
     };
+    spec.kernels = {"tile_darts.cl", "tile_relaxation.cl", "tile_points.cl"};
     spec.create = [family](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {

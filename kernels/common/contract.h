@@ -5,6 +5,9 @@
 //     DERIVED(DART_WORDS, (size_t DIMENSION), DIMENSION + 2)    C: a constant, as DIMENSION is; C++: a function
 //     REAL(BOUNDARY_DEPTH, 0x1p-46)                             a double
 //     END_CONTRACT
+//
+// Records fill their last eight bytes, by `uint unused` where they must: Mesa (22.3) takes arguments for smaller where
+// they end in padding, and refuses them.
 #pragma once
 
 #ifdef __cplusplus

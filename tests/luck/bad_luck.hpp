@@ -11,14 +11,20 @@
 
 namespace poissonlab {
 
-/// Environment that preloads tests/luck/bad_luck.c, with its settings.
-inline std::string bad_luck(const std::string& settings)
+/// Environment that preloads a library, with its settings.
+inline std::string preloaded(const std::string& library, const std::string& settings)
 {
     // Sanitizers want to be first otherwise.
     const char* sanitizers = std::getenv("ASAN_OPTIONS");
     const std::string options = std::string(sanitizers ? sanitizers : "detect_leaks=0") + ":verify_asan_link_order=0";
-    return "ASAN_OPTIONS=" + quoted(options) + " LD_PRELOAD=" + quoted(bad_luck_file()) + " " + settings;
+    return "ASAN_OPTIONS=" + quoted(options) + " LD_PRELOAD=" + quoted(library) + " " + settings;
 }
+
+/// That of tests/luck/bad_luck.c.
+inline std::string bad_luck(const std::string& settings) { return preloaded(bad_luck_file(), settings); }
+
+/// That of tests/luck/small_device.c.
+inline std::string small_device(const std::string& settings) { return preloaded(small_device_file(), settings); }
 
 /// The words of a message are one line, on standard error alone.
 inline void expect_one_line(const Outcome& outcome, int status, const std::string& words)

@@ -1,7 +1,9 @@
-// poissonlab devices: what OpenCL offers here.
+// poissonlab devices: what OpenCL offers here, and which methods run there.
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
+#include "host/device/device_needs.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,6 +27,34 @@ std::string version_of_driver(const DeviceInfo& device)
     return device.driver_version.empty() ? "" : "driver " + device.driver_version;
 }
 
+/// The methods with kernels, in the order of help: those that run on a device and those that do not.
+struct RunningMethods
+{
+    std::vector<std::string> run, fail;
+};
+
+RunningMethods methods_on(const DeviceInfo& device)
+{
+    RunningMethods methods;
+    for (const SamplerSpec& sampler : sampler_registry())
+        if (!sampler.kernels.empty())
+            (can_run(needs_of(sampler.kernels), device) ? methods.run : methods.fail).push_back(sampler.name);
+    return methods;
+}
+
+/// Which of the methods with kernels run there, and why not all.
+void print_methods(const DeviceInfo& device)
+{
+    const RunningMethods methods = methods_on(device);
+    if (methods.fail.empty()) {
+        print_line("methods", {"all"});
+        return;
+    }
+    print_line("lacks", {lacking(all_kernel_needs(), device)});
+    print_line("methods", {methods.run.empty() ? "none" : fmt::format("{}", fmt::join(methods.run, ", "))});
+    print_line("not", {fmt::format("{}", fmt::join(methods.fail, ", "))});
+}
+
 void print_device(std::size_t number, const DeviceInfo& device)
 {
     fmt::print("{}  {}\n", number, device.name);
@@ -36,6 +66,7 @@ void print_device(std::size_t number, const DeviceInfo& device)
                                              bytes_text(device.max_allocation_bytes)),
                                  fmt::format("work-groups of up to {}", device.max_work_group_size)});
     print_line("unusable", {device.unusable});
+    if (device.unusable.empty()) print_methods(device);
 }
 
 nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
@@ -52,6 +83,8 @@ nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
             {"max_allocation_bytes", device.max_allocation_bytes},
             {"local_memory_bytes", device.local_memory_bytes},
             {"max_work_group_size", device.max_work_group_size},
+            {"double_precision", device.has_double_precision},
+            {"methods", methods_on(device).run},
             {"unusable", printable(device.unusable)}};
 }
 

@@ -157,6 +157,25 @@ ParameterSpec count_parameter(const char* key, const char* help, double least, d
             .otherwise = otherwise};
 }
 
+std::vector<std::string> kernels_of(RegionMethod method)
+{
+    switch (method) {
+    case RegionMethod::darts:
+        return {"dart_throwing.cl", "darts_in_order.cl", "darts_in_rounds.cl"};
+    case RegionMethod::relaxation:
+        return {"relaxation_dart_throwing.cl"};
+    case RegionMethod::lloyd:
+        return {"relaxation_dart_throwing.cl", "region_lloyd.cl"};
+    case RegionMethod::elimination:
+        return {"point_grid.cl", "sample_elimination.cl"};
+    case RegionMethod::gaussian:
+        return {"gaussian_blue_noise.cl", "point_grid.cl", "relaxation.cl"};
+    case RegionMethod::bridson:
+        return {};
+    }
+    return {};
+}
+
 SamplerSpec region_method_sampler(RegionMethodText text)
 {
     text.parameters.push_back(boundary_parameter(text.method));
@@ -166,6 +185,7 @@ SamplerSpec region_method_sampler(RegionMethodText text)
     spec.summary = text.summary;
     spec.dimensions = {2};
     spec.parameters = text.parameters;
+    spec.kernels = kernels_of(text.method);
     spec.check = [text](const Parameters& given, const SampleRequest& request, const SourceLocation& where) {
         check_method(text, given, request, where);
     };

@@ -54,6 +54,7 @@ SamplerSpec equal_areas_sampler()
                        start_parameter(),
                    });
     describe_start(spec, equal_areas_memory);
+    spec.kernels = {"point_grid.cl", "power_cells.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<EqualAreasSampler>(given, request, engine, device);

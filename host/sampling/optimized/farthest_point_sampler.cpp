@@ -57,6 +57,7 @@ SamplerSpec farthest_point_sampler()
              .otherwise = 0.925},
         });
     describe_start(spec, farthest_point_memory);
+    spec.kernels = {"farthest_point.cl", "point_grid.cl", "voronoi_2d.cl", "relaxation.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<FarthestPointSampler>(given, request, engine, device);

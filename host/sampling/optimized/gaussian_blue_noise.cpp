@@ -86,7 +86,8 @@ Gaussians gaussians_for(const GaussianRequest& request, std::size_t points, int 
             .near = static_cast<float>(1.001 * max_min_distance(points, dimension) * grid_size),
             .first = 0,
             .end = static_cast<std::uint32_t>(points),
-            .stride = 0};
+            .stride = 0,
+            .unused = 0};
 }
 
 double gaussian_energy(double sum_of_others, std::size_t points, double sigma, int dimension)

@@ -210,6 +210,7 @@ SamplerSpec gaussian_blue_noise_sampler()
     describe_start(spec, gaussian_memory);
     spec.device_memory = memory_of_levels;
     spec.outside_input = density_hash;
+    spec.kernels = {"gaussian_blue_noise.cl", "point_grid.cl", "relaxation.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<GaussianSampler>(given, request, engine, device, followed_density(given));

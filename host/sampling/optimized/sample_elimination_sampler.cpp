@@ -74,6 +74,7 @@ SamplerSpec sample_elimination_sampler()
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return SampleElimination::memory(request.dimension, candidates_of(parameters, request), request.points);
     };
+    spec.kernels = {"point_grid.cl", "sample_elimination.cl"};
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<EliminationSampler>(parameters, request, engine, device);

@@ -125,6 +125,7 @@ SamplerSpec sector_dart_sampler()
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return SectorDarts::memory(sector_request(parameters, request));
     };
+    spec.kernels = {"sector_darts.cl"};
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) {
         return std::make_unique<SectorDartSampler>(request.seed, sector_request(parameters, request), engine, device);

@@ -101,7 +101,8 @@ PointSet PenroseGenerator::points(std::uint64_t importance, const PenroseWindow&
                                              .root_y = penrose_root[1],
                                              .width = tiling.density.width,
                                              .height = tiling.density.height,
-                                             .tiles = static_cast<std::uint32_t>(triangles)};
+                                             .tiles = static_cast<std::uint32_t>(triangles),
+                                             .unused = 0};
     b.tiles.write(start.triangles);
     b.count.run(triangles, work_group_size_, request, b.scales, b.vectors, b.weights, b.tiles, b.counts);
     std::vector<std::uint32_t> starts = b.counts.read(0, triangles);

@@ -122,6 +122,7 @@ SamplerSpec penrose_sampler()
     spec.most_points = [](const Parameters&, const SampleRequest& request) -> std::size_t {
         return request.points + request.points / 16 + 16;
     };
+    spec.kernels = {"penrose.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {

@@ -2,6 +2,7 @@
 
 #include "kernels/common/tile_sampling/polyominoes.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace poissonlab {
@@ -22,7 +23,9 @@ NeededBuffers PolyominoGenerator::Buffers::needed(const Sizes& sizes)
 }
 
 PolyominoGenerator::PolyominoGenerator(Device device, Polyomino shape, std::size_t work_group_size)
-    : device_(std::move(device)), work_group_size_(work_group_size == 0 ? 256 : work_group_size),
+    : device_(std::move(device)),
+      work_group_size_(work_group_size > 0 ? work_group_size
+                                           : std::min<std::size_t>(256, device_.info().max_work_group_size)),
       place_points_(device_.kernel(
           kernel_program("polyominoes.cl", {{"FACTOR", factor_of(shape)}, {"CELL_UNITS", cell_units}}), "place_points"))
 {}

@@ -134,6 +134,7 @@ SamplerSpec polyomino_sampler()
         if (given.is_given("density")) return DeviceMemory{};
         return PolyominoGenerator::memory(shape_of(given), side_of(given, request.points), request.points);
     };
+    spec.kernels = {"polyominoes.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) {
         // Densities are followed on the host: values without points are most of the work there.

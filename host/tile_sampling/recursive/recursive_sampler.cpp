@@ -41,8 +41,8 @@ bool draws_twice(const Parameters& given)
 }
 
 /// On CPUs the host's threads are faster: kernels write down, and the host reads, all the ranks that a density leaves
-/// out, which are several times as many as its points.
-bool is_faster_on(const DeviceInfo& device) { return device.type != "CPU"; }
+/// out, which are several times as many as its points. The host does without devices that cannot, too.
+bool is_faster_on(const DeviceInfo& device) { return device.type != "CPU" && device.has_double_precision; }
 
 class RecursiveSampler final : public DeviceSampler
 {

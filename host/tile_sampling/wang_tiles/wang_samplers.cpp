@@ -224,6 +224,7 @@ SamplerSpec averaged_tile_sampler()
           .choices = averaged_variants.all(),
           .otherwise = std::string(averaged_variants[AveragedVariant::exact])}});
     spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
+    spec.kernels = {"averaged_tiles.cl"};
     spec.memory_growth = MemoryGrowth::fixed;
     spec.device_memory = [](const Parameters& given, const SampleRequest&, const DeviceInfo&) {
         if (given.integer("iterations") == 0) return DeviceMemory{};

@@ -48,6 +48,7 @@ struct PlacedInstance
     int tile[3];
     uint index, id, model;
     uint is_inside; ///< the scene's borders: 0 or 1
+    uint unused;
 };
 
 END_CONTRACT

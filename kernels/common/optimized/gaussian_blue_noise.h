@@ -23,6 +23,7 @@ struct Gaussians
     float near;     ///< in no set are all points farther apart from each other than so many cells
     uint first, end; ///< of the sorted points, those that are asked about
     uint stride;     ///< of coordinates
+    uint unused;
 };
 
 /// The width and the pull that a density gives a place: see host/sampling/optimized/gaussian_field.hpp.

@@ -49,6 +49,7 @@ struct Request
     long root_x, root_y;     ///< first corner of the root, units of 2^-56
     uint width, height;      ///< of the density
     uint tiles;
+    uint unused;
 };
 
 END_CONTRACT

@@ -27,6 +27,8 @@ std::vector<DeviceInfo> devices_of(const std::vector<std::pair<std::string, std:
         DeviceInfo info;
         info.name = name;
         info.platform = platform;
+        info.has_double_precision = true;
+        info.local_memory_bytes = 32 << 10;
         devices.push_back(info);
     }
     return devices;
@@ -55,6 +57,19 @@ TEST(DeviceChoice, PoclByDefaultElseTheFirstUsable)
     EXPECT_EQ(choose_device(devices, ""), 0u);
     devices[0].unusable = "no compiler";
     EXPECT_EQ(choose_device(devices, ""), 1u);
+}
+
+TEST(DeviceChoice, TheFirstThatRunsWhatIsAskedByDefault)
+{
+    const KernelNeeds doubles{.double_precision = true};
+    auto devices = devices_of(machine);
+    devices[0].has_double_precision = devices[2].has_double_precision = false;
+    EXPECT_EQ(choose_device(devices, "", {}), 2u) << "PoCL runs it";
+    EXPECT_EQ(choose_device(devices, "", doubles), 1u);
+    EXPECT_EQ(choose_device(devices, "0", doubles), 0u) << "who names a device gets it";
+    devices[1].unusable = "no compiler";
+    devices[3].has_double_precision = false;
+    EXPECT_EQ(choose_device(devices, "", doubles), 2u) << "parts of the work may be done there";
 }
 
 TEST(DeviceChoice, RefusesNumbersOutOfRange)

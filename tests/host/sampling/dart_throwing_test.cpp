@@ -89,7 +89,7 @@ TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
         if (saturate) request.points.reset();
         const PointSet expected = reference::throw_darts(request);
         for (const unsigned threads : {1u, 2u}) {
-            for (const std::size_t group : {1u, 7u, 32u, 128u}) {
+            for (const std::size_t group : {1u, 7u, 64u, 256u}) {
                 for (const DartSettling settling : {DartSettling::in_order, DartSettling::in_rounds}) {
                     EXPECT_EQ(DartThrower(Device::open({}, threads), group, settling).throw_darts(request), expected)
                         << threads << " threads, groups of " << group;

@@ -85,7 +85,7 @@ TEST(RelaxationDartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
         const auto request = request_for(c);
         const RelaxationDarts expected = reference::throw_relaxation_darts(request);
         for (const unsigned threads : {1u, 2u}) {
-            for (const std::size_t group : {1u, 7u, 32u, 128u}) {
+            for (const std::size_t group : {1u, 7u, 64u, 256u}) {
                 EXPECT_EQ(RelaxationDartThrower(Device::open({}, threads), group).throw_darts(request), expected)
                     << threads << " threads, groups of " << group;
             }

@@ -1,0 +1,16 @@
+// What methods need of a device: that of their kernels.
+#pragma once
+
+#include "host/device/kernel_program.hpp"
+#include "host/sampling/sampler.hpp"
+
+namespace poissonlab {
+
+/// The needs of a method's kernels, and of the methods among its parameters, which it starts from.
+KernelNeeds needs_of(const SamplerSpec& method, const Parameters& parameters);
+
+/// The method, whose sampler asks a device for what its kernels need as soon as it gets one: the error names the
+/// method, and nothing is built.
+SamplerSpec asking_for_needs(SamplerSpec method);
+
+}
