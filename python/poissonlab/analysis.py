@@ -236,7 +236,7 @@ def sets_of(points, domain, particles):
     is_one = isinstance(points, (str, os.PathLike)) or (isinstance(points, numpy.ndarray) and points.ndim == 2)
     items = [points] if is_one else list(points)
     if items and all(isinstance(item, (str, os.PathLike)) for item in items):
-        return _poissonlab.read_points(items, domain, particles, True, 4)
+        return _poissonlab.read_points(items, domain, particles, True, 3)
     if particles is not None:
         raise _poissonlab.InputError(f"analyze: particles={particles}: is for files of snapshots")
     arrays = [numpy.asarray(item, dtype=float) for item in items]

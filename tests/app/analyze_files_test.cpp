@@ -8,7 +8,6 @@ namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 class AnalyzeFiles : public test::CommandTest
 {
@@ -82,7 +81,6 @@ TEST_F(AnalyzeFiles, SayWhichDomainWouldFit)
               "poissonlab: error: a.csv:2: 128.5: must be a number in [0, 1); the numbers go from 2.5 to "
               "511.7: --domain 0:512 or --region 'rectangle 0 0 512 410' would fit\n");
     EXPECT_EQ(series_of("a.csv --domain 0:512")["points"], 4);
-    EXPECT_EQ(run("a.csv --region rectangle_0_0_512_410 --out out").status, 2);
 }
 
 TEST_F(AnalyzeFiles, OfAConfigHaveTypesOfParticlesToo)
