@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -96,24 +98,19 @@ private:
         const std::size_t count = soup_.points.size() - first;
         const bool has_texture = add_texture(attributes, count);
         const std::vector<std::size_t> corners = corners_of(part, count);
-        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-            for (const std::size_t corner : {corners[a], corners[b], corners[c]}) {
+        if (mode == GltfMode::triangles && corners.size() % 3 != 0)
+            throw part.error("indices", fmt::format("are {} corners: triangles have three each", corners.size()));
+        const bool is_mirrored = is_mirroring(movement);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += mode == GltfMode::triangles ? 3 : 1) {
+            std::array<std::size_t, 3> triangle{corners[mode == GltfMode::fan ? 0 : i], corners[i + 1], corners[i + 2]};
+            const bool is_turned = mode == GltfMode::strip && i % 2 == 1;
+            if (is_mirrored != is_turned) std::swap(triangle[0], triangle[2]);
+            for (const std::size_t corner : triangle) {
                 soup_.corners.push_back(static_cast<std::uint32_t>(first + corner));
                 soup_.texture_corners.push_back(has_texture ? static_cast<std::uint32_t>(first_texture + corner)
                                                             : no_texture_point);
             }
             soup_.sizes.push_back(3);
-        };
-        const std::size_t step = mode == GltfMode::triangles ? 3 : 1;
-        if (mode == GltfMode::triangles && corners.size() % 3 != 0)
-            throw part.error("indices", fmt::format("are {} corners: triangles have three each", corners.size()));
-        const bool is_mirrored = is_mirroring(movement);
-        for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-            const std::size_t a = mode == GltfMode::fan ? 0 : i;
-            if (is_mirrored != (mode == GltfMode::strip && i % 2 == 1))
-                add(i + 2, i + 1, a);
-            else
-                add(a, i + 1, i + 2);
         }
     }
 

@@ -5,6 +5,7 @@
 #include "base/files/byte_order.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/surfaces/off_keyword.hpp"
+#include "base/text/noun.hpp"
 
 #include <fmt/format.h>
 
@@ -34,8 +35,9 @@ public:
         for (std::size_t i = 0; i < vertices_; ++i) read_vertex(i);
         for (std::size_t i = 0; i < faces; ++i) read_face(i);
         if (!left_.empty())
-            fail(fmt::format("has {} bytes after the last of the {} vertices and {} faces that its head announces",
-                             left_.size(), vertices_, faces));
+            fail(fmt::format("has {} {} after the last of {} {} and {} {}, which its head announces", left_.size(),
+                             noun(left_.size(), "byte"), vertices_, noun(vertices_, "vertex", "vertices"), faces,
+                             noun(faces, "face")));
         return std::move(soup_);
     }
 
@@ -57,8 +59,8 @@ private:
         for (std::size_t k = 0; k < size; ++k) {
             const std::int32_t corner = integer("a corner of a face");
             if (corner < 0 || static_cast<std::size_t>(corner) >= vertices_)
-                fail(fmt::format("face {} has vertex {}, which is not there: there are {} vertices", i, corner,
-                                 vertices_));
+                fail(fmt::format("face {} has vertex {}, which is not there: they are 0 to {}", i, corner,
+                                 static_cast<std::int64_t>(vertices_) - 1));
             soup_.corners.push_back(static_cast<std::uint32_t>(corner));
         }
         soup_.sizes.push_back(static_cast<std::uint32_t>(size));

@@ -4,6 +4,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/surfaces/mesh_words.hpp"
+#include "base/text/noun.hpp"
 
 #include <fmt/format.h>
 
@@ -23,9 +24,9 @@ public:
         for (std::size_t i = 0; i < vertices_; ++i) read_vertex(i);
         for (std::size_t i = 0; i < faces_; ++i) read_face(i);
         if (words_.next_filled_line() && words_.next())
-            words_.fail(fmt::format("\"{}\": stands after the last of the {} vertices and {} faces that the head "
-                                    "announces",
-                                    shortened(words_.word()), vertices_, faces_));
+            words_.fail(fmt::format("\"{}\": stands after the last of {} {} and {} {}, which the head announces",
+                                    shortened(words_.word()), vertices_, noun(vertices_, "vertex", "vertices"), faces_,
+                                    noun(faces_, "face")));
         return std::move(soup_);
     }
 
@@ -79,7 +80,7 @@ private:
     /// The rest of a vertex's line is its normal, colour and texture coordinates.
     void read_vertex(std::size_t i)
     {
-        if (!words_.next_filled_line()) fail_at_end(i, vertices_, "vertices");
+        if (!words_.next_filled_line()) fail_at_end(i, vertices_, noun(vertices_, "vertex", "vertices"));
         MeshPoint& point = soup_.points.emplace_back();
         for (double& coordinate : point) {
             need_word(fmt::format("three coordinates of vertex {}", i));
@@ -94,7 +95,7 @@ private:
     /// The rest of a face's line is its colour.
     void read_face(std::size_t i)
     {
-        if (!words_.next_filled_line()) fail_at_end(i, faces_, "faces");
+        if (!words_.next_filled_line()) fail_at_end(i, faces_, noun(faces_, "face"));
         need_word("a face");
         const std::size_t size = count(words_.word(), "the number of corners");
         for (std::size_t k = 0; k < size; ++k) {
@@ -116,7 +117,7 @@ private:
 
     [[noreturn]] void fail_at_end(std::size_t found, std::size_t announced, std::string_view of) const
     {
-        words_.fail(fmt::format("the file ends after {} of the {} {} that its head announces", found, announced, of));
+        words_.fail(fmt::format("the file ends after {} of {} {}, which its head announces", found, announced, of));
     }
 
     MeshWords words_;

@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "base/text/noun.hpp"
 
 #include <fmt/format.h>
 
@@ -22,9 +23,9 @@ void PlyRows::check_room(const PlyElement& element) const
         if (column.count && !words_) least += size_of(*column.count);
     if (words_) least = 2 * element.columns.size();
     if (least > 0 && element.count > left / least)
-        throw InputError::at({file_}, fmt::format("the file ends before the {} rows of the element `{}`, which its "
+        throw InputError::at({file_}, fmt::format("the file ends before the {} {} of the element `{}`, which its "
                                                   "header announces",
-                                                  element.count, element.name));
+                                                  element.count, noun(element.count, "row"), element.name));
 }
 
 void PlyRows::next_row(const PlyElement& element, std::size_t row)
@@ -33,7 +34,8 @@ void PlyRows::next_row(const PlyElement& element, std::size_t row)
     row_ = row;
     if (row == 0) check_room(element);
     if (words_ && !words_->next_filled_line())
-        fail(fmt::format("the file ends before it: the header announces {} rows", element.count));
+        fail(fmt::format("the file ends before it: the header announces {} {}", element.count,
+                         noun(element.count, "row")));
 }
 
 double PlyRows::value(PlyType type)
@@ -59,7 +61,7 @@ std::size_t PlyRows::count(PlyType type, PlyType of)
         fail(fmt::format("{}: a list must have a whole number of entries", number));
     const auto count = static_cast<std::size_t>(number);
     if (!words_ && count > left_.size() / size_of(of))
-        fail(fmt::format("the file ends before the {} entries of a list", count));
+        fail(fmt::format("the file ends before the {} {} of a list", count, noun(count, "entry", "entries")));
     return count;
 }
 
@@ -76,8 +78,8 @@ void PlyRows::end_file()
             words_->fail(
                 fmt::format("\"{}\": stands after the last row that the header announces", shortened(words_->word())));
     } else if (!left_.empty()) {
-        throw InputError::at({file_},
-                             fmt::format("has {} bytes after the last row that its header announces", left_.size()));
+        throw InputError::at({file_}, fmt::format("has {} {} after the last row that its header announces",
+                                                  left_.size(), noun(left_.size(), "byte")));
     }
 }
 

@@ -123,6 +123,8 @@ protected:
         folder_.write("line.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/2 3/2\n");
         folder_.write("wrong.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/2 3/2\n");
         folder_.write("broken.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 5");
+        folder_.write("packed.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"extensionsRequired\": "
+                                     "[\"KHR_materials_unlit\", \"EXT_meshopt_compression\"]}");
         folder_.write("page/index.html", "<html><body>The page of another.</body></html>");
         folder_.write("commas.txt", "0,5 0,25\n0,75 0,5\n");
         folder_.write("commas.csv", "x,y\n0,5;0,25\n");

@@ -81,7 +81,7 @@ TEST_F(BinaryMeshes, OfPlyAreHeldAgainstTheirHeader)
     EXPECT_THAT(refusal("a.ply", whole + "12"), EndsWith("a.ply: has 2 bytes after the last row that its header "
                                                          "announces"));
     EXPECT_THAT(refusal("a.ply", whole.substr(0, whole.size() - 3)),
-                EndsWith("a.ply: row 2 of the element `face`: the file ends before the 1 entries of a list"));
+                EndsWith("a.ply: row 2 of the element `face`: the file ends before the 1 entry of a list"));
     EXPECT_THAT(refusal("a.ply", whole.substr(0, whole.find("end_header\n") + 20)),
                 EndsWith("a.ply: the file ends before the 4 rows of the element `vertex`, which its header announces"));
     std::string wrong = whole;
@@ -129,9 +129,9 @@ TEST_F(BinaryMeshes, OfOffAreBigEndian)
     EXPECT_THAT(refusal("a.off", head), EndsWith("a.off: ends within vertex or face 0"));
     EXPECT_THAT(refusal("a.off", vertices), EndsWith("a.off: ends before the number of corners"));
     EXPECT_THAT(refusal("a.off", vertices + number_bytes(endian::big, 3, 0, 1, 4)),
-                EndsWith("a.off: face 0 has vertex 4, which is not there: there are 4 vertices"));
+                EndsWith("a.off: face 0 has vertex 4, which is not there: they are 0 to 3"));
     EXPECT_THAT(refusal("a.off", bytes + "1"),
-                EndsWith("a.off: has 1 bytes after the last of the 4 vertices and 2 faces that its head announces"));
+                EndsWith("a.off: has 1 byte after the last of 4 vertices and 2 faces, which its head announces"));
 }
 
 TEST_F(BinaryMeshes, OfGltfSayWhereTheyEnd)

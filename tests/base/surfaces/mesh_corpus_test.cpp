@@ -123,7 +123,7 @@ TEST(MeshCorpus, IsTheSameFromOtherSystems)
     }
 }
 
-/// What is left out is said.
+/// A note says what is left out.
 TEST(MeshCorpus, IsLeftOutWithAWord)
 {
     const auto notes = [](const char* file) { return read_triangle_mesh(corpus / file).notes; };

@@ -143,17 +143,17 @@ TEST_F(WrongMeshes, OfOff)
         {"a.off", "OFF\n3 one 0\n", ":2: \"one\": the number of faces must be a whole number"},
         {"a.off", "OFF\n-3 1 0\n", ":2: -3: the number of vertices must be from 0 to 1073741823"},
         {"a.off", "4nOFF\n4\n", ":2: 4: vertices of nOFF must have three coordinates"},
-        {"a.off", "OFF\n4 1 0\n" + vertices, ":5: the file ends after 3 of the 4 vertices that its head announces"},
+        {"a.off", "OFF\n4 1 0\n" + vertices, ":5: the file ends after 3 of 4 vertices, which its head announces"},
         {"a.off", "OFF\n3 2 0\n" + vertices + "3 0 1 2\n",
-         ":6: the file ends after 1 of the 2 faces that its head announces"},
+         ":6: the file ends after 1 of 2 faces, which its head announces"},
         {"a.off", "OFF\n3 1 0\n" + vertices + "3 0 1 2\n3 0 2 1\n",
-         ":7: \"3\": stands after the last of the 3 vertices and 1 faces that the head announces"},
+         ":7: \"3\": stands after the last of 3 vertices and 1 face, which the head announces"},
         {"a.off", "OFF\n3 1 0\n" + vertices + "3 0 1 7\n", ":6: \"7\": there is no such vertex: they are 0 to 2"},
         {"a.off", "OFF\n3 1 0\n" + vertices + "3 0 1\n", ":6: the file ends before corner 3 of 3 of a face"},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 inf 0\n", ":4: \"inf\": a coordinate must be a finite number"},
         {"a.off", "4OFF\n3 1 0\n1 0 0 0\n", ":3: the first three coordinates over the fourth are no finite numbers"},
         {"a.off", "OFF\n999999999 999999999 0\n0 0 0\n",
-         ":3: the file ends after 1 of the 999999999 vertices that its head announces"},
+         ":3: the file ends after 1 of 999999999 vertices, which its head announces"},
     });
 }
 
@@ -195,7 +195,7 @@ TEST_F(WrongMeshes, OfPly)
         {"a.ply", head + "0 0 0\n1 nan 0\n1 1 0\n3 0 1 2\n",
          ":11: row 2 of the element `vertex`: nan: a coordinate must be a finite number"},
         {"a.ply", head + rows + "\n",
-         ":13: row 1 of the element `face`: the file ends before it: the header announces 1 rows"},
+         ":13: row 1 of the element `face`: the file ends before it: the header announces 1 row"},
         {"a.ply",
          begin + "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n" + face + end +
              rows,
