@@ -6,12 +6,12 @@
 
 namespace poissonlab {
 
-std::string source_folder();   ///< of the checkout
-std::string program_file();    ///< poissonlab
-std::string example_file();    ///< runtime/example.cpp as a program
-std::string bad_luck_file();   ///< the library that lets calls fail
+std::string source_folder();     ///< of the checkout
+std::string program_file();      ///< poissonlab
+std::string example_file();      ///< runtime/example.cpp as a program
+std::string bad_luck_file();     ///< the library that lets calls fail
 std::string small_device_file(); ///< the library that tells of a smaller device
-std::string code_files_list(); ///< which files each version of the code is a hash of
-std::string mpiexec_file();    ///< empty: there is no MPI
+std::string code_files_list();   ///< which files each version of the code is a hash of
+std::string mpiexec_file();      ///< empty: there is no MPI
 
 }
