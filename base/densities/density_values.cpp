@@ -65,9 +65,10 @@ PixelValues picture_values(const LinearPicture& picture, std::string_view channe
     values.values.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (int row = picture.height; row-- > 0;)
         for (int column = 0; column < picture.width; ++column) {
-            const double value = is_ink || is_light ? luminance(picture, column, row)
-                                                    : static_cast<double>(picture.at(column, row, number));
-            constexpr double rounding = 1e-6; // of the factors of luminance
+            double value = is_ink || is_light ? luminance(picture, column, row)
+                                              : static_cast<double>(picture.at(column, row, number));
+            if (is_ink) value += 1 - static_cast<double>(cover_at(picture, column, row)); // paper is white
+            constexpr double rounding = 1e-6;                                             // of the factors of luminance
             if (is_ink && value > 1 + rounding)
                 throw InputError(fmt::format("{}: {}: luminance {}: must be at most 1 for ink", name,
                                              pixel_name(picture.width, picture.height, values.values.size()), value));

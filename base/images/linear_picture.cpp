@@ -9,12 +9,12 @@
 
 namespace poissonlab {
 
-LinearPicture read_linear_picture(const std::filesystem::path& path)
+LinearPicture read_linear_picture(const std::filesystem::path& path, AlphaUse use)
 {
     LinearPicture picture;
     std::string problem = lack_of_file(path);
     if (problem.empty()) problem = png_damage(path);
-    if (problem.empty()) problem = loaded_codec().read_linear(path, picture);
+    if (problem.empty()) problem = loaded_codec().read_linear(path, use, picture);
     if (!problem.empty()) throw InputError(fmt::format("{}: cannot read the picture: {}", path.string(), problem));
     return picture;
 }

@@ -9,8 +9,15 @@
 
 namespace poissonlab {
 
+/// What alpha does to the colours of a picture that is read.
+enum class AlphaUse
+{
+    covers,   ///< colours are multiplied by it, in light: what is transparent is black, and its weight is nothing
+    left_out, ///< colours are those beneath it; of floating-point numbers as the file has them
+};
+
 /// Pixels row by row from the top, channels side by side. Integer files hold sRGB, which is made linear here, from 0
-/// to 1; those of floating-point numbers are taken as they are. Alpha is not multiplied into colours.
+/// to 1; those of floating-point numbers are taken as they are.
 struct LinearPicture
 {
     int width = 0;
@@ -31,8 +38,15 @@ struct LinearPicture
 /// Pictures may have this many pixels: integer weights of all of them have a sum below 2^63.
 inline constexpr std::size_t most_pixels = std::size_t{1} << 23;
 
+/// How much of a pixel is covered, 0 to 1: its alpha, or 1 where the picture has none.
+inline float cover_at(const LinearPicture& picture, int column, int row)
+{
+    return picture.alpha ? picture.at(column, row, *picture.alpha) : 1;
+}
+
 /// Reads a picture upright, whichever way it was photographed. Throws InputError, one line with the file's name, for
-/// what is no picture, is damaged, has no channels or too many pixels.
-LinearPicture read_linear_picture(const std::filesystem::path& path);
+/// what is no picture, is damaged, has no channels or too many pixels. Every picture that stands for a density, ink, a
+/// region, distances or a field is read here, so that transparent pixels mean one thing.
+LinearPicture read_linear_picture(const std::filesystem::path& path, AlphaUse use = AlphaUse::covers);
 
 }

@@ -53,7 +53,7 @@ public:
         return read_channels(path, pixels, OIIO::TypeDesc::UINT16);
     }
 
-    std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const override
+    std::string read_linear(const std::filesystem::path& path, AlphaUse use, LinearPicture& picture) const override
     {
         const auto input = opened(path);
         if (!input) return reason(OIIO::geterror());
@@ -63,7 +63,11 @@ public:
         std::vector<float> values(pixels * static_cast<std::uint64_t>(spec.nchannels));
         if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
             return reason(input->geterror());
-        if (!spec.format.is_floating_point()) make_linear(values, spec);
+        const PixelAlpha alpha = alpha_of(spec, input->format_name(), values);
+        if (!spec.format.is_floating_point()) make_linear(values, alpha);
+        const bool is_multiplied = alpha.is_multiplied && spec.format.is_floating_point();
+        if (use == AlphaUse::covers && !is_multiplied) multiply_by_alpha(values, alpha);
+        picture.alpha = alpha.channel;
         return upright(spec, values, picture);
     }
 
@@ -188,13 +192,53 @@ private:
         return is_read ? "" : reason(input->geterror());
     }
 
-    /// Values become linear from sRGB, but for alpha.
-    static void make_linear(std::vector<float>& values, const OIIO::ImageSpec& spec)
+    /// Which channel of a pixel is alpha, and whether the library has multiplied the others by it.
+    struct PixelAlpha
     {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (static_cast<int>(i % static_cast<std::size_t>(spec.nchannels)) == spec.alpha_channel) continue;
-            values[i] = static_cast<float>(light_of_srgb(values[i]));
+        std::size_t channels = 1;
+        std::optional<std::size_t> channel;
+        bool is_multiplied = false;
+    };
+
+    /// Alpha as the library has it, or as it should: GIF files have it in a channel beyond the last one, some formats
+    /// do not say that their colours are not multiplied, and the fourth byte of most BMP files is 0, which is no alpha.
+    static PixelAlpha alpha_of(const OIIO::ImageSpec& spec, const std::string& format, const std::vector<float>& values)
+    {
+        PixelAlpha alpha{static_cast<std::size_t>(spec.nchannels), {}, false};
+        if (spec.alpha_channel < 0 || spec.nchannels < 2) return alpha;
+        alpha.channel = static_cast<std::size_t>(std::min(spec.alpha_channel, spec.nchannels - 1));
+        const bool is_plain = format == "bmp" || format == "ico" || format == "sgi" || format == "gif";
+        alpha.is_multiplied = !is_plain && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+        bool has_cover = format != "bmp";
+        for (std::size_t i = *alpha.channel; i < values.size() && !has_cover; i += alpha.channels)
+            has_cover = values[i] > 0;
+        if (!has_cover) alpha.channel.reset();
+        return alpha;
+    }
+
+    /// Calls `change` with each colour and the alpha of its pixel.
+    template <class Change>
+    static void for_each_color(std::vector<float>& values, const PixelAlpha& alpha, const Change& change)
+    {
+        for (std::size_t pixel = 0; pixel < values.size(); pixel += alpha.channels) {
+            const float cover = alpha.channel ? values[pixel + *alpha.channel] : 1;
+            for (std::size_t c = 0; c < alpha.channels; ++c)
+                if (c != alpha.channel) change(values[pixel + c], cover);
         }
+    }
+
+    /// Colours, without alpha in them, become linear from sRGB.
+    static void make_linear(std::vector<float>& values, const PixelAlpha& alpha)
+    {
+        for_each_color(values, alpha, [&](float& color, float cover) {
+            if (alpha.is_multiplied && cover > 0) color = std::min(color / cover, 1.0F);
+            color = static_cast<float>(light_of_srgb(color));
+        });
+    }
+
+    static void multiply_by_alpha(std::vector<float>& values, const PixelAlpha& alpha)
+    {
+        if (alpha.channel) for_each_color(values, alpha, [](float& color, float cover) { color *= cover; });
     }
 
     /// Turns the picture as the camera says that it was held.
@@ -207,8 +251,6 @@ private:
         picture.width = turned.spec().width;
         picture.height = turned.spec().height;
         picture.channels = spec.channelnames;
-        picture.alpha.reset();
-        if (spec.alpha_channel >= 0) picture.alpha = static_cast<std::size_t>(spec.alpha_channel);
         picture.values.resize(values.size());
         return turned.get_pixels(turned.roi(), OIIO::TypeDesc::FLOAT, picture.values.data())
                    ? ""

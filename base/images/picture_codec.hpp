@@ -21,7 +21,7 @@ public:
     virtual std::string read(const std::filesystem::path& path, PngPixels& pixels) const = 0;
     virtual std::string write_deep(const std::filesystem::path& path, const DeepPixels& pixels) const = 0;
     virtual std::string read_deep(const std::filesystem::path& path, DeepPixels& pixels) const = 0;
-    virtual std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const = 0;
+    virtual std::string read_linear(const std::filesystem::path& path, AlphaUse use, LinearPicture& picture) const = 0;
     virtual std::string read_header(const std::filesystem::path& path, PictureHeader& header) const = 0;
     virtual std::string read_raw(const std::filesystem::path& path, RawPicture& picture) const = 0;
     virtual std::string write_raw(const std::filesystem::path& path, const RawPicture& picture) const = 0;

@@ -4,6 +4,7 @@
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_file.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -52,9 +53,36 @@ std::vector<PointSet> read_ply_points(const PointFileContent& file);
 std::vector<PointSet> read_npy_points(const PointFileContent& file);
 std::vector<PointSet> read_utk_points(const PointFileContent& file);
 
+/// Calls `take` with some points after others: as text they take more room than as numbers.
+template <class Take>
+void for_pieces_of_text(std::span<const double> coordinates, std::size_t axes, const Take& take)
+{
+    constexpr std::size_t points_per_piece = 4096;
+    while (!coordinates.empty()) {
+        const auto piece = coordinates.first(std::min(coordinates.size(), points_per_piece * axes));
+        coordinates = coordinates.subspan(piece.size());
+        take(piece);
+    }
+}
+
 /// write_points_in_pieces() for .usda.
 void write_usd_points(const std::filesystem::path& path, int dimension, std::size_t points, const std::string& comment,
                       const std::function<void(const PointSink& sink)>& write);
+
+/// write_points_in_pieces() for .geojson, with the member `crs` if it is not empty.
+void write_geojson_points(const std::filesystem::path& path, int dimension, const std::string& crs,
+                          const std::string& comment, const std::function<void(const PointSink& sink)>& write);
+
+/// write_points_in_pieces() for .dxf: entities POINT of AutoCAD's release 12, as text.
+void write_dxf_points(const std::filesystem::path& path, int dimension, const std::string& comment,
+                      const std::function<void(const PointSink& sink)>& write);
+
+/// What is before the entities of a DXF file, and after them.
+std::string dxf_begin(const std::string& comment);
+inline constexpr std::string_view dxf_end = "0\nENDSEC\n0\nEOF\n";
+
+/// An object of GeoJSON of this type up to where its points come, with a comma before them.
+std::string geojson_begin(const std::string& type, const std::string& crs, const std::string& comment);
 
 inline constexpr std::string_view ply_magic = "ply";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";

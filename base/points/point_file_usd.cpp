@@ -86,9 +86,7 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
         bool is_first = true;
         double low = HUGE_VAL, high = -HUGE_VAL;
         write([&](std::span<const double> coordinates) {
-            while (!coordinates.empty()) {
-                const auto piece = coordinates.first(std::min(coordinates.size(), usd_points_per_piece * axes));
-                coordinates = coordinates.subspan(piece.size());
+            for_pieces_of_text(coordinates, axes, [&](std::span<const double> piece) {
                 const auto [least, most] = std::ranges::minmax(piece);
                 low = std::min(low, least);
                 high = std::max(high, most);
@@ -96,7 +94,7 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
                 append_places(out, piece, axes, is_first);
                 is_first = false;
                 file({out.data(), out.size()});
-            }
+            });
         });
         file(usd_end(points, high - low, dimension));
     });

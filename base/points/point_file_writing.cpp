@@ -1,4 +1,4 @@
-// Writes point sets as text, CSV, PLY or USD; NumPy and HDF5 are those of placed_file.
+// Writes point sets as text, CSV, PLY, USD, GeoJSON or DXF; NumPy and HDF5 are those of placed_file.
 #include "base/errors/errors.hpp"
 #include "base/files/npy_header.hpp"
 #include "base/files/text_lines.hpp"
@@ -53,16 +53,12 @@ void append_points(fmt::memory_buffer& out, std::span<const double> coordinates,
 /// Points as lines, in pieces: text takes more room than numbers.
 void write_lines(const FileSink& file, std::span<const double> coordinates, int dimension, const LineMarks& marks)
 {
-    constexpr std::size_t points_per_piece = 4096;
     const std::size_t axes = static_cast<std::size_t>(dimension);
-    fmt::memory_buffer out;
-    while (!coordinates.empty()) {
-        const auto piece = coordinates.first(std::min(coordinates.size(), points_per_piece * axes));
-        coordinates = coordinates.subspan(piece.size());
-        out.clear();
+    for_pieces_of_text(coordinates, axes, [&](std::span<const double> piece) {
+        fmt::memory_buffer out;
         append_points(out, piece, axes, marks);
         file({out.data(), out.size()});
-    }
+    });
 }
 
 /// Other names would make text of what was to be something else.
@@ -93,8 +89,8 @@ std::string npy_header(std::uint64_t points, int dimension)
 
 const std::vector<std::string>& point_file_endings()
 {
-    static const std::vector<std::string> endings{".txt", ".dat",  ".csv",  ".npy",   ".ply",
-                                                  ".h5",  ".hdf5", ".usda", ".h5part"};
+    static const std::vector<std::string> endings{".txt",  ".dat",  ".csv",    ".npy",     ".ply", ".h5",
+                                                  ".hdf5", ".usda", ".h5part", ".geojson", ".dxf"};
     return endings;
 }
 
@@ -120,6 +116,8 @@ void write_points_in_pieces(const std::filesystem::path& path, int dimension, st
     if (has_known_places(path))
         return write_placed_points(path, {.dimension = dimension, .points = points, .comment = comment}, write);
     const auto extension = path.extension();
+    if (extension == ".geojson") return write_geojson_points(path, dimension, "", comment, write);
+    if (extension == ".dxf") return write_dxf_points(path, dimension, comment, write);
     if (extension == ".usda") return write_usd_points(path, dimension, points, comment, write);
     const bool is_ply = extension == ".ply", is_csv = extension == ".csv";
     fmt::memory_buffer header;

@@ -21,6 +21,7 @@ struct RegionPolygon
 struct PlaneRegion
 {
     std::vector<RegionPolygon> polygons; ///< that touch each other in single points at most
+    std::string crs{};                   ///< the member of GeoJSON that names a system of lengths, as text; empty: none
 };
 
 /// The least rectangle around it.

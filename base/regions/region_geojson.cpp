@@ -132,10 +132,8 @@ bool names_other_system(const GeoJson& object)
     return text.find("name") != std::string::npos;
 }
 
-Obstacles read_geojson(std::string_view text, const std::string& name, bool takes_all, bool& says_metres)
+Obstacles obstacles_of(const GeoJson& json, const std::string& name, bool takes_all)
 {
-    const GeoJson json = parsed_json(text, name);
-    says_metres = names_other_system(json);
     GeoJsonReader reader(name, takes_all);
     reader.add(json, "");
     return std::move(reader.found);
@@ -145,12 +143,16 @@ Obstacles read_geojson(std::string_view text, const std::string& name, bool take
 
 PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bool& says_metres)
 {
-    return {read_geojson(text, name, false, says_metres).polygons};
+    const GeoJson json = parsed_json(text, name);
+    says_metres = names_other_system(json);
+    return {obstacles_of(json, name, false).polygons, says_metres ? json["crs"].dump() : ""};
 }
 
 Obstacles obstacles_of_geojson(std::string_view text, const std::string& name, bool& says_metres)
 {
-    return read_geojson(text, name, true, says_metres);
+    const GeoJson json = parsed_json(text, name);
+    says_metres = names_other_system(json);
+    return obstacles_of(json, name, true);
 }
 
 }

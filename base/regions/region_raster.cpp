@@ -1,7 +1,7 @@
 // Marching squares: Lorensen and Cline 1987, in the plane; ambiguous squares keep their positive corners apart.
 #include "base/regions/region_raster.hpp"
 
-#include "base/densities/density_values.hpp"
+#include "base/densities/density.hpp"
 #include "base/densities/plane_formula.hpp"
 #include "base/errors/errors.hpp"
 #include "base/images/linear_picture.hpp"
@@ -19,6 +19,9 @@ constexpr std::uint32_t no_place = std::numeric_limits<std::uint32_t>::max();
 
 /// The light of a pixel that is half as bright as white to the eye: 0.5 in sRGB.
 constexpr double half_bright = 0.21404;
+
+/// Pixels of less alpha are outside, however bright they are.
+constexpr double half_covered = 0.5;
 
 /// Crossings keep away from nodes of a lattice, so that no two of them coincide.
 constexpr double least_part = 1e-3;
@@ -216,10 +219,12 @@ PlaneRegion region_of_pieces(const std::vector<BoundaryPiece>& pieces, const std
 
 PlaneRegion region_of_picture(const std::string& file)
 {
-    const PixelValues picture = picture_values(read_linear_picture(file), "light", printable(file));
-    const auto is_inside = [&](int column, int row) {
-        return column >= 0 && row >= 0 && column < picture.width && row < picture.height &&
-               picture.at(column, row) > half_bright;
+    const LinearPicture picture = read_linear_picture(file);
+    const auto is_inside = [&](int column, int row) { // rows from the bottom
+        if (column < 0 || row < 0 || column >= picture.width || row >= picture.height) return false;
+        const int from_top = picture.height - 1 - row;
+        const double cover = static_cast<double>(cover_at(picture, column, from_top));
+        return cover > half_covered && luminance(picture, column, from_top) > half_bright * cover;
     };
     const auto corner = [&](int column, int row) {
         return static_cast<std::uint32_t>(row * (picture.width + 1) + column);
@@ -237,7 +242,9 @@ PlaneRegion region_of_picture(const std::string& file)
             if (!is_inside(column, row + 1)) pieces.push_back({corner(column + 1, row + 1), corner(column, row + 1)});
             if (!is_inside(column - 1, row)) pieces.push_back({corner(column, row + 1), corner(column, row)});
         }
-    if (pieces.empty()) throw InputError(printable(file) + ": no pixel is brighter than half: nothing is inside");
+    if (pieces.empty())
+        throw InputError(fmt::format("{}: no pixel is brighter than half{}: nothing is inside", printable(file),
+                                     picture.alpha ? ", and transparent ones are outside" : ""));
     return region_of_pieces(pieces, places);
 }
 

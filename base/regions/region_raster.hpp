@@ -13,8 +13,9 @@ namespace poissonlab {
 /// Cells of the lattice along the longest side of a formula's rectangle.
 inline constexpr int formula_cells = 1024;
 
-/// A picture's pixels that are brighter than half, 128 of 255 in sRGB: squares of side 1, from (0, 0) at the picture's
-/// lower left on. Exact. Throws InputError where none is, or the file is no picture.
+/// A picture's pixels that are brighter than half, 128 of 255 in sRGB, and whose alpha, if there is one, is more than
+/// half: squares of side 1, from (0, 0) at the picture's lower left on. Exact. Throws InputError where none is, or the
+/// file is no picture.
 PlaneRegion region_of_picture(const std::string& file);
 
 /// Where a formula in x and y is above 0 in a rectangle: polygons by marching squares on a lattice of `formula_cells`,

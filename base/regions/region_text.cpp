@@ -145,6 +145,11 @@ PlaneRegion shape_of(const std::string& text)
     return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
 }
 
+bool has_drawing_name(std::string_view file)
+{
+    return file.size() > 4 && begins_with(file.substr(file.size() - 4), ".svg");
+}
+
 /// A region's text, what messages call it, and what it holds.
 struct TypedRegion
 {
@@ -155,6 +160,10 @@ struct TypedRegion
     {
         const bool is_file = !is_region_text(text);
         name = is_file ? printable(text) : shortened(printable(text), 40);
+        if (is_file && has_drawing_name(text)) {
+            shape = region_of_svg_drawing(read_whole_file(text), name);
+            return;
+        }
         if (is_file && has_picture_name(text)) {
             shape = region_of_picture(text);
             return;
@@ -169,8 +178,9 @@ struct TypedRegion
     bool is_known() const { return shape || is_region_text(content); }
 };
 
-constexpr auto no_region = "is neither GeoJSON nor WKT, nor a picture, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
-                           "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
+constexpr auto no_region =
+    "is neither GeoJSON nor WKT, nor a picture or drawing, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
+    "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
 
 /// The points of a file in one of the formats of points.
 std::vector<std::array<double, 2>> points_of_file(const std::string& file)

@@ -50,6 +50,24 @@ std::vector<std::array<IconPoint, 2>> arrow(const std::array<double, 2>& vector,
     return {{at(-1, 0), tip}, {at(head_back, head_aside), tip}, {at(head_back, -head_aside), tip}};
 }
 
+/// The first two channels of a picture. What is transparent is a hole.
+VectorField field_of_picture(const std::string& file)
+{
+    const LinearPicture picture = read_linear_picture(file);
+    if (picture.channels.size() < (picture.alpha ? 3 : 2))
+        throw InputError(
+            fmt::format("{}: has one channel{}; a field needs two", file, picture.alpha ? " beside alpha" : ""));
+    VectorField field{picture_values(picture, picture.channels[0], file),
+                      picture_values(picture, picture.channels[1], file)};
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column)
+            if (cover_at(picture, column, row) == 0)
+                field.u.values[static_cast<std::size_t>(picture.height - 1 - row) *
+                                   static_cast<std::size_t>(picture.width) +
+                               static_cast<std::size_t>(column)] = std::numeric_limits<double>::quiet_NaN();
+    return field;
+}
+
 }
 
 VectorField read_field(const IconSettings& settings)
@@ -58,11 +76,7 @@ VectorField read_field(const IconSettings& settings)
     if (settings.field.empty()) {
         field = {formula_values(settings.u, 1, 1), formula_values(settings.v, 1, 1)};
     } else {
-        const LinearPicture picture = read_linear_picture(settings.field.string());
-        if (picture.channels.size() < 2)
-            throw InputError(fmt::format("{}: has one channel; a field needs two", settings.field.string()));
-        field = {picture_values(picture, picture.channels[0], settings.field.string()),
-                 picture_values(picture, picture.channels[1], settings.field.string())};
+        field = field_of_picture(settings.field.string());
     }
     bool has_vectors = false;
     for (std::size_t i = 0; i < field.u.values.size(); ++i) {

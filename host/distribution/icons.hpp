@@ -35,8 +35,8 @@ struct VectorField
     PixelValues v;
 };
 
-/// The field of settings: the first two channels of a picture, or two formulas over a square. Throws InputError for a
-/// picture of one channel, and a field without vectors.
+/// The field of settings: the first two channels of a picture, whose transparent pixels are holes, or two formulas over
+/// a square. Throws InputError for a picture of one channel beside alpha, and a field without vectors.
 VectorField read_field(const IconSettings& settings);
 
 /// The longest side of a field, in units of icons.

@@ -1,7 +1,6 @@
 #include "host/texture/exemplar.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/images/linear_picture.hpp"
 #include "base/images/srgb_light.hpp"
 #include "tiles/texture/texture_set.hpp"
 
@@ -63,6 +62,18 @@ std::string light_note(const LightRange& range, const std::string& file)
     return words.empty() ? "" : fmt::format("{}: {} where tiles are chosen and cut", printable(file), words);
 }
 
+/// What is said of alpha that is left out, after what was said of the file, or else after its name.
+std::string alpha_note(const LinearPicture& picture, const std::string& name)
+{
+    std::size_t clear = 0;
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column) clear += cover_at(picture, column, row) < 1;
+    if (clear == 0) return "";
+    return fmt::format("{}alpha is left out: {} {} not opaque, and {} colour beneath counts",
+                       name.empty() ? "; " : name + ": ", clear, clear == 1 ? "pixel is" : "pixels are",
+                       clear == 1 ? "its" : "their");
+}
+
 }
 
 double tone_mapped(double light, double brightest)
@@ -70,15 +81,15 @@ double tone_mapped(double light, double brightest)
     return brightest <= 1 ? light : light * (1 + light / (brightest * brightest)) / (1 + light);
 }
 
-PngPixels read_exemplar(const std::filesystem::path& file)
+PngPixels read_exemplar(const std::filesystem::path& file, AlphaUse use)
 {
     std::string note;
-    return read_exemplar(file, note);
+    return read_exemplar(file, note, use);
 }
 
-PngPixels read_exemplar(const std::filesystem::path& file, std::string& note)
+PngPixels read_exemplar(const std::filesystem::path& file, std::string& note, AlphaUse use)
 {
-    const LinearPicture picture = read_linear_picture(file);
+    const LinearPicture picture = read_linear_picture(file, use);
     const std::vector<std::size_t> channels = shown_channels(picture);
     if (channels.empty()) throw InputError(fmt::format("{}: has no channel but alpha", file.string()));
     if (picture.width > most_exemplar_pixels || picture.height > most_exemplar_pixels)
@@ -86,6 +97,7 @@ PngPixels read_exemplar(const std::filesystem::path& file, std::string& note)
                                      picture.width, picture.height, most_exemplar_pixels));
     const LightRange range = light_range(picture, channels, file.string());
     note = light_note(range, file.filename().string());
+    if (use == AlphaUse::left_out) note += alpha_note(picture, note.empty() ? printable(file.filename().string()) : "");
     PngPixels exemplar{picture.width, picture.height, static_cast<int>(channels.size()), {}};
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column)

@@ -23,7 +23,7 @@ def read_points(file: "str | os.PathLike[str]",
 
 
 def write_points(file: "str | os.PathLike[str]", points: numpy.typing.ArrayLike, comment: str = "") -> None:
-    """Write one set: .npy, .csv, .ply, .usda by the extension, else text that reads back as the same doubles.
+    """Write one set: .npy, .csv, .ply, .usda, .geojson, .dxf by the extension, else text that reads back as the same doubles.
 
     `points`: shape (n, 2) or (n, 3) in [0, 1). The file is there whole or not at all.
     """

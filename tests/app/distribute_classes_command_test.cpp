@@ -3,8 +3,11 @@
 #include "tests/support/program.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -19,7 +22,7 @@ TEST(DistributeClasses, WritesPointsWithClassesAndSpectra)
     const TemporaryFolder folder;
     const Outcome outcome =
         run_program(folder.path(), {"distribute", "classes", "--engine", "reference", "--points", "20", "80", "--out",
-                                    "a.csv", "--out", "a.svg", "--spectra", "s.csv", "--json"});
+                                    "a.csv", "--out", "a.svg", "--out", "a.geojson", "--spectra", "s.csv", "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     const std::string points = read_whole_file(folder.path() / "a.csv");
     EXPECT_THAT(points, StartsWith("x,y,class\n"));
@@ -27,6 +30,19 @@ TEST(DistributeClasses, WritesPointsWithClassesAndSpectra)
     EXPECT_THAT(read_whole_file(folder.path() / "s.csv"), StartsWith("frequency,all,class_0,class_1,cross_0_1\n1,"));
     EXPECT_THAT(read_whole_file(folder.path() / "a.svg"), HasSubstr("<svg"));
     EXPECT_THAT(outcome.out, HasSubstr("\"least_0_1\": "));
+    // A feature for each line of the table.
+    const auto json = nlohmann::json::parse(read_whole_file(folder.path() / "a.geojson"));
+    EXPECT_EQ(json.at("type"), "FeatureCollection");
+    ASSERT_EQ(json.at("features").size(), 100U);
+    std::string table = "x,y,class\n";
+    for (const auto& feature : json.at("features")) {
+        EXPECT_EQ(feature.at("type"), "Feature");
+        EXPECT_EQ(feature.at("geometry").at("type"), "Point");
+        const auto& at = feature.at("geometry").at("coordinates");
+        table += fmt::format("{:.17g},{:.17g},{}\n", at.at(0).get<double>(), at.at(1).get<double>(),
+                             feature.at("properties").at("class").get<int>());
+    }
+    EXPECT_EQ(table, points);
 }
 
 TEST(DistributeMasks, WriteFilesOfOtherPrograms)

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <tuple>
 
@@ -29,14 +31,19 @@ protected:
 TEST_F(DistributeDarts, WritesPointsInUnitsOfTheRegion)
 {
     folder_.write("park.geojson", R"({"type": "Polygon", "coordinates": [[[0,0],[900,0],[900,400],[0,0]]]})");
-    const Outcome outcome =
-        run({"--region", "park.geojson", "--min-distance", "50", "--out", "a.txt", "--out", "b.csv"});
+    const Outcome outcome = run(
+        {"--region", "park.geojson", "--min-distance", "50", "--out", "a.txt", "--out", "b.csv", "--out", "c.geojson"});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("points at least 50 apart, between which no further one fits"));
     const PointSet points = read_points(folder_.path() / "a.txt", CoordinateRange{0, 1000}).at(0);
     EXPECT_GT(points.size(), 40U);
     for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LE(points[i][1], points[i][0] * 4 / 9 + 1e-9);
     EXPECT_EQ(read_points(folder_.path() / "b.csv", CoordinateRange{0, 1000}).at(0), points);
+    const auto json = nlohmann::json::parse(content_of(folder_.path() / "c.geojson"));
+    EXPECT_EQ(json.at("type"), "MultiPoint");
+    ASSERT_EQ(json.at("coordinates").size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(json.at("coordinates")[i], (nlohmann::json{points[i][0], points[i][1]}));
 }
 
 TEST_F(DistributeDarts, KeepsAwayFromObstacles)

@@ -3,6 +3,7 @@
 #include "base/points/point_file.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/raw_png.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -117,6 +118,33 @@ TEST_F(DistributeStipple, IsTheSameByBothEngines)
                   content_of(folder_.path() / (std::string("reference") + kind)));
 }
 
+/// An opaque quarter of a transparent picture, black all over: all dots are in it.
+TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
+{
+    test::RawPng picture{40, 40, 4, 8, std::vector<std::uint16_t>(40 * 40 * 4)};
+    for (int row = 20; row < 40; ++row)
+        for (int column = 0; column < 20; ++column)
+            picture.samples[static_cast<std::size_t>(row * 40 + column) * 4 + 3] = 255;
+    test::write_raw_png(folder_.path() / "black.png", picture);
+    const Outcome outcome = run("stipple", {"--image", "black.png", "--points", "200", "--by", "warping", "--out",
+                                            "dots.npy", "--out", "dots.svg", "--width", "8cm", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NEAR(nlohmann::json::parse(outcome.out).at("mark_area").get<double>(), 20.0 * 20 / 200, 1e-6);
+    const PointSet points = read_points(folder_.path() / "dots.npy").at(0);
+    EXPECT_EQ(points.size(), 200U);
+    for (const double coordinate : points.coordinates) EXPECT_LE(coordinate, 0.5);
+    // The file for plotters has a circle for each; the area of 2 pixels, 2 mm wide, has a radius of 1.596 mm.
+    const std::string svg = content_of(folder_.path() / "dots.svg");
+    EXPECT_THAT(svg, HasSubstr("width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\""));
+    std::size_t circles = 0;
+    for (std::size_t at = svg.find("<circle "); at != std::string::npos; at = svg.find("<circle ", at + 1)) {
+        ++circles;
+        EXPECT_EQ(svg.find("r=\"1.596\"/>", at), svg.find("r=\"", at));
+    }
+    EXPECT_EQ(circles, 200U);
+    EXPECT_THAT(outcome.error, HasSubstr("80 x 80 mm; the pen's way between marks is "));
+}
+
 TEST_F(DistributeStipple, SaysWhatIsTooDark)
 {
     const Outcome outcome =
@@ -151,7 +179,17 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
     for (const std::string out : {"a.gif", "a.JPG"})
         expect_error({"--image", "0.5", "--points", "9", "--out", out},
                      "--out " + out +
-                         ": must end in .svg, .png, .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda or .h5part");
+                         ": must end in .svg, .png, .dxf, .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda, .h5part or "
+                         ".geojson");
+    expect_error({"--image", "0.5", "--points", "9", "--width", "200"},
+                 "--width 200: must be a length such as 200mm, 20cm or 8in");
+    expect_error({"--image", "0.5", "--points", "9", "--pen", "0.3mm"}, "--pen 0.3mm: goes with --width");
+    expect_error({"--image", "0.5", "--points", "9", "--dots", "rings"},
+                 "--dots rings: must be one of \"circles\", \"strokes\"");
+    expect_error({"--image", "0.5", "--points", "9", "--travel", "far"},
+                 "--travel far: must be one of \"nearest\", \"as-made\"");
+    EXPECT_THAT(run("stipple", {"--image", "0.5", "--points", "9", "--width", "9cm", "--out", "a.png"}).error,
+                HasSubstr("--width: goes with an --out that ends in .svg or .dxf"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.gif"));
 }
 

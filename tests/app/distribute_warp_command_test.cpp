@@ -130,8 +130,9 @@ TEST_F(DistributeWarp, RefusesWhatItCannotDo)
     expect_error(with({"--density", "x+1", "--method", "{ sampler = "}), "distribute warp: --method");
     expect_error({"--density", "x+1", "--points", "0", "--out", "out.txt"}, "--points 0: must be an integer from 1 to");
     expect_error({"--density", "x+1", "--points", "8", "--out", "no/out.txt"}, "there is no folder no");
-    expect_error({"--density", "x+1", "--points", "8", "--out", "out.png"},
-                 "--out out.png: must end in .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda or .h5part");
+    expect_error(
+        {"--density", "x+1", "--points", "8", "--out", "out.png"},
+        "--out out.png: must end in .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda, .h5part, .geojson or .dxf");
     write_picture("square.png", 2, 2, {1, 2, 3, 4});
     expect_error(with({"--density", "square.png", "--environment"}), "must be twice as wide as high");
 }

@@ -190,7 +190,7 @@ TEST_F(OutputFiles, WithUnknownEndingsAreRefused)
                                             "texture tile none --window 0 0 2 2 ",
                                             "texture map grey.pgm --method hexagons "};
     folder_->write("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::vector<std::string> endings{".PNG", ".xyz", ".geojson", ".json5", ".wkt", ".dxf", ".gltf"};
+    const std::vector<std::string> endings{".PNG", ".xyz", ".json", ".json5", ".wkt", ".dwg", ".gltf"};
     for (const std::string& command : commands)
         for (const std::string& ending : std::span(endings).first(command == darts ? endings.size() : 2)) {
             SCOPED_TRACE(command + ending);

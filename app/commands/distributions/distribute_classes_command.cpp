@@ -28,8 +28,9 @@ many points, or of all pairs: --matrix, row after row. With --factor all distanc
 has no room for its next point, until there is room for --points. With --tiles the points are those of a torus of
 tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
-.ply (vertices with a class), .npy (records x, y, class), .svg and .png (disks in colours). --spectra FILE.csv has the
-radially averaged power of each class and of all, and cross power of pairs: with --sets means over so many sets, and errors.
+.ply (vertices with a class), .npy (records x, y, class), .geojson (features with the property class), .svg and .png (disks in
+colours). --spectra FILE.csv has the radially averaged power of each class and of all, and cross power of pairs: with --sets
+means over so many sets, and errors.
   poissonlab distribute classes --points 100 400 1600 --out forest.csv --out forest.png
   poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
   poissonlab distribute classes --tiles forest.ptiles --torus 12 --out forest.png --spectra forest.csv
@@ -38,7 +39,7 @@ radially averaged power of each class and of all, and cross power of pairs: with
 struct ClassOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    OutputFiles outs{{{".csv", ".ply", ".npy", ".svg", ".png"}}};
+    OutputFiles outs{{{".csv", ".ply", ".npy", ".geojson", ".svg", ".png"}}};
     std::string spectra;
 };
 

@@ -2,6 +2,7 @@
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/distribution/ink/plot.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/stipple.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -34,9 +36,15 @@ For 12,800 dots the tone error after a blur by one distance of dots is, in perce
 warping 3.9 to 10.6, ranks with tiles 6.3 to 8.4 (a ramp, a lit ball, a photograph of a forest); after a blur by four
 distances 0.5 to 0.9, 0.8 to 5.4 and 1.1 to 2.1. All of it takes 2.7, 0.9 and 0.7 s of a processor.
 --out, as often as you like: .svg has all dots, .png shows how much of each pixel is covered, encoded as sRGB, so that
-a screen shows the ink that is asked for (--pixels wide, by default as the picture), other files have their middles, in
-units of the longest side, y upwards.
+a screen shows the ink that is asked for (--pixels wide, by default as the picture), .dxf has them as circles (release
+12), other files have their middles, in units of the longest side, y upwards.
+For plotters and cutters --width 200mm (or cm, in) makes .svg and .dxf files of that size: dots are circles, as large as
+they print, or with --pen 0.3mm such that the pen's outer edge is the dot's, or with --dots strokes lines of 0.01 mm, which
+the pen makes dots of. Marks come in the order of a short way, always the nearest one that is left, unless --travel as-made
+keeps the sampler's order; both ways are said. Without any of these options an .svg has dots as lines of no length, which is
+the shortest file and what plotters' programs drop.
   poissonlab distribute stipple --image photo.jpg --points 40000 --out dots.svg --out dots.png
+  poissonlab distribute stipple --image photo.jpg --points 5000 --width 200mm --pen 0.5mm --out plot.svg
   poissonlab distribute stipple --image photo.jpg --dot 3 --ink 0.5 --out dots.ply --json)help";
 
 constexpr auto distribute_hatch_notes =
@@ -58,12 +66,74 @@ std::array<int, 2> png_size(const KindOptions& o, const InkPicture& picture)
     return {wide, std::max(1, static_cast<int>(high))};
 }
 
-void write_marks(const KindOptions& o, const std::string& image, const InkPicture& picture, const Stippling& stippling)
+struct MarkOptions : KindOptions
+{
+    using KindOptions::KindOptions;
+    std::string width, pen, dots, travel;
+
+    bool is_plotted() const { return !(width.empty() && pen.empty() && dots.empty() && travel.empty()); }
+    bool has_file(const std::string& ending) const
+    {
+        return std::ranges::any_of(outs.files(), [&](const auto& file) { return file.extension() == ending; });
+    }
+};
+
+double length_on_paper(const MarkOptions& o, const char* option, const std::string& text)
+{
+    const std::optional<double> length = millimetres_of(text);
+    if (!length)
+        throw InputError(fmt::format("{}: {} {}: must be a length such as 200mm, 20cm or 8in", o.command(), option,
+                                     shortened(printable(text))));
+    return *length;
+}
+
+/// The sheet that options describe. Throws InputError, before any work is done.
+PlotSheet plot_sheet(const MarkOptions& o)
+{
+    PlotSheet sheet;
+    if (!o.width.empty()) sheet.width = length_on_paper(o, "--width", o.width);
+    if (!o.pen.empty()) sheet.pen = length_on_paper(o, "--pen", o.pen);
+    if (!o.dots.empty()) sheet.dots = value_of_word(o.command(), "--dots", o.dots, dot_forms);
+    if (!o.travel.empty()) sheet.travel = value_of_word(o.command(), "--travel", o.travel, pen_travels);
+    if (sheet.pen > 0 && sheet.width == 0)
+        throw InputError(fmt::format("{}: --pen {}: goes with --width", o.command(), printable(o.pen)));
+    if (o.is_plotted() && !o.has_file(".svg") && !o.has_file(".dxf"))
+        throw InputError(fmt::format("{}: {}: goes with an --out that ends in .svg or .dxf", o.command(),
+                                     !o.width.empty()  ? "--width"
+                                     : !o.dots.empty() ? "--dots"
+                                                       : "--travel"));
+    return sheet;
+}
+
+/// What a person at the plotter wants to know.
+std::string plot_words(const Plot& plot)
+{
+    const std::string unit = plot.sheet.width > 0 ? "mm" : "pixels";
+    std::string words = fmt::format("{:.4g} x {:.4g} {}; the pen's way between marks is {:.4g} {}", plot.width,
+                                    plot.height, unit, plot.way, unit);
+    if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({:.4g} as made)", plot.way_as_made);
+    if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
+        words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
+                             plot.widest_hole);
+    return words;
+}
+
+void write_marks(const MarkOptions& o, const std::string& image, const PlotSheet& sheet, const InkPicture& picture,
+                 const Stippling& stippling)
 {
     const auto [wide, high] = png_size(o, picture);
+    std::optional<Plot> plot;
+    if (o.is_plotted() || o.has_file(".dxf"))
+        plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, sheet);
+    if (plot && !o.is_quiet()) fmt::print(o.prints_json() ? stderr : stdout, "{}\n", plot_words(*plot));
     for (const std::filesystem::path& file : o.outs.files()) {
-        if (file.extension() == ".svg")
+        if (file.extension() == ".svg" && o.is_plotted())
+            write_whole_file(file, plot_svg(*plot));
+        else if (file.extension() == ".svg")
             write_whole_file(file, drawing_svg(draw_marks(mark_picture(picture, stippling), {})));
+        else if (file.extension() == ".dxf")
+            write_whole_file(file,
+                             plot_dxf(*plot, fmt::format("poissonlab {} --image {}", o.command(), printable(image))));
         else if (file.extension() == ".png")
             write_coverage(file,
                            coverage_of(stippling.marks, wide, high, static_cast<double>(wide) / picture.ink.width));
@@ -89,15 +159,16 @@ void say_tones(const KindOptions& o, bool has_strokes, const TonesOfMarks& tones
                100 * tones.too_dark, tones.darkest_ink, has_strokes ? "strokes can" : "dots", 100 * tones.overlap);
 }
 
-void stipple_picture(const KindOptions& o)
+void stipple_picture(const MarkOptions& o)
 {
     const auto settings = o.read<StippleSettings>();
+    const PlotSheet sheet = plot_sheet(o);
     const InkPicture picture = read_ink(settings);
     o.say_note(picture.ink.note);
     const DistributionPlace place = o.place();
     const Stippling stippling = stipple(picture, settings, o.seed(), place);
     const Coverage coverage = coverage_of(stippling.marks, picture.ink.width, picture.ink.height, 1);
-    write_marks(o, settings.image, picture, stippling);
+    write_marks(o, settings.image, sheet, picture, stippling);
     const TonesOfMarks tones = tones_of(picture, settings, stippling, coverage, place);
     if (!o.prints_json()) return say_tones(o, settings.has_strokes, tones, stippling);
     DistributionNumbers numbers = mark_numbers(picture, settings, stippling, tones);
@@ -108,8 +179,23 @@ void stipple_picture(const KindOptions& o)
 
 Command mark_command(const char* word, const char* notes)
 {
-    return kind_command(*find_kind("distribution", word), {{{".svg", ".png"}, true}}, notes, stipple_picture, "",
-                        {max_drawing_pixels, "the picture's"});
+    const auto o =
+        std::make_shared<MarkOptions>(*find_kind("distribution", word), OutputFiles{{{".svg", ".png", ".dxf"}, true}});
+    Option dots{"--dots", &o->dots, "Dots in .svg files for plotters are circles (the default) or short strokes",
+                "FORM"};
+    dots.words = dot_forms.all();
+    Option travel{"--travel", &o->travel, "The order of marks for plotters: nearest (the default) or as-made", "ORDER"};
+    travel.words = pen_travels.all();
+    std::vector<Option> others{
+        o->outs.option(),
+        allowing({"--pixels", &o->pixels, "The width of a .png; default: the picture's", "W"},
+                 Integers{1, max_drawing_pixels}),
+        {"--width", &o->width, "The width on paper of an .svg or .dxf for plotters: 200mm, 20cm, 8in", "LENGTH"},
+        {"--pen", &o->pen, "The width of the pen's line: 0.3mm; default: marks are drawn as wide as they are",
+         "LENGTH"}};
+    if (std::string(word) == "stippling") others.push_back(std::move(dots));
+    others.push_back(std::move(travel));
+    return kind_command(o, std::move(others), notes, stipple_picture);
 }
 
 }

@@ -3,6 +3,7 @@
 #include "app/commands/picture_output.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
+#include "base/points/point_file_formats.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/runs/dart_pictures.hpp"
 #include "host/distribution/runs/varied_results.hpp"
@@ -16,6 +17,14 @@ namespace poissonlab {
 namespace {
 
 OutputFormats distance_formats() { return {{".npy"}}; }
+
+/// Points in the system of coordinates that the region's file names.
+void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, const std::string& comment)
+{
+    const std::string crs = darts.request.land ? darts.request.land->whole.crs : "";
+    write_geojson_points(file, darts.points.dimension, crs, comment,
+                         [&](const PointSink& sink) { sink(darts.points.coordinates); });
+}
 
 }
 
@@ -40,6 +49,8 @@ void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) 
         const auto& pictures = files.formats.endings;
         if (std::ranges::find(pictures, out.extension().string()) != pictures.end())
             write_picture_file(out, draw_marks(dart_picture(darts), {}));
+        else if (out.extension() == ".geojson")
+            write_geojson(out, darts, comment);
         else
             write_points(out, darts.points, comment);
     }

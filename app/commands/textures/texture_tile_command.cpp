@@ -41,10 +41,10 @@ void tile_texture(const TextureTileOptions& options)
     const TextureSet set = read_texture_set(options.folder);
     try {
         const TextureWindow shown =
-            options.marks.empty()
-                ? texture_window(set, window, options.seed)
-                : marked_texture_window(set, window, options.seed,
-                                        corner_marks(read_exemplar(options.marks), window.width, window.height));
+            options.marks.empty() ? texture_window(set, window, options.seed)
+                                  : marked_texture_window(set, window, options.seed,
+                                                          corner_marks(read_exemplar(options.marks, AlphaUse::covers),
+                                                                       window.width, window.height));
         write_texture_window(out, set, shown);
     } catch (const InputError& error) {
         throw error.moved_to({"texture tile"});

@@ -32,7 +32,8 @@ With --region, the points in a polygon with holes (see distribute darts), in its
 their proven minimum distance --min-distance, or leaves --points of them. Tile (0, 0) begins at 0, 0 of the region's
 coordinates: regions beside each other, of one seed and distance, fit together.
 Of tiles whose points have classes (tiles build --class-points) each point's class is written as well, as distribute
-classes does: .csv (columns x, y, class), .ply (vertices with a class) or .npy (records x, y, class).
+classes does: .csv (columns x, y, class), .ply (vertices with a class), .npy (records x, y, class) or .geojson
+(features with the property class).
   poissonlab tiles points corner.ptiles --region park.geojson --planar --min-distance 4 --out trees.csv
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
   poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5

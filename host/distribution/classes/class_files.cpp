@@ -2,10 +2,13 @@
 
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -26,8 +29,16 @@ void append_record(std::string& to, std::span<const double> at, std::uint32_t of
     to.append(reinterpret_cast<const char*>(&of), sizeof of);
 }
 
+void append_feature(std::string& to, std::span<const double> at, std::uint32_t of)
+{
+    to += fmt::format("{{\"type\":\"Feature\",\"properties\":{{\"class\":{}}},\"geometry\":{{\"type\":\"Point\","
+                      "\"coordinates\":[{:.17g}]}}}}",
+                      of, fmt::join(at, ","));
+}
+
 void append_point(std::string& to, const std::string& format, std::span<const double> at, std::uint32_t of)
 {
+    if (format == ".geojson") return append_feature(to, at, of);
     if (format == ".csv") return append_row(to, at, of, ',', false);
     if (format == ".ply") return append_row(to, at, of, ' ', true);
     append_record(to, at, of);
@@ -35,6 +46,7 @@ void append_point(std::string& to, const std::string& format, std::span<const do
 
 std::string header_of(const std::string& format, int dimension, std::size_t points, const std::string& comment)
 {
+    if (format == ".geojson") return geojson_begin("FeatureCollection", "", comment) + ",\"features\":[\n";
     const bool is_solid = dimension == 3;
     if (format == ".csv") return is_solid ? "x,y,z,class\n" : "x,y,class\n";
     if (format == ".ply")
@@ -51,7 +63,7 @@ std::string header_of(const std::string& format, int dimension, std::size_t poin
 
 const std::vector<std::string>& class_file_ends()
 {
-    static const std::vector<std::string> ends{".csv", ".ply", ".npy"};
+    static const std::vector<std::string> ends{".csv", ".ply", ".npy", ".geojson"};
     return ends;
 }
 
@@ -60,14 +72,19 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
 {
     const std::string format = file.extension().string();
     const auto axes = static_cast<std::size_t>(dimension);
+    const bool is_geojson = format == ".geojson";
     write_whole_file_in_pieces(file, [&](const FileSink& sink) {
         sink(header_of(format, dimension, points, comment));
+        bool is_first = true;
         source([&](std::span<const double> coordinates, std::span<const std::uint32_t> classes) {
             std::string piece;
-            for (std::size_t i = 0; i < classes.size(); ++i)
+            for (std::size_t i = 0; i < classes.size(); ++i) {
+                if (is_geojson && !std::exchange(is_first, false)) piece += ",\n";
                 append_point(piece, format, coordinates.subspan(i * axes, axes), classes[i]);
+            }
             sink(piece);
         });
+        if (is_geojson) sink("]}\n");
     });
 }
 

@@ -91,8 +91,9 @@ private:
     {
         const TileWindow window{0, 0, settings_.columns, settings_.rows};
         if (settings_.marks.empty()) return texture_window(set_, window, settings_.request.seed);
-        return marked_texture_window(set_, window, settings_.request.seed,
-                                     corner_marks(read_exemplar(settings_.marks), settings_.columns, settings_.rows));
+        return marked_texture_window(
+            set_, window, settings_.request.seed,
+            corner_marks(read_exemplar(settings_.marks, AlphaUse::covers), settings_.columns, settings_.rows));
     }
 
     PngPixels window_of(std::span<const std::uint8_t> values, int channels) const

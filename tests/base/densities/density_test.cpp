@@ -68,7 +68,9 @@ TEST(Density, OfColoursIsTheirLuminance)
     const LinearPicture picture =
         read_linear_picture(png(folder, 4, 1, 4, {255, 0, 0, 10, 0, 255, 0, 20, 0, 0, 255, 30, 255, 255, 255, 0}));
     EXPECT_THAT(picture.channels, ElementsAre("R", "G", "B", "A"));
-    const Density density = density_of_picture(picture, "light", "p");
+    const LinearPicture opaque =
+        read_linear_picture(png(folder, 4, 1, 3, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}));
+    const Density density = density_of_picture(opaque, "light", "p");
     for (std::size_t i = 0; i < 4; ++i) {
         const double expected = std::array{0.2126, 0.7152, 0.0722, 1.0}[i];
         EXPECT_NEAR(static_cast<double>(density.weights[i]), static_cast<double>(weight_of(expected)), 2);

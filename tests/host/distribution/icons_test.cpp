@@ -2,6 +2,8 @@
 #include "host/distribution/icons.hpp"
 
 #include "tests/support/errors.hpp"
+#include "tests/support/raw_png.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -91,6 +93,22 @@ TEST(Icons, AreDotsAndHolesWhereThereIsNoVector)
     EXPECT_EQ(picture.groups[0].strokes.size(), 3 * 32);
     EXPECT_EQ(picture.groups[1].disks.size(), 16);
     EXPECT_EQ(icons_csv(icons).substr(0, 8), "x,y,u,v\n");
+}
+
+/// Transparent pixels on the left; alpha is no second component.
+TEST(Icons, AreHolesWhereAPictureIsTransparent)
+{
+    const TemporaryFolder folder;
+    IconSettings settings;
+    settings.field = folder.path() / "field.png";
+    test::write_raw_png(settings.field, {2, 1, 4, 8, {255, 0, 0, 0, 255, 0, 0, 255}});
+    const VectorField field = read_field(settings);
+    EXPECT_TRUE(std::isnan(field.u.values[0]));
+    EXPECT_EQ(field.u.values[1], 1);
+    EXPECT_EQ(icons_at(jittered(8), field, true).holes, 32);
+    test::write_raw_png(settings.field, {1, 1, 2, 8, {255, 255}});
+    EXPECT_THAT(message_of([&] { read_field(settings); }),
+                testing::HasSubstr("field.png: has one channel beside alpha; a field needs two"));
 }
 
 TEST(Icons, FindTheNearestPairAsAllPairsDo)

@@ -1,6 +1,7 @@
 // Texture tile sets of noise, in which every joint can be told: they fit together, and follow from request and seed.
 #include "host/texture/texture_build.hpp"
 
+#include "base/images/raw_picture.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 #include "tests/host/texture/random_picture.hpp"
@@ -336,11 +337,19 @@ TEST(Exemplar, IsReadAsItsBytesAre)
     write_deep_png(folder.path() / "deep.png", deep);
     EXPECT_EQ(read_exemplar(folder.path() / "deep.png").values, picture.values);
     EXPECT_EQ(read_deep_png(folder.path() / "deep.png").values, deep.values);
-    // Alpha is left out.
+    // Alpha is left out, with a word, unless it covers.
     const PngPixels translucent = test::random_picture(5, 4, 2, 11);
     write_png(folder.path() / "alpha.png", {5, 4, 2},
               [&](int row, int) { return &translucent.values[translucent.at(0, row, 0)]; });
-    EXPECT_EQ(read_exemplar(folder.path() / "alpha.png").channels, 1);
+    std::string note;
+    EXPECT_EQ(read_exemplar(folder.path() / "alpha.png", note).channels, 1);
+    std::size_t clear = 0;
+    for (std::size_t i = 1; i < translucent.values.size(); i += 2) clear += translucent.values[i] < 255;
+    EXPECT_EQ(note, "alpha.png: alpha is left out: " + std::to_string(clear) +
+                        " pixels are not opaque, and their colour beneath counts");
+    write_raw_picture(folder.path() / "marks.png", {2, 1, SampleType::byte, {"Y", "A"}, {255, 0, 255, 255}});
+    EXPECT_EQ(read_exemplar(folder.path() / "marks.png").values, (std::vector<std::uint8_t>{255, 255}));
+    EXPECT_EQ(read_exemplar(folder.path() / "marks.png", AlphaUse::covers).values, (std::vector<std::uint8_t>{0, 255}));
     EXPECT_THAT(message_of([&] { read_exemplar(folder.path() / "no.png"); }), HasSubstr("no.png: cannot read"));
 }
 

@@ -1,0 +1,61 @@
+// Paths of SVG as rings of lines: lib2geom reads them, and tells places on elliptic arcs.
+//
+// A chord of a curve is off by at most |second derivative| / 8 times the square of its share of the curve (Bezier
+// curves: n (n - 1) times the largest second difference of control points), that of an arc by r (1 - cos of half its
+// angle) where r is the larger radius: so many equal pieces keep the tolerance.
+#pragma once
+
+#include "base/regions/plane_region.hpp"
+
+#include <2geom/path-sink.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poissonlab {
+
+/// The usual tolerance is this part of the longest side of the box around ends, control points and arcs.
+inline constexpr double usual_path_tolerance = 1e-4;
+
+/// A curve from where the one before ended: places on it from 0 to 1, and how many pieces keep a tolerance.
+struct PathCurve
+{
+    std::function<Geom::Point(double)> at;
+    std::function<double(double tolerance)> pieces;
+};
+
+/// Keeps what paths consist of, so that their extent is known before curves become lines.
+class PathRings : public Geom::PathSink
+{
+public:
+    void moveTo(const Geom::Point& p) override;
+    void lineTo(const Geom::Point& p) override { add(p, {}); }
+    void quadTo(const Geom::Point& c, const Geom::Point& p) override;
+    void curveTo(const Geom::Point& c, const Geom::Point& d, const Geom::Point& p) override;
+    void arcTo(double rx, double ry, double angle, bool is_large, bool sweeps, const Geom::Point& p) override;
+    void closePath() override;
+    void flush() override {}
+
+    /// Of ends, control points and arcs; of nothing, the origin.
+    const RegionBox& box() const { return box_; }
+
+    /// What closed lines go around; open paths are closed. Throws InputError where curves take too many lines.
+    std::vector<RegionRing> rings(double tolerance, const std::string& name) const;
+
+private:
+    void add(const Geom::Point& end, PathCurve curve);
+    void extend(const Geom::Point& p);
+
+    std::vector<std::vector<std::pair<Geom::Point, PathCurve>>> paths_;
+    Geom::Point begin_, end_;
+    RegionBox box_;
+    bool is_empty_ = true, is_closed_ = true;
+};
+
+/// The region of rings by a rule of filling. Throws InputError, which begins with the name, where there is none, and
+/// where rings cross themselves or each other.
+PlaneRegion filled_region(std::vector<RegionRing> rings, bool is_even_odd, const std::string& name);
+
+}
