@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace poissonlab {
 
@@ -48,7 +47,7 @@ bool is_number(std::string_view word)
 
 }
 
-CoordinateRange declared_range(const PointFileContent& file)
+PointDomain declared_domain(const PointFileContent& file)
 {
     for (LineReader lines(file.bytes); lines.next();) {
         WordReader words(lines.line());
@@ -57,35 +56,45 @@ CoordinateRange declared_range(const PointFileContent& file)
         if (first == "end_header" || (has_word && is_number(first))) break;
         if ((first != "#" && first != "comment") || !words.next() || words.word() != "domain") continue;
         const std::string_view text = words.next() ? words.word() : std::string_view{};
-        if (const auto range = parse_range(text)) return *range;
-        fail_in_point_file(file, lines.number(), text, "a domain is LOW:HIGH, two numbers, the first smaller");
+        std::string domain(text);
+        while (words.next() && words.word().find(':') != std::string_view::npos)
+            domain += " " + std::string(words.word());
+        if (const auto declared = parse_domain(domain)) return *declared;
+        fail_in_point_file(file, lines.number(), text,
+                           "a domain is LOW:HIGH, two numbers, the first smaller; or such a range for each axis");
     }
     return {};
 }
 
-std::optional<CoordinateRange> parse_range(std::string_view text)
-{
-    CoordinateRange range;
-    const std::size_t colon = text.find(':');
-    if (colon != std::string_view::npos && !parse_number(text.substr(0, colon), range.low)) return {};
-    if (!parse_number(colon == std::string_view::npos ? text : text.substr(colon + 1), range.high)) return {};
-    // Their difference must be a number, too.
-    if (!(range.low < range.high) || !std::isfinite(range.high - range.low)) return {};
-    return range;
-}
-
 namespace {
 
-/// The sets of a file as they are there; `range` becomes that of their coordinates.
-std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, std::optional<CoordinateRange>& range)
+/// The set of an HDF5 file, whose reader knows squares and cubes alone, in any domain.
+PointSet read_hdf5_points_in(const std::filesystem::path& path, const std::optional<PointDomain>& domain)
+{
+    if (!domain || domain->dimension() == 0)
+        return read_hdf5_points(path, domain ? std::optional((*domain)[0]) : std::nullopt);
+    PointSet set = read_hdf5_points(path, any_coordinates);
+    for (std::size_t i = 0; i < set.coordinates.size(); ++i) {
+        const CoordinateRange& range = (*domain)[i % static_cast<std::size_t>(set.dimension)];
+        double& value = set.coordinates[i];
+        if (!is_coordinate(value, range))
+            throw InputError::at({path.string()}, fmt::format("point {}: {}: {}", i / set.dimension, value,
+                                                              allowed_coordinate(value, range)));
+        value = to_unit(value, range);
+    }
+    return set;
+}
+
+/// The sets of a file as they are there; `domain` becomes that of their coordinates.
+std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, std::optional<PointDomain>& domain)
 {
     const std::string content = read_whole_file(path);
     PointFileContent file{path.string(), content};
-    if (file.bytes.starts_with(hdf5_magic)) return {read_hdf5_points(path, range)};
+    if (file.bytes.starts_with(hdf5_magic)) return {read_hdf5_points_in(path, domain)};
     const bool is_npy = file.bytes.starts_with(npy_magic);
     const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
-    file.range = range ? *range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
-    range = file.range;
+    file.domain = domain ? *domain : is_npy || is_utk ? PointDomain{} : declared_domain(file);
+    domain = file.domain;
     if (is_npy) return read_npy_points(file);
     if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
@@ -95,41 +104,60 @@ std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, st
 
 }
 
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range,
-                                  const std::function<void(const std::string& sentence)>& told)
+std::vector<PointSet> read_points_in_box(const std::filesystem::path& path, std::optional<PointDomain>& domain,
+                                         const std::function<void(const std::string& sentence)>& told)
 {
-    std::vector<PointSet> sets = read_all_coordinates(path, range);
-    if (are_flat(sets, range ? to_unit(0, *range) : 0)) {
+    std::vector<PointSet> sets = read_all_coordinates(path, domain);
+    if (are_flat(sets, domain ? to_unit(0, (*domain)[2]) : 0)) {
         for (PointSet& set : sets) set = without_third(std::move(set));
         if (told) told(printable(path.string()) + ": " + flat_sentence);
     }
+    const int axes = domain ? domain->dimension() : 0;
+    if (axes > 0 && axes != sets.front().dimension)
+        throw InputError::at({path.string()}, fmt::format("has {}D points where the domain has {} ranges: must have "
+                                                          "one for each axis",
+                                                          sets.front().dimension, axes));
+    return sets;
+}
+
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<PointDomain> domain,
+                                  const std::function<void(const std::string& sentence)>& told)
+{
+    std::vector<PointSet> sets = read_points_in_box(path, domain, told);
+    if (domain && !domain->is_square())
+        throw InputError::at({path.string()},
+                             "declares a domain whose sides differ; must be a square (cube) here, or have each "
+                             "coordinate over its side");
     return sets;
 }
 
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
 {
-    return read_all_coordinates(path, range);
+    std::optional<PointDomain> domain = range;
+    return read_all_coordinates(path, domain);
 }
 
-void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates)
+void append_coordinate(const PointFileContent& file, int line, std::size_t axis, std::string_view word,
+                       std::vector<double>& coordinates)
 {
+    const CoordinateRange& range = file.domain[std::min<std::size_t>(axis, 2)];
     double value = 0;
     if (!parse_number(word, value)) {
         if (!std::ranges::all_of(word, is_printable)) {
             fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
         }
         fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
-                           allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +
+                           allowed_coordinate(0.5 * range.low + 0.5 * range.high, range) +
                                "; a line that is not a point starts with `# `");
     }
-    if (!is_coordinate(value, file.range)) fail_in_point_file(file, line, word, allowed_coordinate(value, file.range));
-    coordinates.push_back(to_unit(value, file.range));
+    if (!is_coordinate(value, range)) fail_in_point_file(file, line, word, allowed_coordinate(value, range));
+    coordinates.push_back(to_unit(value, range));
 }
 
-void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value)
+void fail_coordinate_at_byte(const PointFileContent& file, std::size_t axis, std::size_t offset, double value)
 {
     throw InputError::at({file.name},
-                         fmt::format("byte {}: {}: {}", offset, value, allowed_coordinate(value, file.range)));
+                         fmt::format("byte {}: {}: {}", offset, value, allowed_coordinate(value, file.domain[axis])));
 }
 
 void fail_in_point_file(const PointFileContent& file, int line, std::string_view value, std::string_view allowed)

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_domain.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,24 +15,9 @@
 
 namespace poissonlab {
 
-/// A square or cubic domain: the same half-open range [low, high) of coordinates along every axis.
-struct CoordinateRange
-{
-    double low = 0;
-    double high = 1;
-};
-
-/// All numbers, which stay as they are: of points in units of their own.
-inline constexpr CoordinateRange any_coordinates{-std::numeric_limits<double>::infinity(),
-                                                 std::numeric_limits<double>::infinity()};
-
-/// The range that `LOW:HIGH` says, or `HIGH` for 0:HIGH, such as "512" or "-1:1". Nothing for any other text, and where
-/// LOW is not below HIGH.
-std::optional<CoordinateRange> parse_range(std::string_view text);
-
-/// Reads the point sets of a file, one a realization. Coordinates are in `range`; when that is not given, in the range
-/// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped
-/// to [0, 1), but for any_coordinates, which stay as they are.
+/// Reads the point sets of a file, one a realization. Coordinates are in `domain`; when that is not given, in that
+/// which the file declares by a comment `domain LOW:HIGH` before its points, or `domain LOW:HIGH LOW:HIGH` with a range
+/// for each axis, or else in [0, 1). They are mapped to [0, 1), but for any_coordinates, which stay as they are.
 ///
 /// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
 /// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
@@ -47,9 +32,13 @@ std::optional<CoordinateRange> parse_range(std::string_view text);
 /// point loses it where it is 0.
 ///
 /// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
-/// number in its range, lines of unequal length, truncated files.
-std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {},
+/// number in its range, lines of unequal length, truncated files, a domain with sides that differ: that is no square.
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<PointDomain> domain = {},
                                   const std::function<void(const std::string& sentence)>& told = {});
+
+/// Reads them for whoever measures points in rectangles and boxes, too: `domain` becomes that of the file.
+std::vector<PointSet> read_points_in_box(const std::filesystem::path& path, std::optional<PointDomain>& domain,
+                                         const std::function<void(const std::string& sentence)>& told = {});
 
 /// Reads points that the program itself has written: all of their coordinates, and else as above.
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});

@@ -19,7 +19,7 @@ struct PointFileContent
 {
     std::string name;
     std::string_view bytes;
-    CoordinateRange range = {};
+    PointDomain domain = {};
 };
 
 /// Takes the unit coordinates of a set that is read in pieces, each of whole points, and the place in the file up to
@@ -56,8 +56,8 @@ std::string npy_header(std::uint64_t points, int dimension);
 inline constexpr std::string_view hdf5_magic = "\x89HDF\r\n\x1a\n";
 inline constexpr std::string_view utk_magic = "UTK!", swapped_utk_magic = "!KTU"; ///< 0x214B5455 of either byte order
 
-/// The range that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
-CoordinateRange declared_range(const PointFileContent& file);
+/// The domain that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
+PointDomain declared_domain(const PointFileContent& file);
 
 /// The first line of comma-separated values in 2D and 3D.
 inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";
@@ -76,11 +76,13 @@ inline double to_unit(double value, const CoordinateRange& range)
     return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
 }
 
-/// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
-void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates);
+/// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate along the axis.
+void append_coordinate(const PointFileContent& file, int line, std::size_t axis, std::string_view word,
+                       std::vector<double>& coordinates);
 
 /// Throws InputError for a coordinate of a binary file.
-[[noreturn]] void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value);
+[[noreturn]] void fail_coordinate_at_byte(const PointFileContent& file, std::size_t axis, std::size_t offset,
+                                          double value);
 
 /// Throws InputError `file:line: value: allowed`; line 0 is left out.
 [[noreturn]] void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,

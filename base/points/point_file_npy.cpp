@@ -131,14 +131,15 @@ void check_size(const PointFileContent& file, const NpyLayout& layout)
     }
 }
 
-double value_at(const PointFileContent& file, const NpyLayout& layout, std::size_t index)
+/// A coordinate of the unit torus, along the axis.
+double unit_coordinate_at(const PointFileContent& file, const NpyLayout& layout, std::size_t axis, std::size_t index)
 {
     const std::size_t offset = layout.data_offset + index * layout.value_bytes;
     const std::string_view bytes = file.bytes.substr(offset);
     const double value =
         layout.value_bytes == 8 ? load<double>(bytes, layout.byte_order) : load<float>(bytes, layout.byte_order);
-    if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
-    return value;
+    if (!is_coordinate(value, file.domain[axis])) fail_coordinate_at_byte(file, axis, offset, value);
+    return to_unit(value, file.domain[axis]);
 }
 
 }
@@ -177,7 +178,7 @@ void stream_npy_points(const PointFileContent& file, const PieceSink& sink)
         piece.clear();
         for (; n < end; ++n)
             for (std::size_t axis = 0; axis < layout.dimension; ++axis)
-                piece.push_back(to_unit(value_at(file, layout, layout.index(0, n, axis)), file.range));
+                piece.push_back(unit_coordinate_at(file, layout, axis, layout.index(0, n, axis)));
         const std::size_t done =
             layout.fortran_order ? 0 : layout.data_offset + n * layout.dimension * layout.value_bytes;
         sink(static_cast<int>(layout.dimension), piece, file.bytes.data() + done);
@@ -193,8 +194,7 @@ std::vector<PointSet> read_npy_points(const PointFileContent& file)
         sets[k].coordinates.reserve(layout.points * layout.dimension);
         for (std::size_t n = 0; n < layout.points; ++n) {
             for (std::size_t axis = 0; axis < layout.dimension; ++axis) {
-                const double value = value_at(file, layout, layout.index(k, n, axis));
-                sets[k].coordinates.push_back(to_unit(value, file.range));
+                sets[k].coordinates.push_back(unit_coordinate_at(file, layout, axis, layout.index(k, n, axis)));
             }
         }
     }

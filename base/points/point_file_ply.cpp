@@ -91,8 +91,8 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
             fail_in_point_file(file, lines.number(), fmt::format("{} numbers", row.size()),
                                fmt::format("must be {}, as the header says", width));
         }
-        for (const std::size_t column : vertices.columns) {
-            append_coordinate(file, lines.number(), row[column], coordinates);
+        for (std::size_t axis = 0; axis < vertices.columns.size(); ++axis) {
+            append_coordinate(file, lines.number(), axis, row[vertices.columns[axis]], coordinates);
         }
     }
 
@@ -127,14 +127,14 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
     std::vector<double> coordinates;
     coordinates.reserve(vertices.table->count * vertices.columns.size());
     for (std::size_t i = 0; i < vertices.table->count; ++i) {
-        for (const std::size_t column : vertices.columns) {
-            const PlyProperty& property = vertices.table->properties[column];
+        for (std::size_t axis = 0; axis < vertices.columns.size(); ++axis) {
+            const PlyProperty& property = vertices.table->properties[vertices.columns[axis]];
             const std::string_view bytes = body.substr(i * row_bytes + property.offset);
             const double value = load_ply_value(bytes, property.type, header.byte_order);
-            if (!is_coordinate(value, file.range)) {
-                fail_coordinate_at_byte(file, file.bytes.size() - bytes.size(), value);
+            if (!is_coordinate(value, file.domain[axis])) {
+                fail_coordinate_at_byte(file, axis, file.bytes.size() - bytes.size(), value);
             }
-            coordinates.push_back(to_unit(value, file.range));
+            coordinates.push_back(to_unit(value, file.domain[axis]));
         }
     }
 

@@ -61,8 +61,8 @@ private:
     [[noreturn]] void fail_without_points() const
     {
         fail_in_point_file(file_, 0, "no points",
-                           fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})", file_.range.low,
-                                       file_.range.high));
+                           fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})",
+                                       file_.domain[0].low, file_.domain[0].high));
     }
 
     void add_point(std::string_view text, int line)
@@ -75,7 +75,8 @@ private:
         if (has_ended_) fail_in_point_file(file_, line, text, "a file that is read in pieces has one set");
         check_commas(text, line);
         const std::size_t before = current_.size();
-        for (WordReader words(text); words.next();) append_coordinate(file_, line, words.word(), current_);
+        for (WordReader words(text); words.next();)
+            append_coordinate(file_, line, current_.size() - before, words.word(), current_);
         const auto count = static_cast<int>(current_.size() - before);
 
         if (count != 2 && count != 3) {

@@ -95,8 +95,9 @@ std::vector<PointSet> read_utk_points(const PointFileContent& file)
         set.coordinates.reserve(layout.points * layout.dimension);
         for (std::size_t i = 0; i < layout.points * layout.dimension; ++i, offset += layout.value_bytes()) {
             const double value = number_of(file.bytes.substr(offset), layout);
-            if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
-            set.coordinates.push_back(to_unit(value, file.range));
+            const std::size_t axis = i % layout.dimension;
+            if (!is_coordinate(value, file.domain[axis])) fail_coordinate_at_byte(file, axis, offset, value);
+            set.coordinates.push_back(to_unit(value, file.domain[axis]));
         }
     }
     return sets;

@@ -102,7 +102,10 @@ PointStrips read_into_strips(const std::filesystem::path& path, std::optional<Co
         MappedFile mapped(path);
         const bool is_npy = begin.starts_with(npy_magic);
         PointFileContent file{path.string(), mapped.bytes()};
-        file.range = range ? *range : is_npy ? CoordinateRange{} : declared_range(file);
+        file.domain = range ? *range : is_npy ? PointDomain{} : declared_domain(file);
+        if (file.domain.dimension() > 0)
+            throw InputError::at({path.string()}, "declares a range for each axis; points that are read in pieces have "
+                                                  "one for all axes");
         const auto sink = [&](int dimension, std::span<const double> piece, const char* done) {
             take(dimension, piece);
             mapped.release_before(done);

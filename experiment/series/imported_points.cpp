@@ -180,10 +180,12 @@ Experiment import_large(const std::vector<std::filesystem::path>& files, const s
     return experiment;
 }
 
-/// Must, or should, the files be read in pieces?
-bool is_large(const std::vector<std::filesystem::path>& files, const LargeImports& large)
+/// Must, or should, the files be read in pieces? Not where each axis has a range of its own.
+bool is_large(const std::vector<std::filesystem::path>& files, const std::optional<PointDomain>& domain,
+              const LargeImports& large)
 {
     if (large.beside.empty()) return false;
+    if (domain && domain->dimension() > 0) return false;
     for (const auto& file : files)
         if (!can_be_streamed(file)) {
             if (!large.all) return false;
@@ -198,19 +200,27 @@ bool is_large(const std::vector<std::filesystem::path>& files, const LargeImport
 }
 
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                         std::optional<CoordinateRange> domain, const LargeImports& large)
+                         const std::optional<PointDomain>& domain, const LargeImports& large)
 {
     for (const auto& file : files)
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
     const std::string name = label.empty() ? files.front().stem().string() : label;
-    if (is_large(files, large)) return import_large(files, name, domain, large.beside);
+    if (is_large(files, domain, large))
+        return import_large(files, name, domain ? std::optional((*domain)[0]) : std::nullopt, large.beside);
+    std::vector<double> sides;
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
     std::vector<std::string> paths, notes;
     for (const auto& file : files) {
+        std::optional<PointDomain> of_file = domain;
         std::vector<PointSet> read =
-            read_points(file, domain, [&](const std::string& sentence) { notes.push_back(sentence); });
+            read_points_in_box(file, of_file, [&](const std::string& sentence) { notes.push_back(sentence); });
+        const std::vector<double> own = of_file ? of_file->sides() : std::vector<double>{};
+        if (sets->empty()) sides = own;
+        if (periodic_box(own) != periodic_box(sides))
+            throw InputError(
+                fmt::format("{}: its domain has another shape than that of {}", file.string(), paths.front()));
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));
@@ -222,6 +232,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     }
     Experiment experiment = experiment_of(sets, name, paths);
     experiment.notes = notes;
+    if (!periodic_box(sides).is_unit()) experiment.analysis.box_sides = sides;
     return experiment;
 }
 
@@ -232,6 +243,7 @@ void check_imported(const Experiment& experiment)
         throw InputError(fmt::format("analysis.{} = {}: sets that are read in pieces have none", key, value));
     };
     if (experiment.analysis.zone_plate) fail("zone_plate", "true");
+    if (!experiment.analysis.box_sides.empty()) fail("box", "[..]");
     if (experiment.analysis.spectrum == PeriodogramMethod::exact) fail("spectrum", "\"exact\"");
 }
 

@@ -27,11 +27,12 @@ inline constexpr std::uint64_t most_points_in_memory = std::uint64_t{1} << 24;
 
 /// Reads every file, one or more realizations each, in the order given. All sets must have the same number of
 /// points. `label` is for the report; empty: the first file's stem. `domain`: see read_points(). Where one of the files
-/// is large and can be read in pieces (see point_stream.hpp), all are, one realization each.
+/// is large and can be read in pieces (see point_stream.hpp), all are, one realization each. A domain with sides that
+/// differ, given or declared by the files, becomes the box of the experiment's analysis.
 /// Throws InputError that names the file: unreadable, of another size than the first, not 2D; and where the disk has no
 /// room for what must be kept there.
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                         std::optional<CoordinateRange> domain = {}, const LargeImports& large = {});
+                         const std::optional<PointDomain>& domain = {}, const LargeImports& large = {});
 
 /// Throws InputError where the options ask for what sets that are read in pieces do not have: zone plates, exact
 /// spectra.

@@ -1,4 +1,5 @@
 // Point files for Python: those that `poissonlab analyze` reads and the program writes.
+#include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
@@ -16,16 +17,28 @@ namespace py = pybind11;
 namespace poissonlab {
 namespace {
 
-using Range = std::optional<std::array<double, 2>>;
+/// One range for all axes, or one for each.
+using Ranges = std::optional<std::vector<std::array<double, 2>>>;
 
-std::vector<py::array_t<double>> read_sets(const std::filesystem::path& file, const Range& domain)
+std::optional<PointDomain> domain_of(const Ranges& given)
 {
-    std::optional<CoordinateRange> range;
-    if (domain) range = CoordinateRange{(*domain)[0], (*domain)[1]};
+    if (!given) return {};
+    std::vector<CoordinateRange> ranges;
+    for (const auto& [low, high] : *given) ranges.push_back({low, high});
+    if (ranges.size() == 1) return PointDomain(ranges.front());
+    if (ranges.size() == 2 || ranges.size() == 3) return PointDomain(ranges);
+    throw InputError("domain: must be (low, high), or such a range for each axis");
+}
+
+std::vector<py::array_t<double>> read_sets(const std::filesystem::path& file, const Ranges& given)
+{
+    std::optional<PointDomain> domain = domain_of(given);
+    const bool is_given = domain.has_value();
     std::vector<py::array_t<double>> arrays;
     std::string warning;
+    const auto told = [&](const std::string& sentence) { warning = sentence; };
     std::vector<PointSet> sets = without_lock(
-        [&] { return read_points(file, range, [&](const std::string& sentence) { warning = sentence; }); });
+        [&] { return is_given ? read_points_in_box(file, domain, told) : read_points(file, domain, told); });
     if (!warning.empty()) py::module_::import("warnings").attr("warn")(warning, py::arg("stacklevel") = 2);
     for (PointSet& set : sets) arrays.push_back(array_of(std::move(set)));
     return arrays;
