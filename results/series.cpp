@@ -6,6 +6,16 @@
 
 namespace poissonlab {
 
+double BoxResult::unit_length() const { return root_of_volume(sides); }
+
+PeriodicBox BoxResult::box() const { return periodic_box(sides); }
+
+double spectrum_reach(const Series& series)
+{
+    const double half = series.spectrum_size / 2;
+    return series.box ? half / series.box->box().longest() : half;
+}
+
 bool Series::is_repeated(std::size_t realization) const { return std::ranges::binary_search(repeated, realization); }
 
 void Series::set_sizes(const std::vector<std::size_t>& sizes)

@@ -8,6 +8,7 @@
 #include "analysis/measures/low_frequency_power.hpp"
 #include "analysis/measures/peak_anisotropy.hpp"
 #include "analysis/measures/voronoi_diagram.hpp"
+#include "base/geometry/periodic_box.hpp"
 #include "results/border.hpp"
 #include "results/iteration_records.hpp"
 #include "results/method_grid.hpp"
@@ -44,6 +45,17 @@ struct FoldedDensityFile
     std::string file; ///< relative to the run's folder
 
     bool operator==(const FoldedDensityFile&) const = default;
+};
+
+/// The periodic box of sets that lie in no square (cube). Lengths of results are in roots of its area (volume).
+struct BoxResult
+{
+    std::vector<double> sides; ///< two or three, as they were given
+
+    double unit_length() const; ///< of the results' lengths, in the unit of the sides
+    PeriodicBox box() const;
+
+    bool operator==(const BoxResult&) const = default;
 };
 
 /// The region of the plane that sets lie in.
@@ -122,6 +134,7 @@ struct Series
     std::string pair_correlation_file;               ///< empty: sets of one point
     std::string number_variance_file;                ///< empty: sets of a few points
     std::optional<FoldedDensityFile> folded_density; ///< of tilings of the plane
+    std::optional<BoxResult> box;                    ///< of sets on the torus of a rectangle or a box
     std::optional<RegionResult> region;              ///< of sets in a region, not on the torus
     std::optional<Iterations> iterations;
     std::optional<ZonePlateResult> zone_plate;
@@ -146,6 +159,9 @@ struct Series
     /// Sets the numbers of realizations and points.
     void set_sizes(const std::vector<std::size_t>& sizes);
 };
+
+/// The frequency up to which a series' spectrum has all directions, in cycles per unit length.
+double spectrum_reach(const Series& series);
 
 /// These list the members of series and measures in results.json, see json_members.hpp.
 void members(JsonMembers& m, const Series& series);

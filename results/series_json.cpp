@@ -59,6 +59,16 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     if (m.is_there("picture_file", !region.picture_file.empty())) m.file_name("picture_file", region.picture_file);
 }
 
+void members(JsonMembers& m, Stored<BoxResult> auto& box)
+{
+    m.member("sides", box.sides);
+    m.check([&](const StoredObject& object) {
+        const bool are_positive = std::ranges::all_of(box.sides, [](double side) { return side > 0; });
+        if (!are_positive || box.sides.size() < 2 || box.sides.size() > 3)
+            throw object.error("sides", "must be two or three numbers above 0");
+    });
+}
+
 void members(JsonMembers& m, Stored<BorderResult> auto& border)
 {
     m.member("pairs_across", border.pairs_across);
@@ -201,6 +211,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.group_if(!series.number_variance_file.empty(), "number_variance",
                [&](JsonMembers& variance) { variance.file_name("file", series.number_variance_file); });
     m.object("folded_density", series.folded_density);
+    m.object("box", series.box);
     m.object("region", series.region);
     if (series.iterations && series.iterations->realizations.empty())
         m.json("iterations", null); // without finite means

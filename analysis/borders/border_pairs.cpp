@@ -14,12 +14,13 @@ namespace {
 constexpr double beyond_rounding = 0.98;
 
 /// Appends the points that are nearer to the border than `reach`.
-void append_near_border(const PointSet& points, double reach, PointSet& near)
+void append_near_border(const PointSet& points, double reach, const PeriodicBox& box, PointSet& near)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto x = points[i];
-        if (std::ranges::any_of(x, [&](double c) { return c < reach || 1 - c < reach; }))
-            near.coordinates.insert(near.coordinates.end(), x.begin(), x.end());
+        bool is_near = false;
+        for (std::size_t k = 0; k < x.size(); ++k) is_near = is_near || std::min(x[k], 1 - x[k]) * box.sides[k] < reach;
+        if (is_near) near.coordinates.insert(near.coordinates.end(), x.begin(), x.end());
     }
 }
 
@@ -27,9 +28,10 @@ void append_near_border(const PointSet& points, double reach, PointSet& near)
 class SparseGrid
 {
 public:
-    SparseGrid(const PointSet& points, double reach)
-        : points_(points), cells_(static_cast<std::int64_t>(std::clamp(std::floor(1 / reach), 1.0, 0x1p20)))
+    SparseGrid(const PointSet& points, double reach, const PeriodicBox& box) : points_(points)
     {
+        for (std::size_t k = 0; k < cells_.size(); ++k)
+            cells_[k] = static_cast<std::int64_t>(std::clamp(std::floor(box.sides[k] / reach), 1.0, 0x1p20));
         for (std::size_t i = 0; i < points.size(); ++i) in_cell_[key_of(cell_of(i))].push_back(i);
     }
 
@@ -42,8 +44,10 @@ public:
         std::vector<std::uint64_t> keys;
         for (int step = 0; step < (dimension == 2 ? 9 : 27); ++step) {
             Cell near{};
-            for (int k = 0, rest = step; k < dimension; ++k, rest /= 3)
-                near[static_cast<std::size_t>(k)] = (own[static_cast<std::size_t>(k)] + rest % 3 - 1 + cells_) % cells_;
+            for (int k = 0, rest = step; k < dimension; ++k, rest /= 3) {
+                const auto axis = static_cast<std::size_t>(k);
+                near[axis] = (own[axis] + rest % 3 - 1 + cells_[axis]) % cells_[axis];
+            }
             keys.push_back(key_of(near));
         }
         std::ranges::sort(keys); // on grids of one or two cells, several steps lead to the same one
@@ -60,33 +64,34 @@ private:
     {
         Cell cell{};
         for (std::size_t k = 0; k < points_[i].size(); ++k)
-            cell[k] = std::min(static_cast<std::int64_t>(points_[i][k] * static_cast<double>(cells_)), cells_ - 1);
+            cell[k] =
+                std::min(static_cast<std::int64_t>(points_[i][k] * static_cast<double>(cells_[k])), cells_[k] - 1);
         return cell;
     }
 
     std::uint64_t key_of(const Cell& cell) const
     {
-        return static_cast<std::uint64_t>((cell[2] * cells_ + cell[1]) * cells_ + cell[0]);
+        return static_cast<std::uint64_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0]);
     }
 
     const PointSet& points_;
-    std::int64_t cells_;
+    Cell cells_{};
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> in_cell_;
 };
 
-double squared_on_torus(const PointSet& points, std::size_t i, std::size_t j)
+double squared_on_torus(const PointSet& points, const PeriodicBox& box, std::size_t i, std::size_t j)
 {
     double sum = 0;
     for (std::size_t k = 0; k < points[i].size(); ++k) {
         const double difference = std::abs(points[i][k] - points[j][k]);
-        const double shortest = std::min(difference, 1 - difference);
+        const double shortest = box.sides[k] * std::min(difference, 1 - difference);
         sum += shortest * shortest;
     }
     return sum;
 }
 
 /// Counts pairs closer than `reach`, the closest first; a point takes part in its first pair alone.
-std::size_t separate_pairs(const PointSet& points, double reach)
+std::size_t separate_pairs(const PointSet& points, double reach, const PeriodicBox& box)
 {
     struct Pair
     {
@@ -96,11 +101,11 @@ std::size_t separate_pairs(const PointSet& points, double reach)
         auto operator<=>(const Pair&) const = default;
     };
     std::vector<Pair> pairs;
-    const SparseGrid grid(points, reach);
+    const SparseGrid grid(points, reach, box);
     for (std::size_t i = 0; i < points.size(); ++i)
         grid.for_each_around(i, [&](std::size_t j) {
             if (j <= i) return;
-            if (const double squared = squared_on_torus(points, i, j); squared < reach * reach)
+            if (const double squared = squared_on_torus(points, box, i, j); squared < reach * reach)
                 pairs.push_back({squared, i, j});
         });
     std::ranges::sort(pairs);
@@ -116,13 +121,13 @@ std::size_t separate_pairs(const PointSet& points, double reach)
 
 }
 
-std::size_t closer_pairs_across(const PointSet& points, double least_in_window)
+std::size_t closer_pairs_across(const PointSet& points, double least_in_window, const PeriodicBox& box)
 {
     if (!(least_in_window > 0) || !std::isfinite(least_in_window)) return 0;
     const double reach = beyond_rounding * least_in_window;
     PointSet near{points.dimension, {}};
-    append_near_border(points, reach, near);
-    return separate_pairs(near, reach);
+    append_near_border(points, reach, box, near);
+    return separate_pairs(near, reach, box);
 }
 
 std::size_t closer_pairs_across(const PointStrips& points, double least_in_window)
@@ -130,14 +135,16 @@ std::size_t closer_pairs_across(const PointStrips& points, double least_in_windo
     if (!(least_in_window > 0) || !std::isfinite(least_in_window)) return 0;
     const double reach = beyond_rounding * least_in_window;
     PointSet near{points.dimension(), {}};
-    for (std::size_t strip = 0; strip < points.count(); ++strip) append_near_border(points.strip(strip), reach, near);
-    return separate_pairs(near, reach);
+    for (std::size_t strip = 0; strip < points.count(); ++strip)
+        append_near_border(points.strip(strip), reach, {}, near);
+    return separate_pairs(near, reach, {});
 }
 
-double chance_of_pairs_across(std::uint64_t pairs, std::size_t sets, std::size_t points, int dimension, int tiles)
+double chance_of_pairs_across(std::uint64_t pairs, std::size_t sets, std::size_t points, int dimension, int tiles,
+                              const PeriodicBox& box)
 {
     if (pairs == 0 || sets == 0) return 1;
-    double across = dimension * std::pow(static_cast<double>(points), -1.0 / dimension);
+    double across = dimension * std::pow(static_cast<double>(points), -1.0 / dimension) / box.shortest();
     if (tiles > 0) across = std::max(across, static_cast<double>(dimension) / tiles);
     if (across >= 1) return 1;
     // `pairs` or more before the first `sets` pairs inside: so many of the first pairs + sets - 1 are across, at least.

@@ -7,11 +7,14 @@
 // their cells (jittered grids). A set of the plane that is treated as periodic, such as scipy's Poisson disks, keeps
 // its distance inside but not across the border: all of its closest pairs are there.
 //
+// In a box a pair is across the border more often by the inverse of the shortest side, at most.
+//
 // The test: the pairs that are closer than the closest pair inside are all across the border. Were the set periodic,
 // each of the closest pairs would be so with that probability, and the number of those that come before the first pair
 // inside would have a geometric distribution.
 #pragma once
 
+#include "base/geometry/periodic_box.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_strips.hpp"
 
@@ -22,12 +25,13 @@ namespace poissonlab {
 
 /// The number of pairs, no point in two of them, that are closer than the closest pair of the window, distance
 /// `least_in_window`, by more than what rounding in files may do, two per cent: all of them are across the border.
-std::size_t closer_pairs_across(const PointSet& points, double least_in_window);
+std::size_t closer_pairs_across(const PointSet& points, double least_in_window, const PeriodicBox& box = {});
 std::size_t closer_pairs_across(const PointStrips& points, double least_in_window);
 
 /// The probability that so many pairs or more come before the first ones inside, of `sets` periodic sets together of N
 /// points each. `tiles` along an axis that sets are made of, whose borders are the set's more often; 0: none.
-double chance_of_pairs_across(std::uint64_t pairs, std::size_t sets, std::size_t points, int dimension, int tiles = 0);
+double chance_of_pairs_across(std::uint64_t pairs, std::size_t sets, std::size_t points, int dimension, int tiles = 0,
+                              const PeriodicBox& box = {});
 
 /// Less than this is said to be no chance: a false alarm in 100,000 series.
 inline constexpr double least_chance_across = 1e-5;

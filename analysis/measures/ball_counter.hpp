@@ -64,12 +64,25 @@ private:
     std::vector<std::size_t> first_; ///< of each leading bits from there on, the smallest ball that may hold the point
 };
 
-/// Points in the cells of a grid. Radii are at most a quarter: balls meet no cell twice.
+/// Points in the cells of a grid, in lengths of their box. Radii are at most a quarter of its shortest side: balls meet
+/// no cell twice.
 template <int D>
 class BallCounter
 {
 public:
-    explicit BallCounter(const PointSet& points) : grid_(points, CellGrid<D>::cells_of(points.size())) {}
+    explicit BallCounter(const PointSet& points, const PeriodicBox& box = {})
+        : grid_(points, CellGrid<D>::cells_of(points.size())), sides_(box.sides)
+    {
+        grid_.stretch(box);
+        for (std::size_t k = 0; k < D; ++k) cells_[k] = grid_.cells / sides_[k];
+    }
+
+    /// A place of the unit torus in the box.
+    std::array<double, D> stretched(std::array<double, D> place) const
+    {
+        for (std::size_t k = 0; k < D; ++k) place[k] *= sides_[k];
+        return place;
+    }
 
     /// The points of a ball. It takes the time of its surface: cells inside of it are counted at once.
     std::int64_t count(const std::array<double, D>& centre, double radius) const
@@ -113,9 +126,8 @@ private:
     void for_each_row(const std::array<double, D>& centre, double radius, const Visit& visit) const
     {
         Ball ball{centre, radius * radius, {}};
-        const int m = grid_.cells;
-        const auto low = [&](int k) { return static_cast<int>(std::floor((centre[k] - radius) * m)); };
-        const auto high = [&](int k) { return static_cast<int>(std::floor((centre[k] + radius) * m)); };
+        const auto low = [&](int k) { return static_cast<int>(std::floor((centre[k] - radius) * cells_[k])); };
+        const auto high = [&](int k) { return static_cast<int>(std::floor((centre[k] + radius) * cells_[k])); };
         if constexpr (D == 2) {
             for (int y = low(1); y <= high(1); ++y) visit_row(ball, {0, y}, visit);
         } else {
@@ -131,8 +143,8 @@ private:
         double nearest = 0, farthest = 0; // squared distances of the row's points across it
         std::size_t line = 0;
         for (int k = D - 1; k > 0; --k) {
-            const double below = static_cast<double>(place[k]) / m - ball.centre[k];
-            const double above = static_cast<double>(place[k] + 1) / m - ball.centre[k];
+            const double below = static_cast<double>(place[k]) / cells_[k] - ball.centre[k];
+            const double above = static_cast<double>(place[k] + 1) / cells_[k] - ball.centre[k];
             const double near = std::max({0.0, below, -above}), far = std::max(-below, above);
             nearest += near * near, farthest += far * far;
             ball.turns[k] = turns_of(place[k]);
@@ -140,8 +152,8 @@ private:
         }
         if (nearest >= ball.squared_radius || is_empty(line)) return;
         const double outer = std::sqrt(ball.squared_radius - nearest);
-        const int begin = static_cast<int>(std::floor((ball.centre[0] - outer) * m));
-        const int end = static_cast<int>(std::floor((ball.centre[0] + outer) * m)) + 1;
+        const int begin = static_cast<int>(std::floor((ball.centre[0] - outer) * cells_[0]));
+        const int end = static_cast<int>(std::floor((ball.centre[0] + outer) * cells_[0])) + 1;
         visit(ball, Row{line, begin, end, farthest});
     }
 
@@ -150,8 +162,8 @@ private:
         int inner_begin = row.end, inner_end = row.end; // cells inside of the ball
         if (row.farthest < ball.squared_radius) {
             const double inner = std::sqrt(ball.squared_radius - row.farthest);
-            inner_begin = std::min(row.end, static_cast<int>(std::ceil((ball.centre[0] - inner) * grid_.cells)));
-            inner_end = std::max(inner_begin, static_cast<int>(std::floor((ball.centre[0] + inner) * grid_.cells)));
+            inner_begin = std::min(row.end, static_cast<int>(std::ceil((ball.centre[0] - inner) * cells_[0])));
+            inner_end = std::max(inner_begin, static_cast<int>(std::floor((ball.centre[0] + inner) * cells_[0])));
         }
         std::int64_t points = 0;
         const auto add_all = [&](std::size_t from, std::size_t to) { points += static_cast<std::int64_t>(to - from); };
@@ -190,13 +202,15 @@ private:
     {
         double squared = 0;
         for (int k = 0; k < D; ++k) {
-            const double along = grid_.position[k][point] + ball.turns[k] - ball.centre[k];
+            const double along = grid_.position[k][point] + ball.turns[k] * sides_[k] - ball.centre[k];
             squared += along * along;
         }
         return squared;
     }
 
     CellGrid<D> grid_;
+    std::array<double, 3> sides_;   ///< of the torus
+    std::array<double, D> cells_{}; ///< in a unit length along each axis
 };
 
 }

@@ -1,6 +1,7 @@
 // Points sorted by the cells of a grid on the unit torus.
 #pragma once
 
+#include "base/geometry/periodic_box.hpp"
 #include "base/geometry/point_set.hpp"
 
 #include <algorithm>
@@ -30,6 +31,14 @@ struct CellGrid
     }
 
     std::size_t count() const { return starts.size() - 1; }
+
+    /// Positions become those in a box, in its lengths: cells are as many times longer as its sides.
+    void stretch(const PeriodicBox& box)
+    {
+        if (box.is_unit()) return;
+        for (std::size_t k = 0; k < D; ++k)
+            for (double& along : position[k]) along *= box.sides[k];
+    }
 
 private:
     std::size_t cell_of(std::span<const double> x) const

@@ -36,19 +36,35 @@ constexpr double slack = 1.0 + 0x1p-10;
 template <int D>
 class HashedGrid
 {
+    using Cell = std::array<std::uint64_t, D>;
+
 public:
-    explicit HashedGrid(std::size_t capacity) : heads_(std::bit_ceil(2 * capacity), none), next_(capacity) {}
+    HashedGrid(std::size_t capacity, const PeriodicBox& box)
+        : sides_(box.sides), heads_(std::bit_ceil(2 * capacity), none), next_(capacity)
+    {}
 
     /// Empties the grid; from now on all pairs within `reach` lie in cells that touch.
     void reset(double reach)
     {
         std::fill(heads_.begin(), heads_.end(), none);
-        const double cells = reach > 0.0 ? 1.0 / (reach * slack) : max_cells;
-        cells_ = static_cast<std::uint64_t>(std::clamp(cells, 1.0, max_cells));
+        for (int k = 0; k < D; ++k) {
+            const double cells = reach > 0.0 ? sides_[k] / (reach * slack) : max_cells;
+            cells_[k] = static_cast<std::uint64_t>(std::clamp(cells, 1.0, max_cells));
+        }
     }
 
-    double cell_width() const { return 1.0 / static_cast<double>(cells_); }
-    bool at_finest() const { return static_cast<double>(cells_) == max_cells; }
+    /// The longest side of a cell.
+    double cell_width() const
+    {
+        double width = 0;
+        for (int k = 0; k < D; ++k) width = std::max(width, sides_[k] / static_cast<double>(cells_[k]));
+        return width;
+    }
+
+    bool at_finest() const
+    {
+        return std::ranges::all_of(cells_, [](std::uint64_t cells) { return static_cast<double>(cells) == max_cells; });
+    }
 
     void insert(std::uint32_t i, std::span<const double> x)
     {
@@ -64,29 +80,28 @@ public:
         const Cell cell = cell_of(x);
         for (int offset = 0; offset < (D == 2 ? 9 : 27); ++offset) {
             Cell near;
-            for (int k = 0, rest = offset; k < D; ++k, rest /= 3) near[k] = wrapped(cell[k], rest % 3);
+            for (int k = 0, rest = offset; k < D; ++k, rest /= 3) near[k] = wrapped(cell[k], rest % 3, cells_[k]);
             for (std::uint32_t j = heads_[slot(near)]; j != none; j = next_[j]) visit(j);
         }
     }
 
 private:
-    using Cell = std::array<std::uint64_t, D>;
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
     Cell cell_of(std::span<const double> x) const
     {
         Cell cell;
         for (int k = 0; k < D; ++k) {
-            cell[k] = std::min(static_cast<std::uint64_t>(x[k] * static_cast<double>(cells_)), cells_ - 1);
+            cell[k] = std::min(static_cast<std::uint64_t>(x[k] * static_cast<double>(cells_[k])), cells_[k] - 1);
         }
         return cell;
     }
 
-    /// Cell c - 1, c or c + 1 around the torus, for step 0, 1, 2.
-    std::uint64_t wrapped(std::uint64_t c, int step) const
+    /// Cell c - 1, c or c + 1 of those around the torus, for step 0, 1, 2.
+    static std::uint64_t wrapped(std::uint64_t c, int step, std::uint64_t cells)
     {
-        if (step == 0) return c == 0 ? cells_ - 1 : c - 1;
-        if (step == 2) return c == cells_ - 1 ? 0 : c + 1;
+        if (step == 0) return c == 0 ? cells - 1 : c - 1;
+        if (step == 2) return c == cells - 1 ? 0 : c + 1;
         return c;
     }
 
@@ -98,7 +113,8 @@ private:
         return (hash ^ (hash >> 32)) & (heads_.size() - 1);
     }
 
-    std::uint64_t cells_ = 1;
+    std::array<double, 3> sides_; ///< of the torus
+    Cell cells_{};                ///< along each axis
     std::vector<std::uint32_t> heads_;
     std::vector<std::uint32_t> next_;
 };
@@ -151,10 +167,31 @@ struct FloatingMetric
     static double distance(double squared) { return std::sqrt(squared); }
 };
 
-template <int D, class Metric>
-double closest_pair(const PointSet& set, const Metric& squared)
+/// Squared distances in a box that is no square.
+template <int D>
+struct BoxMetric
 {
-    HashedGrid<D> grid(set.size());
+    const PointSet& set;
+    PeriodicBox box;
+
+    double operator()(std::size_t i, std::size_t j) const
+    {
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k) {
+            const auto [low, high] = std::minmax(set[i][k], set[j][k]);
+            const double shortest = box.sides[k] * std::min(high - low, (1.0 - high) + low);
+            sum += shortest * shortest;
+        }
+        return sum;
+    }
+
+    static double distance(double squared) { return std::sqrt(squared); }
+};
+
+template <int D, class Metric>
+double closest_pair(const PointSet& set, const Metric& squared, const PeriodicBox& box = {})
+{
+    HashedGrid<D> grid(set.size(), box);
     grid.reset(max_min_distance(set.size(), D));
     auto least = std::numeric_limits<decltype(squared(0, 0))>::max();
     double distance = std::numeric_limits<double>::infinity();
@@ -178,13 +215,13 @@ double closest_pair(const PointSet& set, const Metric& squared)
 /// Cells get twice as wide from round to round, beginning with the smallest distance of all, and a round settles the
 /// points whose nearest one is as near as its cells are wide: no cell of a point that is left holds many.
 template <int D, class Metric>
-double mean_distance(const PointSet& set, const Metric& squared)
+double mean_distance(const PointSet& set, const Metric& squared, const PeriodicBox& box)
 {
-    HashedGrid<D> grid(set.size());
+    HashedGrid<D> grid(set.size(), box);
     std::vector<std::uint32_t> open(set.size());
     std::iota(open.begin(), open.end(), 0u);
     double sum = 0;
-    for (double reach = std::max(closest_pair<D>(set, squared), 0x1p-32); !open.empty(); reach *= 2) {
+    for (double reach = std::max(closest_pair<D>(set, squared, box), 0x1p-32); !open.empty(); reach *= 2) {
         grid.reset(reach);
         for (std::uint32_t j = 0; j < set.size(); ++j) grid.insert(j, set[j]);
         std::erase_if(open, [&](std::uint32_t i) {
@@ -193,7 +230,7 @@ double mean_distance(const PointSet& set, const Metric& squared)
                 if (j != i) least = std::min(least, squared(i, j));
             });
             const double distance = Metric::distance(least);
-            const bool is_settled = distance <= reach || reach > 1;
+            const bool is_settled = distance <= reach || reach > box.longest();
             if (is_settled) sum += distance;
             return is_settled;
         });
@@ -206,7 +243,7 @@ double mean_distance(const PointSet& set, const Metric& squared)
 template <int D, class Metric>
 std::vector<double> nearest_of_first(const PointSet& set, std::size_t own, double reach, const Metric& squared)
 {
-    HashedGrid<D> grid(set.size());
+    HashedGrid<D> grid(set.size(), {});
     std::vector<double> distances(own);
     std::vector<std::uint32_t> open(own);
     std::iota(open.begin(), open.end(), 0u);
@@ -238,15 +275,17 @@ auto with_metric(const PointSet& set, const Measure& measure)
 }
 
 template <int D>
-double min_distance(const PointSet& set)
+double min_distance(const PointSet& set, const PeriodicBox& box)
 {
+    if (!box.is_unit()) return closest_pair<D>(set, BoxMetric<D>{set, box}, box);
     return with_metric<D>(set, [&](const auto& metric) { return closest_pair<D>(set, metric); });
 }
 
 template <int D>
-double mean_nearest(const PointSet& set)
+double mean_nearest(const PointSet& set, const PeriodicBox& box)
 {
-    return with_metric<D>(set, [&](const auto& metric) { return mean_distance<D>(set, metric); });
+    if (!box.is_unit()) return mean_distance<D>(set, BoxMetric<D>{set, box}, box);
+    return with_metric<D>(set, [&](const auto& metric) { return mean_distance<D>(set, metric, box); });
 }
 
 /// Distances of the points of a strip to their nearest ones, as soon as enough is known of what is around it.
@@ -290,20 +329,26 @@ NearestDistances nearest_distances(const PointStrips& points, bool is_window)
     return result;
 }
 
-double min_toroidal_distance(const PointSet& points)
+double min_toroidal_distance(const PointSet& points, const PeriodicBox& box)
 {
     if (points.size() < 2) return std::numeric_limits<double>::infinity();
-    return points.dimension == 2 ? min_distance<2>(points) : min_distance<3>(points);
+    return points.dimension == 2 ? min_distance<2>(points, box) : min_distance<3>(points, box);
 }
 
-double mean_nearest_distance(const PointSet& points)
+double mean_nearest_distance(const PointSet& points, const PeriodicBox& box)
 {
     if (points.size() < 2) return std::numeric_limits<double>::infinity();
-    return points.dimension == 2 ? mean_nearest<2>(points) : mean_nearest<3>(points);
+    return points.dimension == 2 ? mean_nearest<2>(points, box) : mean_nearest<3>(points, box);
 }
 
-double min_distance_in_window(const PointSet& points) { return 2 * min_toroidal_distance(halved(points)); }
+double min_distance_in_window(const PointSet& points, const PeriodicBox& box)
+{
+    return 2 * min_toroidal_distance(halved(points), box);
+}
 
-double mean_nearest_distance_in_window(const PointSet& points) { return 2 * mean_nearest_distance(halved(points)); }
+double mean_nearest_distance_in_window(const PointSet& points, const PeriodicBox& box)
+{
+    return 2 * mean_nearest_distance(halved(points), box);
+}
 
 }

@@ -16,25 +16,52 @@ constexpr double part_of_tile_frequency = 0.4;
 constexpr double most_tested_2d = 16, most_tested_3d = 6;
 constexpr std::size_t least_shells = 3;
 constexpr int draws = 9999;
+constexpr double of_one_length = 1e-9; ///< as a share of a frequency
 
-/// Calls visit(f) for one of each two opposite frequencies along x, y and z of at most `reach` each.
+/// Calls visit(f) for one of each two opposite frequencies along x, y and z of at most `reach` along each.
 template <class Visit>
-void for_each_pair(int dimension, int reach, const Visit& visit)
+void for_each_pair(const std::array<int, 3>& reach, const Visit& visit)
 {
-    const int slices = dimension == 3 ? reach : 0;
-    for (int w = 0; w <= slices; ++w)
-        for (int v = w > 0 ? -reach : 0; v <= reach; ++v)
-            for (int u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) visit(std::array{u, v, w});
+    for (int w = 0; w <= reach[2]; ++w)
+        for (int v = w > 0 ? -reach[1] : 0; v <= reach[1]; ++v)
+            for (int u = w > 0 || v > 0 ? -reach[0] : 1; u <= reach[0]; ++u) visit(std::array{u, v, w});
+}
+
+/// The shells of a range in a box: of frequencies whose lengths differ by no more than rounding.
+std::vector<PowerShell> shells_in_box(const auto& spectrum, const FrequencyRange& range)
+{
+    const auto& sides = spectrum.box.sides;
+    const double end = std::min(range.end, (spectrum.size / 2 - 1.0) / spectrum.box.longest());
+    std::array<int, 3> reach{};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(spectrum.dimension); ++k)
+        reach[k] = static_cast<int>(end * sides[k]);
+    std::vector<PowerShell> samples;
+    for_each_pair(reach, [&](const std::array<int, 3>& f) {
+        const double length = std::hypot(f[0] / sides[0], f[1] / sides[1], f[2] / sides[2]);
+        if (length >= range.begin && length <= end) samples.push_back({length, frequency_power(spectrum, f), 1});
+    });
+    std::ranges::stable_sort(samples, {}, &PowerShell::frequency);
+    std::vector<PowerShell> shells;
+    for (const PowerShell& sample : samples) {
+        if (shells.empty() || sample.frequency > shells.back().frequency * (1 + of_one_length))
+            shells.push_back({sample.frequency, 0, 0});
+        shells.back().power += sample.power;
+        ++shells.back().pairs;
+    }
+    for (PowerShell& shell : shells) shell.power /= static_cast<double>(shell.pairs);
+    return shells;
 }
 
 /// The shells of a range in a spectrum, or in a half of one.
 std::vector<PowerShell> shells_in(const auto& spectrum, const FrequencyRange& range)
 {
+    if (!spectrum.box.is_unit()) return shells_in_box(spectrum, range);
     const double end = std::min(range.end, spectrum.size / 2 - 1.0);
     if (end < 1) return {};
     const auto most = static_cast<std::size_t>(end * end);
     std::vector<PowerShell> all(most + 1);
-    for_each_pair(spectrum.dimension, static_cast<int>(end), [&](const std::array<int, 3>& f) {
+    const int reach = static_cast<int>(end);
+    for_each_pair({reach, reach, spectrum.dimension == 3 ? reach : 0}, [&](const std::array<int, 3>& f) {
         const auto squared =
             static_cast<std::size_t>(std::int64_t{f[0]} * f[0] + std::int64_t{f[1]} * f[1] + std::int64_t{f[2]} * f[2]);
         if (squared > most) return;
@@ -248,16 +275,17 @@ std::vector<double> powers_of(const std::vector<PowerShell>& shells)
     return powers;
 }
 
-FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles)
+FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles, const PeriodicBox& box)
 {
     FrequencyRange range = low_frequency_range(points, dimension);
+    if (!box.is_unit()) range.begin = (1 - of_one_length) / box.longest();
     if (tiles > 0) range.end = std::min(range.end, part_of_tile_frequency * tiles);
     return range;
 }
 
-FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int tiles)
+FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int tiles, const PeriodicBox& box)
 {
-    FrequencyRange range = hyperuniform_range(points, dimension, tiles);
+    FrequencyRange range = hyperuniform_range(points, dimension, tiles, box);
     range.end = std::min(range.end / 2, dimension == 3 ? most_tested_3d : most_tested_2d);
     return range;
 }

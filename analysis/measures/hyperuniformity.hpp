@@ -44,7 +44,8 @@ struct PowerShell
     std::size_t pairs = 0; ///< of opposite frequencies, which have the same power: independent samples
 };
 
-/// The shells of all integer frequencies of a range. Those that the spectrum does not hold are left out.
+/// The shells of all frequencies of a range, which are integers on the unit torus. Those that the spectrum does not
+/// hold are left out.
 std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range);
 std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const FrequencyRange& range);
 
@@ -52,12 +53,13 @@ std::vector<PowerShell> power_shells(const HalfSpectrum& periodogram, const Freq
 std::vector<double> powers_of(const std::vector<PowerShell>& shells);
 
 /// The range of the exponent: low_frequency_range(), and of sets of `tiles` tiles along each axis no more than 0.4 of
-/// the frequency at which they repeat. The lattice of the tiles and what they are inside begin above; 0: no tiles.
-FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles);
+/// the frequency at which they repeat. The lattice of the tiles and what they are inside begin above; 0: no tiles. In a
+/// box it begins with the lowest frequency along the longest side.
+FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles, const PeriodicBox& box = {});
 
 /// The range of the test: half of that one, over which curves bend little, and at most 16 (3D: 6) cycles per unit
 /// length, beyond which frequencies of large sets say little of S(0).
-FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int tiles);
+FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int tiles, const PeriodicBox& box = {});
 
 struct HyperuniformityExponent
 {

@@ -30,6 +30,8 @@ std::array<std::uint32_t, 4> words_of(std::size_t i)
     return philox({static_cast<std::uint32_t>(i), 0, 0, 0}, key);
 }
 
+double spacing_of(std::size_t points, int dimension) { return std::pow(static_cast<double>(points), -1.0 / dimension); }
+
 template <int D>
 std::array<double, D> centre_of(const std::array<std::uint32_t, 4>& words, double margin)
 {
@@ -53,7 +55,7 @@ template <int D>
 void add_on_torus(const BallCounter<D>& counter, const BallShells& shells, const std::vector<double>& radii,
                   std::size_t i, BallCounts& counts)
 {
-    const auto centre = centre_of<D>(words_of(i), 0);
+    const auto centre = counter.stretched(centre_of<D>(words_of(i), 0));
     std::array<std::int64_t, number_of_radii> numbers{};
     counter.add_to_shells(centre, shells, numbers);
     std::int64_t points = 0;
@@ -80,15 +82,18 @@ Moments moments_of(const std::vector<std::int64_t>& counts, double expected, boo
 
 }
 
-NumberVarianceEstimate::NumberVarianceEstimate(int dimension, std::size_t points, bool is_window)
-    : dimension_(dimension), is_window_(is_window), centres_(std::min(most_centres, centres_per_point * points))
+NumberVarianceEstimate::NumberVarianceEstimate(int dimension, std::size_t points, bool is_window,
+                                               const PeriodicBox& box)
+    : dimension_(dimension), is_window_(is_window), box_(box),
+      centres_(std::min(most_centres, centres_per_point * points))
 {
     if (dimension != 2 && dimension != 3) throw InputError("number variance: the dimension must be 2 or 3");
-    if (points < least_points(dimension)) return;
-    const double least = least_spacings * std::pow(static_cast<double>(points), -1.0 / dimension);
+    const double largest = largest_radius * box.shortest();
+    if (points < least_points(dimension) || spacing_of(points, dimension) > largest * (1 + 1e-9)) return;
+    const double least = least_spacings * spacing_of(points, dimension);
     for (int i = 0; i < number_of_radii; ++i)
-        radii_.push_back(least * std::pow(largest_radius / least, i / (number_of_radii - 1.0)));
-    radii_.back() = largest_radius;
+        radii_.push_back(least * std::pow(largest / least, i / (number_of_radii - 1.0)));
+    radii_.back() = largest;
 }
 
 /// Adds the points of a set, or of a part of it, to those in the balls.
@@ -101,15 +106,15 @@ void NumberVarianceEstimate::count(const PointSet& points, Counts& counts) const
         });
     };
     counts.resize(radii_.size(), std::vector<std::int64_t>(centres_));
-    if (dimension_ == 2) add(BallCounter<2>(points));
-    if (dimension_ == 3) add(BallCounter<3>(points));
+    if (dimension_ == 2) add(BallCounter<2>(points, box_));
+    if (dimension_ == 3) add(BallCounter<3>(points, box_));
 }
 
 void NumberVarianceEstimate::add_counts(const Counts& counts, std::uint64_t points)
 {
     std::vector<double> means, variances;
     for (std::size_t r = 0; r < radii_.size(); ++r) {
-        const double expected = static_cast<double>(points) * torus_ball_volume(radii_[r], dimension_);
+        const double expected = static_cast<double>(points) * torus_ball_volume(radii_[r], dimension_, box_);
         const Moments moments = moments_of(counts[r], expected, is_window_);
         means.push_back(moments.mean);
         variances.push_back(moments.variance);

@@ -8,6 +8,7 @@
 // which is the exact mean on the torus; in windows, where balls lie inside, from the observed mean.
 #pragma once
 
+#include "base/geometry/periodic_box.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_strips.hpp"
 
@@ -27,7 +28,7 @@ struct NumberVarianceBin
 };
 
 /// Averages the number variance over sets, in the order given. Radii go from half a mean spacing N^(-1/d) to a quarter,
-/// 24 of them in equal ratios.
+/// 24 of them in equal ratios; in a box, to a quarter of its shortest side.
 ///
 /// A ball takes the time of its surface, and small ones on the torus together that of their points: see BallCounter.
 /// Any number of threads gives the same bytes.
@@ -36,7 +37,7 @@ class NumberVarianceEstimate
 public:
     /// Sets of `points` points, which decide the radii; `is_window`: sets are windows, not tori. Throws InputError
     /// unless the dimension is 2 or 3.
-    NumberVarianceEstimate(int dimension, std::size_t points, bool is_window = false);
+    NumberVarianceEstimate(int dimension, std::size_t points, bool is_window = false, const PeriodicBox& box = {});
 
     /// The least number of points for which there are radii: a mean spacing of at most a quarter.
     static std::size_t least_points(int dimension) { return dimension == 2 ? 16 : 64; }
@@ -50,8 +51,8 @@ public:
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here.
     void append(const NumberVarianceEstimate& other);
 
-    /// The mean of what was added; empty where nothing was, and below least_points(). Errors are between the `groups`
-    /// of sets, see errors_of_mean().
+    /// The mean of what was added; empty where nothing was, below least_points(), and in boxes that are too narrow.
+    /// Errors are between the `groups` of sets, see errors_of_mean().
     std::vector<NumberVarianceBin> mean(const std::vector<std::size_t>& groups = {}) const;
 
     /// The curves of the sets as bytes, which are read into an estimate that was constructed alike.
@@ -69,6 +70,7 @@ private:
 
     int dimension_;
     bool is_window_;
+    PeriodicBox box_;
     std::size_t centres_ = 0;
     std::vector<double> radii_;
     std::vector<std::vector<double>> means_, variances_; ///< one list a set

@@ -27,28 +27,29 @@ using Counts = std::vector<std::uint64_t>;
 
 /// Cells that may hold a pair within reach are at most this many apart. Where a cell would be met twice, one cell is
 /// all.
-int span_of(double reach, int cells)
+int span_of(double reach, int cells, double side)
 {
-    const int span = static_cast<int>(reach * cells * (1 + 0x1p-40)) + 1; // cells between and one on: rounding
+    const int span = static_cast<int>(reach / side * cells * (1 + 0x1p-40)) + 1; // cells between and one on: rounding
     return 2 * span + 1 > cells ? 0 : span;
 }
 
 template <int D>
-int cells_for_pairs(std::size_t points, double reach)
+int cells_for_pairs(std::size_t points, double reach, const PeriodicBox& box)
 {
     const int cells = CellGrid<D>::cells_of(points);
-    return span_of(reach, cells) == 0 ? 1 : cells;
+    return span_of(reach, cells, box.shortest()) == 0 ? 1 : cells;
 }
 
 /// Half of the offsets to neighbouring cells, one of each opposite two.
 template <int D>
-std::vector<std::array<int, 3>> half_of_offsets(int span)
+std::vector<std::array<int, 3>> half_of_offsets(double reach, int cells, const PeriodicBox& box)
 {
     std::vector<std::array<int, 3>> offsets;
-    const int slices = D == 3 ? span : 0;
-    for (int z = -slices; z <= slices; ++z) {
-        for (int y = -span; y <= span; ++y) {
-            for (int x = -span; x <= span; ++x) {
+    std::array<int, 3> span{};
+    for (std::size_t k = 0; k < D; ++k) span[k] = span_of(reach, cells, box.sides[k]);
+    for (int z = -span[2]; z <= span[2]; ++z) {
+        for (int y = -span[1]; y <= span[1]; ++y) {
+            for (int x = -span[0]; x <= span[0]; ++x) {
                 if (std::array{z, y, x} > std::array{0, 0, 0}) offsets.push_back({x, y, z});
             }
         }
@@ -60,11 +61,13 @@ template <int D>
 class PairCounter
 {
 public:
-    PairCounter(const PointSet& points, double max_distance, std::size_t bins)
-        : grid_(points, cells_for_pairs<D>(points.size(), max_distance)),
-          offsets_(half_of_offsets<D>(span_of(max_distance, grid_.cells))), bins_(bins),
+    PairCounter(const PointSet& points, double max_distance, std::size_t bins, const PeriodicBox& box)
+        : grid_(points, cells_for_pairs<D>(points.size(), max_distance, box)), sides_(box.sides),
+          offsets_(half_of_offsets<D>(max_distance, grid_.cells, box)), bins_(bins),
           scale_(static_cast<double>(bins) / max_distance)
-    {}
+    {
+        grid_.stretch(box);
+    }
 
     /// The number of unordered pairs in each bin. Counts are integers: their order does not matter.
     Counts count() const
@@ -117,7 +120,7 @@ private:
             double squared = 0;
             for (int k = 0; k < D; ++k) {
                 const double direct = std::abs(grid_.position[k][i] - grid_.position[k][j]);
-                const double shortest = std::min(direct, 1 - direct);
+                const double shortest = std::min(direct, sides_[k] - direct);
                 squared += shortest * shortest;
             }
             const double bin = std::sqrt(squared) * scale_;
@@ -126,21 +129,23 @@ private:
     }
 
     CellGrid<D> grid_;
+    std::array<double, 3> sides_; ///< of the torus
     std::vector<std::array<int, 3>> offsets_;
     std::size_t bins_;
     double scale_; ///< bins a unit length
 };
 
-Counts count_pairs(const PointSet& points, double max_distance, std::size_t bins)
+Counts count_pairs(const PointSet& points, double max_distance, std::size_t bins, const PeriodicBox& box)
 {
-    return points.dimension == 2 ? PairCounter<2>(points, max_distance, bins).count()
-                                 : PairCounter<3>(points, max_distance, bins).count();
+    return points.dimension == 2 ? PairCounter<2>(points, max_distance, bins, box).count()
+                                 : PairCounter<3>(points, max_distance, bins, box).count();
 }
 
 }
 
-PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window)
-    : dimension_(dimension), max_distance_(max_distance), bins_(bins), is_window_(is_window), pairs_(bins)
+PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window,
+                                                 const PeriodicBox& box)
+    : dimension_(dimension), max_distance_(max_distance), bins_(bins), is_window_(is_window), box_(box), pairs_(bins)
 {
     if (dimension != 2 && dimension != 3) throw InputError("pair correlation: the dimension must be 2 or 3");
     if (bins == 0) throw InputError("pair correlation: the number of bins must be at least 1");
@@ -148,6 +153,9 @@ PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_dista
         throw InputError("pair correlation: max_distance = " + std::to_string(max_distance) +
                          ": must be above 0 and at most sqrt(dimension) / 2, the largest on the torus");
     }
+    if (!box.is_unit() && max_distance > box.shortest() / 2)
+        throw InputError("pair correlation: max_distance = " + std::to_string(max_distance) +
+                         ": must be at most half of the box's shortest side");
 }
 
 void PairCorrelationEstimate::add(const PointSet& points)
@@ -161,8 +169,8 @@ void PairCorrelationEstimate::add(const PointSet& points)
 std::vector<std::uint64_t> PairCorrelationEstimate::count(const PointSet& points) const
 {
     if (points.size() < 2) return Counts(bins_);
-    return is_window_ ? count_pairs(halved(points), max_distance_ / 2, bins_)
-                      : count_pairs(points, max_distance_, bins_);
+    return is_window_ ? count_pairs(halved(points), max_distance_ / 2, bins_, box_)
+                      : count_pairs(points, max_distance_, bins_, box_);
 }
 
 /// Each pair is in a strip, or of a strip and the layer above it that is as high as pairs are apart.
@@ -200,7 +208,7 @@ void PairCorrelationEstimate::add_counts(const Counts& counts, std::uint64_t poi
     for (std::size_t k = 0; k < bins_; ++k) {
         const double radius = static_cast<double>(k + 1) * width;
         const double outer =
-            is_window_ ? window_pair_volume(radius, dimension_) : torus_ball_volume(radius, dimension_);
+            is_window_ ? window_pair_volume(radius, dimension_) : torus_ball_volume(radius, dimension_, box_);
         const auto pairs = static_cast<double>(counts[k]);
         const double shell = outer - inner;
         values[k] = shell > least_shell ? 2 * pairs / (n * (n - 1) * shell) : 0;

@@ -15,8 +15,11 @@
 // For sets that are windows, V is the distribution function of the distance of two independent uniform points
 // of the square or cube, up to distance 1 (window_pair_volume): the expected share of pairs, so that the
 // estimate has no bias either.
+//
+// In a periodic box distances go up to half of its shortest side: balls that large do not meet themselves.
 #pragma once
 
+#include "base/geometry/periodic_box.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_strips.hpp"
 
@@ -45,8 +48,9 @@ class PairCorrelationEstimate
 public:
     /// `bins` of equal width from distance 0 to max_distance in unit lengths; `is_window`: sets are windows, not tori.
     /// Throws InputError unless 0 < max_distance <= largest_toroidal_distance(dimension), bins > 0 and dimension 2 or
-    /// 3.
-    PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window = false);
+    /// 3; in a box that is no square (cube), which holds no windows, unless max_distance is half of its sides at most.
+    PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window = false,
+                            const PeriodicBox& box = {});
 
     /// Adds one set. Throws InputError for another dimension or fewer than two points. Coordinates must lie
     /// in [0, 1).
@@ -77,6 +81,7 @@ private:
     double max_distance_;
     std::size_t bins_;
     bool is_window_;
+    PeriodicBox box_;
     std::vector<std::vector<double>> values_; ///< one list of g a set
     std::vector<double> pairs_;               ///< sums over the sets
 };

@@ -1,5 +1,7 @@
 #include "analysis/measures/peak_anisotropy.hpp"
 
+#include "analysis/spectra/radial_bin.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -66,15 +68,17 @@ double ring_error_db(const RadialBin& ring, const Spectrum& mean)
 {
     const double m = ring.power, n = static_cast<double>(ring.samples);
     const double ratio = std::pow(10, ring.anisotropy_db / 10);
-    const auto radius = static_cast<std::int64_t>(std::lround(ring.frequency)), half = std::int64_t{mean.size / 2};
-    const std::int64_t slices = mean.dimension == 3 ? radius : 0;
+    const double inner = std::round(ring.frequency) - 0.5, outer = inner + 1;
+    const RadialBins bins(mean.size, 1, mean.box);
+    const auto reach = [&](std::size_t axis) { return static_cast<std::int64_t>(outer * mean.box.sides[axis]); };
+    const std::int64_t half = mean.size / 2, slices = mean.dimension == 3 ? reach(2) : 0;
     const double bend = 2 / (n - 1) / (m * m);
     double by_slope = 0, by_noise = 0;
     for (std::int64_t w = -slices; w <= slices; ++w)
-        for (std::int64_t v = -radius; v <= radius; ++v)
-            for (std::int64_t u = -radius; u <= radius; ++u) {
-                const std::int64_t squared = u * u + v * v + w * w; // of a ring whose frequencies round to its radius
-                if (squared <= radius * (radius - 1) || squared > radius * (radius + 1)) continue;
+        for (std::int64_t v = -reach(1); v <= reach(1); ++v)
+            for (std::int64_t u = -reach(0); u <= reach(0); ++u) {
+                const double squared = bins.squared(0, u) + bins.squared(1, v) + bins.squared(2, w);
+                if (squared <= inner * inner || squared > outer * outer) continue;
                 const std::int64_t slice = mean.dimension == 3 ? w + half : 0;
                 const auto at = static_cast<std::size_t>((slice * mean.size + v + half) * mean.size + u + half);
                 const double slope = 2 * (mean.power[at] - m) / (n - 1) / (m * m) - 2 * ratio / (n * m);

@@ -57,6 +57,13 @@ double torus_ball_volume(double radius, int dimension)
     return dimension == 2 ? disk_in_square(radius) : ball_in_cube(radius);
 }
 
+double torus_ball_volume(double radius, int dimension, const PeriodicBox& box)
+{
+    if (box.is_unit()) return torus_ball_volume(radius, dimension);
+    if (!(radius > 0)) return 0;
+    return dimension == 2 ? pi * radius * radius : 4.0 / 3.0 * pi * radius * radius * radius;
+}
+
 double window_pair_volume(double distance, int dimension)
 {
     const double r = distance;

@@ -13,7 +13,12 @@
 //
 // The last one is the integral of the 2D form over slices at heights z, of disks with rho^2 = r^2 - z^2: they
 // fill the square for |z| < z1. F is the antiderivative of the 2D form in z (by parts).
+//
+// In a box with other sides it is the whole ball as far as half of the shortest side, which is as far as it is asked
+// for.
 #pragma once
+
+#include "base/geometry/periodic_box.hpp"
 
 namespace poissonlab {
 
@@ -24,6 +29,9 @@ double largest_toroidal_distance(int dimension);
 /// 0, 1 beyond largest_toroidal_distance. It is also the distribution function of the toroidal distance of
 /// two independent uniform points.
 double torus_ball_volume(double radius, int dimension);
+
+/// The same in a box, for radii up to half of its shortest side where it is no square (cube).
+double torus_ball_volume(double radius, int dimension, const PeriodicBox& box);
 
 /// The distribution function of the distance of two independent uniform points of the unit square or cube, for
 /// distances up to 1: pi r^2 - 8/3 r^3 + r^4/2, and 4/3 pi r^3 - 3/2 pi r^4 + 8/5 r^5 - r^6/6. From the volume that

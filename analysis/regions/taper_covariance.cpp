@@ -81,7 +81,7 @@ public:
     {
         rings_.resize(static_cast<std::size_t>(side_) * side_);
         for (int v = -radius; v <= radius; ++v) {
-            RadialBins::Walk ring(bins, std::int64_t{v} * v);
+            RadialBins::Walk ring(bins, 0, bins.squared(1, v));
             for (int u = 0; u <= radius; ++u) {
                 const std::size_t k = ring.of(u);
                 at(u, v) = at(-u, v) = k == 0 ? bins.count() - 1 : k - 1; // bin 0 is no ring

@@ -62,7 +62,7 @@ HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size)
 
 std::vector<double> radial_means(const HalfSpectrum& half, double bin_width)
 {
-    const RadialBins radial_bins(half.size, bin_width);
+    const RadialBins radial_bins(half.size, bin_width, half.box);
     const std::size_t bins = radial_bins.count();
     const std::int64_t centre = half.size / 2;
     const std::size_t lines = half.columns() * half.lines();
@@ -77,7 +77,8 @@ std::vector<double> radial_means(const HalfSpectrum& half, double bin_width)
             const auto v = half.dimension == 3 ? static_cast<std::int64_t>(line % half.lines()) - centre : 0;
             const double weight = u == 0 ? 1 : 2; // the lines of u = 0 hold f and -f
             const double* power = half.power.data() + line * half.rows() + centre;
-            RadialBins::Walk bin(radial_bins, u * u + v * v);
+            RadialBins::Walk bin(radial_bins, half.dimension == 3 ? 2 : 1,
+                                 radial_bins.squared(0, u) + radial_bins.squared(1, v));
             for (std::int64_t w = 0; w < centre; ++w) {
                 const std::size_t k = bin.of(w);
                 if (k >= bins) break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/spectra/uninitialized_vector.hpp"
+#include "base/geometry/periodic_box.hpp"
 
 #include <cstddef>
 #include <span>
@@ -16,6 +17,7 @@ struct HalfSpectrum
     int dimension = 2;
     int size = 0; ///< M, even
     UninitializedVector<double> power;
+    PeriodicBox box = {}; ///< of which these are the frequencies
 
     std::size_t columns() const { return static_cast<std::size_t>(size) / 2 + 1; }
     /// Frequencies along y, and along z.

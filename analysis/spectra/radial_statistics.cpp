@@ -24,7 +24,7 @@ void for_each_sample(const Spectrum& spectrum, const RadialBins& bins, std::int6
         const std::int64_t v = row % spectrum.size - half;
         const std::int64_t w = spectrum.dimension == 3 ? row / spectrum.size - half : 0;
         const double* centre = spectrum.power.data() + row * spectrum.size + half;
-        RadialBins::Walk bin(bins, v * v + w * w);
+        RadialBins::Walk bin(bins, 0, bins.squared(1, v) + bins.squared(2, w));
         for (std::int64_t u = 0; u < half; ++u) {
             const std::size_t k = bin.of(u);
             if (k >= bins.count()) break;
@@ -77,7 +77,7 @@ double to_anisotropy_db(double variance, double mean, double zero)
 std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_width)
 {
     // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end.
-    const RadialBins bins(spectrum.size, bin_width);
+    const RadialBins bins(spectrum.size, bin_width, spectrum.box);
     std::vector<RadialBin> radial(bins.count());
     const std::vector<Sum> sums = sums_of(spectrum, bins, [](std::size_t, double power) { return power; });
     for (std::size_t k = 0; k < radial.size(); ++k) {

@@ -6,18 +6,40 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/side_by_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace poissonlab {
 
+namespace {
+
+/// Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
+double samples_asked_for(std::size_t points, int dimension)
+{
+    return 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
+}
+
+}
+
 int spectrum_size(std::size_t points, int dimension)
 {
-    // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
-    const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
+    const double samples = samples_asked_for(points, dimension);
     int size = 2;
     const int largest = dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d;
     while (size < samples && size < largest) size *= 2;
+    return size;
+}
+
+int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box)
+{
+    const int of_square = spectrum_size(points, dimension),
+              largest = dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d;
+    // Eighths of a power of two: pictures are made smaller by averages over blocks.
+    const int step = std::max(2, of_square / 8);
+    const double samples = samples_asked_for(points, dimension) * box.longest();
+    int size = of_square;
+    while (size < samples && size + step <= largest) size += step;
     return size;
 }
 
@@ -54,6 +76,7 @@ void SpectrumEstimate::add(const PointStrips& points)
 /// Adds what is in periodogram_.
 void SpectrumEstimate::add_periodogram()
 {
+    periodogram_.box = box_;
     radial_curves_.push_back(radial_means(periodogram_));
     if (bin_width_ != 1) wide_curves_.push_back(radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);
@@ -103,6 +126,7 @@ Spectrum SpectrumEstimate::mean() const
                         mean.variance =
                             all_frequencies(power_.squares(), dimension_, size_, 1.0 / (power_.count() - 1));
                     });
+    mean.box = box_;
     if (method_ == PeriodogramMethod::fast) mean.transform_error = FastPeriodogram::default_tolerance;
     return mean;
 }

@@ -36,6 +36,7 @@ struct Spectrum
     /// power times K. Empty for K = 1.
     std::vector<double> variance = {};
     double transform_error = 1e-11; ///< bound of the error of transform values, as a share of N
+    PeriodicBox box = {};           ///< frequencies are u / a, v / b (, w / c) for its sides a, b (, c)
 
     double at(int fx, int fy) const
     {
@@ -56,6 +57,10 @@ inline constexpr int largest_spectrum_3d = 256;
 /// The size is at most largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or
 /// 156,000 in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
+
+/// The size for points in a box, whose frequencies reach as far as the rule asks along its longest side too, where they
+/// are closest together; at most what is largest.
+int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box);
 
 /// The ways to compute a periodogram.
 enum class PeriodogramMethod
@@ -79,6 +84,9 @@ public:
     SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
 
     int dimension() const { return dimension_; }
+
+    /// Points lie in this box: said before any is added.
+    void lie_in(const PeriodicBox& box) { box_ = box; }
 
     /// Periodograms are those of points in a region: `compute` makes them.
     void compute_by(std::function<void(const PointSet& points, HalfSpectrum& periodogram)> compute)
@@ -128,6 +136,7 @@ private:
     bool sizes_vary_;
     PeriodogramMethod method_;
     double bin_width_;
+    PeriodicBox box_;
     std::size_t points_ = 0;   ///< of the first realization
     HalfSpectrum periodogram_; ///< of the last realization
     RunningMoments power_;     ///< of each frequency's power

@@ -73,8 +73,9 @@ TablesOfSet tables_of_set(const std::filesystem::path& path, const PointReading&
     return {{path}, "points", read_box(file)};
 }
 
-/// The range of a cubic box. Along an axis in which all points are the same, its side does not count.
-CoordinateRange range_of_box(const TablesOfSet& set, const PointTable& table)
+/// The box, which is a cube where its sides are equal. Along an axis in which all points are the same, its side does
+/// not count.
+PointDomain domain_of_box(const TablesOfSet& set, const PointTable& table)
 {
     if (!set.box.problem.empty()) throw InputError(set.box.problem);
     std::vector<double> sides = set.box.sides;
@@ -90,18 +91,22 @@ CoordinateRange range_of_box(const TablesOfSet& set, const PointTable& table)
         const bool is_cube = are_equal && sides[axis] == others[0];
         if (!is_cube && (!are_equal || table.columns == 2 || !has_one_number(set.files, set.table, axis))) continue;
         if (!(others[0] > 0) || !std::isfinite(others[0])) throw InputError(shown + ": must be above 0");
-        return {0, others[0]};
+        return CoordinateRange{0, others[0]};
     }
-    throw InputError(shown + ": the sides must be equal, boxes that are no " +
-                     (table.columns == 2 ? "squares" : "cubes") + " are not measured");
+    std::vector<CoordinateRange> ranges;
+    for (const double side : sides) {
+        if (!(side > 0) || !std::isfinite(side)) throw InputError(shown + ": must be above 0");
+        ranges.push_back({0, side});
+    }
+    return PointDomain(ranges);
 }
 
-/// The range that the file declares, or [0, 1).
-CoordinateRange range_of_set(const TablesOfSet& set, const PointTable& table, std::vector<std::string>& told)
+/// The domain that the file declares, or [0, 1).
+PointDomain domain_of_set(const TablesOfSet& set, const PointTable& table, std::vector<std::string>& told)
 {
     if (set.table == "points")
         if (const auto domain = declared_domain(table.file)) return *domain;
-    if (!set.box.name.empty()) return range_of_box(set, table);
+    if (!set.box.name.empty()) return domain_of_box(set, table);
     if (set.table != "points") told.emplace_back("the header has no BoxSize: the side of the box is taken as 1");
     return {};
 }
@@ -122,7 +127,7 @@ Hdf5Head head_of_hdf5_file(const std::filesystem::path& path, const PointReading
             if (head.points == 0) {
                 head.dimension = static_cast<int>(table->columns);
                 head.rounding = table->rounding;
-                head.range = how.range ? *how.range : range_of_set(set, *table, head.told);
+                head.domain = how.domain ? *how.domain : domain_of_set(set, *table, head.told);
             }
             head.points += table->rows;
         }

@@ -83,7 +83,7 @@ namespace {
 void stream_pieces(const std::filesystem::path& path, const PointReading& how, const Hdf5Head& head,
                    const PieceSink& sink)
 {
-    const PointFileContent file{path.string(), {}, head.range, how.told, how.options};
+    const PointFileContent file{path.string(), {}, head.domain, how.told, how.options};
     for (const std::string& sentence : head.told) file.tell(sentence);
     UnitCoordinates units(file);
     const auto axes = static_cast<std::size_t>(head.dimension);
@@ -106,10 +106,10 @@ void stream_hdf5_points(const std::filesystem::path& path, const PointReading& h
     stream_pieces(path, how, head_of_hdf5_points(path, how), sink);
 }
 
-PointSet read_hdf5_points(const std::filesystem::path& path, const PointReading& how, CoordinateRange& range)
+PointSet read_hdf5_points(const std::filesystem::path& path, const PointReading& how, PointDomain& domain)
 {
     const Hdf5Head head = head_of_hdf5_points(path, how);
-    range = head.range;
+    domain = head.domain;
     PointSet set{head.dimension, {}};
     stream_pieces(path, how, head, [&](int /*dimension*/, std::span<const double> coordinates, const char* /*done*/) {
         set.coordinates.insert(set.coordinates.end(), coordinates.begin(), coordinates.end());

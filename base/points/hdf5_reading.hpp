@@ -20,7 +20,7 @@ struct Hdf5Head
 {
     std::uint64_t points = 0;
     int dimension = 2;
-    CoordinateRange range{};         ///< as asked for, or as the file declares it
+    PointDomain domain{};            ///< as asked for, or as the file declares it
     double rounding = 0;             ///< half the relative distance between neighbours of the stored numbers
     std::vector<std::string> told{}; ///< what readers must know, sentences without the file's name
 };
@@ -34,8 +34,8 @@ Hdf5Head head_of_hdf5_points(const std::filesystem::path& path, const PointReadi
 /// Reads the set of a file in pieces, in unit coordinates. Throws InputError, also where some lie outside of the range.
 void stream_hdf5_points(const std::filesystem::path& path, const PointReading& how, const PieceSink& sink);
 
-/// The whole set; `range` becomes that of its coordinates.
-PointSet read_hdf5_points(const std::filesystem::path& path, const PointReading& how, CoordinateRange& range);
+/// The whole set; `domain` becomes that of its coordinates.
+PointSet read_hdf5_points(const std::filesystem::path& path, const PointReading& how, PointDomain& domain);
 
 /// All files of the snapshot, or the file itself.
 std::vector<std::filesystem::path> parts_of_hdf5_points(const std::filesystem::path& path);

@@ -50,7 +50,7 @@ std::string allowed_coordinate(double value, const CoordinateRange& range)
     return allowed;
 }
 
-CoordinateRange declared_range(const PointFileContent& file)
+PointDomain declared_domain(const PointFileContent& file)
 {
     for (LineReader lines(file.bytes); lines.next();) {
         WordReader words(lines.line());
@@ -58,21 +58,14 @@ CoordinateRange declared_range(const PointFileContent& file)
         if (first == "end_header" || begins_with_number(trimmed(lines.line()))) break;
         if ((first != "#" && first != "comment") || !words.next() || words.word() != "domain") continue;
         const std::string_view text = words.next() ? words.word() : std::string_view{};
-        if (const auto range = parse_range(text)) return *range;
-        fail_in_point_file(file, lines.number(), text, "a domain is LOW:HIGH, two numbers, the first smaller");
+        std::string domain(text);
+        while (words.next() && words.word().find(':') != std::string_view::npos)
+            domain += " " + std::string(words.word());
+        if (const auto declared = parse_domain(domain)) return *declared;
+        fail_in_point_file(file, lines.number(), text,
+                           "a domain is LOW:HIGH, two numbers, the first smaller; or such a range for each axis");
     }
     return {};
-}
-
-std::optional<CoordinateRange> parse_range(std::string_view text)
-{
-    CoordinateRange range;
-    const std::size_t colon = text.find(':');
-    if (colon != std::string_view::npos && !parse_number(text.substr(0, colon), range.low)) return {};
-    if (!parse_number(colon == std::string_view::npos ? text : text.substr(colon + 1), range.high)) return {};
-    // Their difference must be a number, too.
-    if (!(range.low < range.high) || !std::isfinite(range.high - range.low)) return {};
-    return range;
 }
 
 namespace {
@@ -82,19 +75,19 @@ PointFileContent content_of(const std::filesystem::path& path, std::string_view 
     return {path.string(), bytes, {}, how.told, how.options};
 }
 
-/// The sets of a file as they are there; `range` becomes that of their coordinates.
+/// The sets of a file as they are there; `domain` becomes that of their coordinates.
 std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, const PointReading& how,
-                                           CoordinateRange& range)
+                                           PointDomain& domain)
 {
-    if (is_hdf5_file(path)) return {read_hdf5_points(path, how, range)};
+    if (is_hdf5_file(path)) return {read_hdf5_points(path, how, domain)};
     const std::string content = read_whole_file(path);
     PointFileContent file = content_of(path, content, how);
     check_no_particles(how, path);
     const bool is_npy = file.bytes.starts_with(npy_magic);
     const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
     if (!is_npy && !is_utk) file.bytes = plain_text(file.name, file.bytes);
-    file.range = how.range ? *how.range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
-    range = file.range;
+    file.domain = how.domain ? *how.domain : is_npy || is_utk ? PointDomain{} : declared_domain(file);
+    domain = file.domain;
     if (is_npy) return read_npy_points(file);
     if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
@@ -102,28 +95,63 @@ std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, co
     return read_text_points(file);
 }
 
+/// The domain of points of which an axis was left out. Throws InputError where it had no range for each axis.
+PointDomain without_axis(const PointDomain& domain, std::size_t axis, const std::filesystem::path& path)
+{
+    if (domain.dimension() == 0 || (domain.dimension() == 2 && axis == 2)) return domain;
+    if (domain.dimension() == 2)
+        throw InputError::at(
+            {path.string()},
+            "has points in a plane of space where the domain has 2 ranges: must have one for each axis");
+    std::vector<CoordinateRange> ranges;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (i != axis) ranges.push_back(domain[i]);
+    return PointDomain(ranges);
+}
+
+}
+
+std::vector<PointSet> read_points_in_box(const std::filesystem::path& path, const PointReading& how,
+                                         PointDomain& domain)
+{
+    std::vector<PointSet> sets = read_all_coordinates(path, how, domain);
+    if (const auto axis = flat_axis(sets, to_unit(0, domain[2]))) {
+        for (PointSet& set : sets) set = without_axis(std::move(set), *axis);
+        domain = without_axis(domain, *axis, path);
+        if (how.told) how.told(printable(path.string()) + ": " + flat_sentence(*axis));
+    }
+    const int axes = domain.dimension();
+    if (axes > 0 && axes != sets.front().dimension)
+        throw InputError::at({path.string()}, fmt::format("has {}D points where the domain has {} ranges: must have "
+                                                          "one for each axis",
+                                                          sets.front().dimension, axes));
+    return sets;
 }
 
 std::vector<PointSet> read_points(const std::filesystem::path& path, const PointReading& how)
 {
-    CoordinateRange range;
-    std::vector<PointSet> sets = read_all_coordinates(path, how, range);
-    if (const auto axis = flat_axis(sets, to_unit(0, range))) {
-        for (PointSet& set : sets) set = without_axis(std::move(set), *axis);
-        if (how.told) how.told(printable(path.string()) + ": " + flat_sentence(*axis));
-    }
+    PointDomain domain;
+    std::vector<PointSet> sets = read_points_in_box(path, how, domain);
+    if (!domain.is_square())
+        throw InputError::at({path.string()},
+                             "declares a domain whose sides differ; must be a square (cube) here, or have each "
+                             "coordinate over its side");
     return sets;
 }
 
 std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
 {
-    return read_points(path, PointReading{.range = range});
+    PointReading how;
+    if (range) how.domain = *range;
+    return read_points(path, how);
 }
 
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
 {
-    CoordinateRange found;
-    return read_all_coordinates(path, PointReading{.range = range}, found);
+    PointReading how;
+    if (range) how.domain = *range;
+    PointDomain found;
+    return read_all_coordinates(path, how, found);
 }
 
 std::vector<std::filesystem::path> files_of_points(const std::filesystem::path& path)
@@ -177,7 +205,7 @@ double number_in(const PointFileContent& file, int line, std::string_view word)
     if (!std::ranges::all_of(word, is_printable))
         fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy), HDF5 or UTK (.bin)");
     fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
-                       allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +
+                       allowed_coordinate(0.5 * file.domain[0].low + 0.5 * file.domain[0].high, file.domain[0]) +
                            "; a line that is not a point starts with `# `");
 }
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_domain.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,21 +15,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-/// A square or cubic domain: the same half-open range [low, high) of coordinates along every axis.
-struct CoordinateRange
-{
-    double low = 0;
-    double high = 1;
-};
-
-/// All numbers, which stay as they are: of points in units of their own.
-inline constexpr CoordinateRange any_coordinates{-std::numeric_limits<double>::infinity(),
-                                                 std::numeric_limits<double>::infinity()};
-
-/// The range that `LOW:HIGH` says, or `HIGH` for 0:HIGH, such as "512" or "-1:1". Nothing for any other text, and where
-/// LOW is not below HIGH.
-std::optional<CoordinateRange> parse_range(std::string_view text);
 
 /// What messages call the options of who asks for points, as formats of fmt; empty: there is none.
 struct PointOptions
@@ -42,9 +27,10 @@ struct PointOptions
 /// How a file is read.
 struct PointReading
 {
-    /// That of the coordinates. Not given: the range that the file declares by a comment `domain LOW:HIGH` before its
-    /// points, by its attributes, or else [0, 1). any_coordinates stay as they are, others are mapped to [0, 1).
-    std::optional<CoordinateRange> range{};
+    /// That of the coordinates. Not given: the domain that the file declares by a comment `domain LOW:HIGH` before its
+    /// points, or `domain LOW:HIGH LOW:HIGH` with a range for each axis, by its attributes, or else [0, 1).
+    /// any_coordinates stay as they are, others are mapped to [0, 1).
+    std::optional<PointDomain> domain{};
 
     /// The type of particles of a snapshot; not given: its only one.
     std::optional<int> particles{};
@@ -70,9 +56,13 @@ struct PointReading
 /// with a sentence, see flat_points.hpp.
 ///
 /// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
-/// number in its range, lines of unequal length, truncated files.
+/// number in its range, lines of unequal length, truncated files, a domain with sides that differ: that is no square.
 std::vector<PointSet> read_points(const std::filesystem::path& path, const PointReading& how);
 std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
+
+/// Reads them for whoever measures points in rectangles and boxes, too: `domain` becomes that of the file.
+std::vector<PointSet> read_points_in_box(const std::filesystem::path& path, const PointReading& how,
+                                         PointDomain& domain);
 
 /// Reads points that the program itself has written: all of their coordinates, and else as above.
 std::vector<PointSet> read_own_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});

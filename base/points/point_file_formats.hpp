@@ -21,7 +21,7 @@ struct PointFileContent
 {
     std::string name;
     std::string_view bytes;
-    CoordinateRange range = {};
+    PointDomain domain = {};
     std::function<void(const std::string& sentence)> told = {};
     PointOptions options = {};
 
@@ -92,8 +92,9 @@ std::string npy_header(std::uint64_t points, int dimension);
 inline constexpr std::string_view hdf5_magic = "\x89HDF\r\n\x1a\n";
 inline constexpr std::string_view utk_magic = "UTK!", swapped_utk_magic = "!KTU"; ///< 0x214B5455 of either byte order
 
-/// The range that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
-CoordinateRange declared_range(const PointFileContent& file);
+/// The domain that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`, or one
+/// range after the other for each axis.
+PointDomain declared_domain(const PointFileContent& file);
 
 /// The first line of comma-separated values in 2D and 3D.
 inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";

@@ -67,8 +67,8 @@ private:
     [[noreturn]] void fail_without_points() const
     {
         fail_in_point_file(file_, 0, "no points",
-                           fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})", file_.range.low,
-                                       file_.range.high));
+                           fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})",
+                                       file_.domain[0].low, file_.domain[0].high));
     }
 
     void add_point(std::string_view text, int line)

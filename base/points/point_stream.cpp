@@ -92,8 +92,14 @@ PointStrips read_into_strips(const std::filesystem::path& path, const PointReadi
         strips->add(coordinates);
         told(coordinates);
     };
+    const auto check = [&](const PointDomain& domain) {
+        if (domain.dimension() > 0)
+            throw InputError::at({path.string()}, "declares a range for each axis; points that are read in pieces have "
+                                                  "one for all axes");
+    };
     const std::string begin = begin_of(path);
     if (begin.starts_with(hdf5_magic)) {
+        check(head_of_hdf5_points(path, how).domain);
         stream_hdf5_points(path, how,
                            [&](int dimension, std::span<const double> piece, const char*) { take(dimension, piece); });
     } else {
@@ -102,7 +108,8 @@ PointStrips read_into_strips(const std::filesystem::path& path, const PointReadi
         check_no_particles(how, path);
         PointFileContent file{path.string(), mapped.bytes(), {}, how.told, how.options};
         if (!is_npy) file.bytes = plain_text(file.name, file.bytes);
-        file.range = how.range ? *how.range : is_npy ? CoordinateRange{} : declared_range(file);
+        file.domain = how.domain ? *how.domain : is_npy ? PointDomain{} : declared_domain(file);
+        check(file.domain);
         const auto sink = [&](int dimension, std::span<const double> piece, const char* done) {
             take(dimension, piece);
             mapped.release_before(done);

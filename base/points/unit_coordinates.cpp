@@ -18,12 +18,11 @@ CoordinatePlace place_at_byte(std::size_t offset, double value)
     return {0, fmt::format("byte {}: {}", offset, value)};
 }
 
-bool UnitCoordinates::is_on_border(double value, double rounding) const
+bool UnitCoordinates::is_on_border(double value, const CoordinateRange& range, double rounding)
 {
-    const double reach = rounding * std::max(std::abs(file_.range.low), std::abs(file_.range.high));
+    const double reach = rounding * std::max(std::abs(range.low), std::abs(range.high));
     return rounding > 0 && std::isfinite(reach) &&
-           ((value < file_.range.low && value >= file_.range.low - reach) ||
-            (value >= file_.range.high && value <= file_.range.high + reach));
+           ((value < range.low && value >= range.low - reach) || (value >= range.high && value <= range.high + reach));
 }
 
 void UnitCoordinates::check_finite() const
@@ -33,18 +32,21 @@ void UnitCoordinates::check_finite() const
 
 void UnitCoordinates::fail(const Found& found, const std::string& more) const
 {
-    fail_in_point_file(file_, found.place.line, found.place.value, allowed_coordinate(found.value, file_.range) + more);
+    fail_in_point_file(file_, found.place.line, found.place.value,
+                       allowed_coordinate(found.value, file_.domain[found.axis]) + more);
 }
 
 void UnitCoordinates::finish() const
 {
-    if (outside_) fail(*outside_, fitting_words(extent_, file_.range, file_.options));
+    if (outside_)
+        fail(*outside_, file_.domain.dimension() > 0 ? "" : fitting_words(extent_, file_.domain[0], file_.options));
     if (rounded_ == 0) return;
     if (rounded_ > most_by_rounding(numbers_))
         fail(*first_rounded_,
              fmt::format("; {} of {} coordinates lie there, more than rounding explains", rounded_, numbers_));
+    const CoordinateRange& range = file_.domain[first_rounded_->axis];
     file_.tell(fmt::format("{} of {} coordinates lie on the end of [{}, {}) by rounding: taken as {}, as on the torus",
-                           rounded_, numbers_, file_.range.low, file_.range.high, file_.range.low));
+                           rounded_, numbers_, range.low, range.high, range.low));
 }
 
 }

@@ -38,8 +38,9 @@ public:
     {
         ++numbers_;
         extent_.add(axis, value);
-        if (is_coordinate(value, file_.range)) return to_unit(value, file_.range);
-        return of_outside(value, rounding, place);
+        const CoordinateRange& range = file_.domain[axis];
+        if (is_coordinate(value, range)) return to_unit(value, range);
+        return of_outside(value, axis, rounding, place);
     }
 
     /// Is one outside? Then nothing that is read is needed any more.
@@ -54,20 +55,21 @@ private:
     {
         CoordinatePlace place;
         double value;
+        std::size_t axis;
     };
 
     template <class Place>
-    double of_outside(double value, double rounding, const Place& place)
+    double of_outside(double value, std::size_t axis, double rounding, const Place& place)
     {
-        const bool is_rounded = is_on_border(value, rounding);
+        const bool is_rounded = is_on_border(value, file_.domain[axis], rounding);
         auto& first = is_rounded ? first_rounded_ : outside_;
         rounded_ += is_rounded;
-        if (!first) first = Found{place(), value};
+        if (!first) first = Found{place(), value, axis};
         if (!is_rounded) check_finite();
         return 0;
     }
 
-    bool is_on_border(double value, double rounding) const;
+    static bool is_on_border(double value, const CoordinateRange& range, double rounding);
     void check_finite() const;
     [[noreturn]] void fail(const Found& found, const std::string& more) const;
 

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace poissonlab {
 namespace {
 
@@ -24,6 +27,48 @@ void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
     if (o.spectrum_size % 2 != 0) throw keys.invalid("spectrum_size", "must be even");
     keys.number("bin_width", o.bin_width, {1, 100}, "of radial curves").unit("frequencies");
     keys.flag("volume", o.volume, "whether the whole spectrum is stored, in 3D");
+}
+
+/// The numbers above 0 of a list; empty where it has others, or is none.
+std::vector<double> sides_of(const ConfigNode& node)
+{
+    std::vector<double> sides;
+    const auto* items = node.get_if<ConfigList>();
+    for (std::size_t i = 0; items && i < items->size(); ++i) {
+        const auto* whole = (*items)[i].get_if<std::int64_t>();
+        const auto* real = (*items)[i].get_if<double>();
+        if (!whole && !real) return {};
+        sides.push_back(whole ? static_cast<double>(*whole) : *real);
+        if (!(sides.back() > 0 && std::isfinite(sides.back()))) return {};
+    }
+    return sides;
+}
+
+/// Sides that are all the same are those of the unit square (cube), and are forgotten.
+void box_key(Keys& keys, AnalysisOptions& o, int dimension)
+{
+    constexpr auto allowed = "[width, height], in 3D [width, height, depth]";
+    keys.value("box", allowed, "sides of the periodic box that sets from files and commands lie in",
+               [&](const ConfigNode& node) {
+                   const std::vector<double> sides = sides_of(node);
+                   if (sides.size() != static_cast<std::size_t>(dimension))
+                       throw keys.invalid("box",
+                                          fmt::format("must be {}, numbers above 0",
+                                                      dimension == 2 ? "[width, height]" : "[width, height, depth]"));
+                   keys.check("box", [&] { check_box_sides(sides); });
+                   if (!periodic_box(sides).is_unit()) o.box_sides = sides;
+               })
+        .otherwise("a square (cube)");
+}
+
+/// Throws InputError for what is defined in squares and cubes alone.
+void check_box(const Keys& keys, const AnalysisOptions& o, bool is_any_in_region)
+{
+    if (o.box_sides.empty()) return;
+    if (o.region || is_any_in_region) throw keys.invalid("box", "does not go with a region, which is no torus");
+    if (o.window) throw keys.invalid("box", "does not go with window = true: a window is no torus");
+    if (o.tiles > 0) throw keys.invalid("box", "does not go with tiles, which are squares (cubes)");
+    if (o.zone_plate) throw keys.invalid("box", "does not go with zone_plate = true: the zone plate is a square");
 }
 
 void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension, bool is_any_in_region)
@@ -66,13 +111,22 @@ AnalysisOptions analysis_keys(Keys& keys, int dimension, bool is_any_in_region)
     keys.integer("tiles", o.tiles, 2, most_tiles, "tiles that sets are made of, along each axis")
         .otherwise("sets have no tiles");
     keys.flag("window", o.window, "whether sets are windows of the plane, not tori");
+    box_key(keys, o, dimension);
     static constexpr WordTable<bool, 2> measures{{{{false, "all"}, {true, "distances"}}}};
     static constexpr WordTable<bool, 2> point_files{{{{false, "all"}, {true, "first"}}}};
     keys.word("measures", o.distances_only, measures, "what is measured");
     keys.word("point_files", o.first_points_only, point_files, "whose points are stored");
     o.region = region_keys(keys, dimension, o.region_measures, is_any_in_region);
+    check_box(keys, o, is_any_in_region);
     check_analysis(keys, o, dimension, is_any_in_region);
     return o;
+}
+
+void check_box_sides(const std::vector<double>& sides)
+{
+    const auto [shortest, longest] = std::ranges::minmax(sides);
+    if (longest > longest_to_shortest * shortest)
+        throw InputError(fmt::format("the longest side must be at most {} times the shortest", longest_to_shortest));
 }
 
 AnalysisOptions overridden_analysis(const std::vector<std::string>& overrides, int dimension,

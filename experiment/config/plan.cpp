@@ -116,10 +116,22 @@ std::vector<std::size_t> indices_of(const MethodConfig& method, const Combinatio
     return indices;
 }
 
+/// Throws InputError where the config's sets lie in a periodic box, and the method makes those of the unit square.
+void check_box(const Config& config, const MethodConfig& method)
+{
+    const std::string& name = method.sampler->name;
+    if (config.analysis.box_sides.empty() || name == "file" || name == "command") return;
+    throw InputError::at(method.where,
+                         fmt::format("sampler = \"{}\": makes sets of the unit {}; with box in [analysis] "
+                                     "it must be \"file\" or \"command\"",
+                                     name, config.dimension == 2 ? "square" : "cube"));
+}
+
 SeriesPlan make_series(const Config& config, std::size_t method_index, const Combination& chosen)
 {
     const MethodConfig& method = config.methods[method_index];
     const SamplerSpec& sampler = *method.sampler;
+    check_box(config, method);
     SeriesPlan series;
     series.place = {method_index, indices_of(method, chosen)};
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
@@ -133,6 +145,8 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
     if (is_ordered(series.parameters)) {
         if (series.region) throw series.parameters.error("order", "does not go with a region: the order is of a torus");
+        if (!config.analysis.box_sides.empty())
+            throw series.parameters.error("order", "does not go with box: the order is of the unit torus");
         series.ordered = std::make_shared<const SamplerSpec>(in_progressive_order(sampler));
         series.sampler = series.ordered.get();
     }

@@ -53,8 +53,8 @@ SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& po
         const double least = nearest.least / unit_length(), mean = nearest.mean / unit_length();
         return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
     }
-    const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
-    const double mean = options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points);
+    const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points, box_);
+    const double mean = options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points, box_);
     return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
 }
 
@@ -76,10 +76,11 @@ bool SeriesAnalysis::is_known(const SetMark& mark) const
 /// Measures without wrapping, and the pairs that only wrapping makes so close.
 void SeriesAnalysis::measure_border(const PointSet& points, SetMeasures& set) const
 {
-    const double least = min_distance_in_window(points);
+    const double least = min_distance_in_window(points, box_);
     set.window_radius = relative_radius(least, points.size(), points.dimension);
-    set.window_nearest = mean_nearest_distance_in_window(points) / max_min_distance(points.size(), points.dimension);
-    set.across = closer_pairs_across(points, least);
+    set.window_nearest =
+        mean_nearest_distance_in_window(points, box_) / max_min_distance(points.size(), points.dimension);
+    set.across = closer_pairs_across(points, least, box_);
 }
 
 void SeriesAnalysis::measure_border(const PointStrips& points, SetMeasures& set) const
@@ -110,14 +111,14 @@ void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) 
 double SeriesAnalysis::least_distance(const PointSet& points) const
 {
     if (options_.region) return nearest_in_plane(points, *options_.region->region).least / unit_length();
-    return options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
+    return options_.window ? min_distance_in_window(points) : min_toroidal_distance(points, box_);
 }
 
 /// Keeps the set for measures of the first one.
 void SeriesAnalysis::keep_first(const PointSet& points)
 {
     const bool is_triangulated =
-        !options_.distances_only && !options_.window && points.size() <= most_points_triangulated;
+        !options_.distances_only && !options_.window && box_.is_unit() && points.size() <= most_points_triangulated;
     if (begin_.realization == 0 && (options_.region || is_triangulated)) first_ = points;
 }
 
@@ -146,7 +147,7 @@ bool SeriesAnalysis::add_set(const Points& points)
     if (estimate_) {
         add_to_spectrum(points);
         if (!options_.region) {
-            const FrequencyRange range = hyperuniform_range(begin_.points, dimension_, options_.tiles);
+            const FrequencyRange range = hyperuniform_range(begin_.points, dimension_, options_.tiles, box_);
             shell_powers_.push_back(powers_of(power_shells(estimate_->last_periodogram(), range)));
         }
         if (options_.tiles > 0) {

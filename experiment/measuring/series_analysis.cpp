@@ -30,6 +30,13 @@ constexpr double bins_per_distance = 50;
 constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so that errors compare
 constexpr int integration_shifts = 16;
 
+/// One annulus of the unit torus ends before frequency M/2.
+double largest_bin_width(int size, const PeriodicBox& box)
+{
+    if (box.is_unit()) return size / 2 - 1;
+    return (0.5 * size - 0.5) / box.longest() - 0.5;
+}
+
 }
 
 /// A set must be like the first one.
@@ -58,29 +65,33 @@ void SeriesAnalysis::start()
         return;
     }
     if (begin_.points >= NumberVarianceEstimate::least_points(dimension_))
-        variance_.emplace(dimension_, begin_.points, options_.window);
+        variance_.emplace(dimension_, begin_.points, options_.window, box_);
     if (options_.distances_only) return;
-    if (!options_.window) integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
+    if (!options_.window && box_.is_unit())
+        integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
     if (has_pairs_) start_pairs();
 }
 
 void SeriesAnalysis::start_pairs()
 {
     const double step = max_min_distance(begin_.points, dimension_) / bins_per_distance;
-    const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
-    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)), options_.window);
+    const double largest = box_.is_unit() ? largest_toroidal_distance(dimension_) : box_.shortest() / 2;
+    const double end = std::min(distances_shown * bins_per_distance * step, largest);
+    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)), options_.window, box_);
 }
 
 void SeriesAnalysis::start_spectrum()
 {
-    spectrum_size_ = options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
+    spectrum_size_ =
+        options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_, box_);
     if (options_.region) spectrum_size_ = std::min(spectrum_size_, largest_region_spectrum);
-    if (RadialBins(spectrum_size_, options_.bin_width).count() < 2)
+    if (RadialBins(spectrum_size_, options_.bin_width, box_).count() < 2)
         throw InputError(fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
                                      "size {}",
-                                     label_, options_.bin_width, spectrum_size_ / 2 - 1,
+                                     label_, options_.bin_width, largest_bin_width(spectrum_size_, box_),
                                      dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
+    estimate_->lie_in(box_);
     if (!options_.region) return;
     const bool is_exact = options_.spectrum == PeriodogramMethod::exact;
     if (options_.region->tapers) {
@@ -195,7 +206,7 @@ BorderResult SeriesAnalysis::border_result() const
         border.pairs_across += set.across;
         fewest = std::min(fewest, set.points);
     }
-    border.chance = chance_of_pairs_across(border.pairs_across, sets_.size(), fewest, dimension_, options_.tiles);
+    border.chance = chance_of_pairs_across(border.pairs_across, sets_.size(), fewest, dimension_, options_.tiles, box_);
     border.relative_radius = mean_of(&SetMeasures::window_radius).value;
     border.mean_nearest_distance = mean_of(&SetMeasures::window_nearest).value;
     return border;
@@ -228,6 +239,7 @@ Series SeriesAnalysis::result() const
         if (const auto density = seams_->border_density()) series.measures.numbers["border_density"] = {*density, {}};
     }
     series.is_window = options_.window;
+    if (!options_.box_sides.empty()) series.box = BoxResult{options_.box_sides};
     series.spectrum_size = spectrum_size_;
     if (options_.region) series.region = region_result();
     if (region_ ? region_->distances().count > 0 : has_pairs_)
@@ -285,12 +297,12 @@ void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)
 {
     const std::size_t n = sets_.front().points;
     const int realizations = static_cast<int>(sets_.size());
-    const auto low = power_shells(mean, hyperuniform_range(n, mean.dimension, options_.tiles));
+    const auto low = power_shells(mean, hyperuniform_range(n, mean.dimension, options_.tiles, box_));
     if (const auto exponent = hyperuniformity_exponent(low, realizations, zero_power(mean))) {
         measures_.numbers["hyperuniformity_exponent"] = {exponent->value, exponent->standard_error};
         measure_exponent_error(low, realizations, zero_power(mean));
     }
-    const auto lowest = power_shells(mean, hyperuniformity_test_range(n, mean.dimension, options_.tiles));
+    const auto lowest = power_shells(mean, hyperuniformity_test_range(n, mean.dimension, options_.tiles, box_));
     if (const auto p = hyperuniformity_p_value(lowest, realizations, zero_power(mean)))
         measures_.numbers["hyperuniformity_p_value"] = {*p, {}};
 }

@@ -52,6 +52,10 @@ void serialize(Archive& archive, Measures& measures)
 /// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
 /// largest empty circle, Voronoi cells. The spectrum is that of the window: its border adds a cross on the axes.
 ///
+/// With options.box_sides sets lie in a periodic box, each coordinate over its side, and lengths are in roots of its
+/// area (volume): so are frequencies, in its inverse. Errors of integrals, the largest empty circle and Voronoi cells
+/// are left out, and so are sets on disk.
+///
 /// With options.region sets lie in a region, in its units, and lengths are in roots of its area: so are frequencies, in
 /// its inverse. Distances are those of the plane, the pair correlation has the translation correction, the spectrum is
 /// that of points less that of the region, see region_transform.hpp, or the mean by the tapers of the region, see
@@ -71,7 +75,7 @@ public:
 
     /// `label` is for messages; `sizes_vary` as the sampler says it.
     SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options, const Begin& begin)
-        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), begin_(begin)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), box_(options.box()), begin_(begin)
     {}
     SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options)
         : SeriesAnalysis(std::move(label), sizes_vary, options, Begin{})
@@ -226,6 +230,7 @@ private:
     std::string label_;
     bool sizes_vary_;
     AnalysisOptions options_;
+    PeriodicBox box_; ///< of these options
     Begin begin_;
     bool has_started_ = false;
     std::vector<SetMeasures> sets_;                    ///< each another one

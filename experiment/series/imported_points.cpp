@@ -180,10 +180,11 @@ Experiment import_large(const std::vector<std::filesystem::path>& files, const s
     return experiment;
 }
 
-/// Must, or should, the files be read in pieces?
+/// Must, or should, the files be read in pieces? Not where each axis has a range of its own.
 bool is_large(const std::vector<std::filesystem::path>& files, const PointReading& how, const LargeImports& large)
 {
     if (large.beside.empty()) return false;
+    if (how.domain && how.domain->dimension() > 0) return false;
     for (const auto& file : files)
         if (!can_be_streamed(file)) {
             if (!large.all) return false;
@@ -213,10 +214,17 @@ Experiment import_points(const std::vector<std::filesystem::path>& named, const 
         experiment.notes = notes;
         return experiment;
     }
+    std::vector<double> sides;
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
     for (const auto& file : files) {
-        std::vector<PointSet> read = read_points(file, how);
+        PointDomain domain;
+        std::vector<PointSet> read = read_points_in_box(file, how, domain);
+        const std::vector<double> own = domain.sides();
+        if (sets->empty()) sides = own;
+        if (periodic_box(own) != periodic_box(sides))
+            throw InputError(
+                fmt::format("{}: its domain has another shape than that of {}", file.string(), paths.front()));
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));
@@ -228,6 +236,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& named, const 
     }
     Experiment experiment = experiment_of(sets, name, paths);
     experiment.notes = notes;
+    if (!periodic_box(sides).is_unit()) experiment.analysis.box_sides = sides;
     return experiment;
 }
 
@@ -238,6 +247,7 @@ void check_imported(const Experiment& experiment)
         throw InputError(fmt::format("analysis.{} = {}: sets that are read in pieces have none", key, value));
     };
     if (experiment.analysis.zone_plate) fail("zone_plate", "true");
+    if (!experiment.analysis.box_sides.empty()) fail("box", "[..]");
     if (experiment.analysis.spectrum == PeriodogramMethod::exact) fail("spectrum", "\"exact\"");
 }
 

@@ -26,8 +26,9 @@ inline constexpr std::uint64_t most_points_in_memory = std::uint64_t{1} << 24;
 
 /// Reads every file, one or more realizations each, in the order given. All sets must have the same number of
 /// points. `label` is for the report; empty: the first file's stem. `how`: see read_points(). Files that are parts of a
-/// snapshot of which one is named before are left out. Where one of the files
-/// is large and can be read in pieces (see point_stream.hpp), all are, one realization each.
+/// snapshot of which one is named before are left out. Where one of the files is large and can be read in pieces (see
+/// point_stream.hpp), all are, one realization each. A domain with sides that differ, given or declared by the files,
+/// becomes the box of the experiment's analysis.
 /// Throws InputError that names the file: unreadable, of another size than the first, not 2D; and where the disk has no
 /// room for what must be kept there.
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,

@@ -16,7 +16,7 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& files,
     std::vector<PointSet> sets;
     std::vector<std::string> paths, notes;
     PointReading how = asked;
-    how.range = any_coordinates;
+    how.domain = any_coordinates;
     how.told = [&](const std::string& sentence) { notes.push_back(sentence); };
     for (const auto& file : files)
         if (std::filesystem::is_directory(file))

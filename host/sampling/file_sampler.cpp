@@ -59,9 +59,9 @@ std::vector<std::filesystem::path> files_of(const Parameters& parameters)
     return without_further_parts(files, {});
 }
 
-PointReading reading_of(const Parameters& parameters, std::optional<CoordinateRange> range)
+PointReading reading_of(const Parameters& parameters, std::optional<PointDomain> domain)
 {
-    PointReading how{.range = range, .options = key_words};
+    PointReading how{.domain = domain, .options = key_words};
     if (parameters.is_given(particles_key)) how.particles = static_cast<int>(parameters.integer(particles_key));
     return how;
 }

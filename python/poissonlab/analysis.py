@@ -4,7 +4,7 @@ import base64
 import html
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple, Optional, Union
@@ -13,6 +13,7 @@ import numpy
 import numpy.typing
 
 from . import _poissonlab, toml
+from .points import Domain, ranges_of
 
 #: What becomes an array, the name of a point file, or several of either.
 Points = Union[numpy.typing.ArrayLike, str, "os.PathLike[str]", list["str | os.PathLike[str]"]]
@@ -179,7 +180,8 @@ class Analysis:
     def spectrum(self) -> Optional[numpy.ndarray]:
         """The mean power of each frequency, shape (M, M), in 3D (M, M, M); None where it is not there.
 
-        Row v, column u is the frequency (u - M/2, v - M/2) in cycles per unit length; in 3D the slice comes first.
+        Row v, column u is the frequency (u - M/2, v - M/2) in cycles per unit length; in 3D the slice comes first. In
+        a box these are cycles along its sides.
         White noise has power 1; frequency zero, in the middle, has the number of points. Results that were opened have
         float32 values, and of 3D spectra the planes only: see spectrum_planes.
         """
@@ -224,25 +226,39 @@ class Analysis:
         return f"<poissonlab.Analysis {self.label!r}: {self.realizations} x {self.points} points{measured}>"
 
 
-def to_unit(points, domain):
-    """Coordinates of a domain (low, high) in [0, 1). Those beyond its ends stay beyond."""
-    low, high = domain
+def to_unit(points, ranges):
+    """Coordinates of a domain in [0, 1). Those beyond its ends stay beyond."""
+    if len(ranges) > 1 and points.ndim == 2 and points.shape[1] != len(ranges):
+        raise _poissonlab.InputError(f"analyze: points have {points.shape[1]} coordinates where the domain has "
+                                     f"{len(ranges)} ranges: must have one for each axis")
+    low, high = numpy.asarray(ranges).T
     mapped = (points - low) / (high - low)
     return numpy.where(points < high, numpy.minimum(mapped, 1 - 2.0**-53), mapped)
 
 
-def sets_of(points, domain, particles):
+def sets_of(points, ranges, particles):
     """The sets that an argument stands for, a list of arrays of shape (points, dimension)."""
     is_one = isinstance(points, (str, os.PathLike)) or (isinstance(points, numpy.ndarray) and points.ndim == 2)
     items = [points] if is_one else list(points)
     if items and all(isinstance(item, (str, os.PathLike)) for item in items):
-        return _poissonlab.read_points(items, domain, particles, True, 3)
+        return _poissonlab.read_points(items, ranges, particles, True, 3)
     if particles is not None:
         raise _poissonlab.InputError(f"analyze: particles={particles}: is for files of snapshots")
     arrays = [numpy.asarray(item, dtype=float) for item in items]
     if arrays and arrays[0].ndim < 2:  # its items are points
         arrays = [numpy.asarray(items, dtype=float)]
-    return arrays if domain is None or numpy.isinf(domain[0]) else [to_unit(array, domain) for array in arrays]
+    return arrays if ranges is None or numpy.isinf(ranges[0][0]) else [to_unit(array, ranges) for array in arrays]
+
+
+def box_options(ranges, periodic, options):
+    """The options of sets whose domain has a range for each axis: its sides may differ."""
+    if ranges is None or len(ranges) == 1:
+        return options
+    sides = [high - low for low, high in ranges]
+    if periodic is False and len(set(sides)) > 1:
+        raise _poissonlab.InputError('analyze: periodic=False does not go with a domain whose sides differ: to measure '
+                                     'points of the plane within it, give it as region, such as "rectangle 0 0 2 1"')
+    return {**options, "box": sides}
 
 
 def window_options(sets, options):
@@ -252,14 +268,18 @@ def window_options(sets, options):
     return {"region": "rectangle 0 0 1 1"} if is_planar and not is_of_squares else {"window": True}
 
 
-def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[float, float]] = None,
-            periodic: Optional[bool] = None, particles: Optional[int] = None, **options: Any) -> Analysis:
+def analyze(points: Points, *, label: str = "points", domain: Optional[Domain] = None,
+            box: Optional[Sequence[float]] = None, periodic: Optional[bool] = None, particles: Optional[int] = None,
+            **options: Any) -> Analysis:
     """Measure point sets, wherever they come from, as `poissonlab analyze` does.
 
     points: one set, an array of shape (n, d); several, of shape (k, n, d) or a list of arrays; or the name of a point
         file or of several. All sets must have the same number of points.
     label: the name for readers, and for messages.
-    domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says.
+    domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says. Or such a range for each
+        axis: where sides differ, the sets lie in a periodic rectangle or box, and lengths of results are in roots of
+        its area (volume), frequencies in cycles over that.
+    box: the sides of such a rectangle or box alone, in the unit of the points: coordinates are from 0 to these.
     periodic: whether the sets go on across their border as on a torus. False: they are measured within the square
         (cube). Default: as on a torus, with a warning where the closest pairs meet across the border.
     particles: the type of the particles of a snapshot, 0 for PartType0; default: its only one.
@@ -269,10 +289,20 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[tuple[flo
     Returns an Analysis. Raises InputError.
     """
     if options.get("region") is not None:
-        if domain is not None:
-            raise _poissonlab.InputError("analyze: domain: does not go with region, whose units points are in")
+        for name, value in (("domain", domain), ("box", box)):
+            if value is not None:
+                raise _poissonlab.InputError(f"analyze: {name}: does not go with region, whose units points are in")
         domain = (-numpy.inf, numpy.inf)  # as they are
-    sets = sets_of(points, domain, particles)
+    if box is not None:
+        if domain is not None:
+            raise _poissonlab.InputError("analyze: box: does not go with domain, which has sides of its own")
+        domain = [(0, side) for side in box]
+        if len(domain) not in (2, 3) or not all(0 < side < numpy.inf for side in box):
+            raise _poissonlab.InputError("analyze: box: must be (width, height), in 3D (width, height, depth), numbers "
+                                         "above 0")
+    ranges = ranges_of(domain)
+    sets = sets_of(points, ranges, particles)
+    options = box_options(ranges, periodic, options)
     if periodic is not None and options.get("region") is not None:
         raise _poissonlab.InputError("analyze: periodic: does not go with region: nothing goes around a torus there")
     if periodic is False:

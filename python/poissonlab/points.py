@@ -1,25 +1,40 @@
 """Point files, in the formats that the program reads and writes."""
 
 import os
-from typing import Optional
+from collections.abc import Sequence
+from typing import Optional, Union
 
 import numpy
 import numpy.typing
 
 from . import _poissonlab
 
+#: A range (low, high) of all coordinates, or one for each axis.
+Domain = Union[tuple[float, float], Sequence[tuple[float, float]]]
+
+
+def ranges_of(domain):
+    """A domain as ranges (low, high), a list of one for all axes or of one for each; None: what files say."""
+    if domain is None:
+        return None
+    ranges = numpy.asarray(domain, dtype=float)
+    if ranges.ndim not in (1, 2) or ranges.size == 0 or ranges.shape[-1] != 2:
+        raise _poissonlab.InputError("domain: must be (low, high), or such a range for each axis")
+    return ranges.reshape(-1, 2).tolist()
+
 
 def read_points(file: "str | os.PathLike[str]",
-                domain: Optional[tuple[float, float]] = None, particles: Optional[int] = None) -> list[numpy.ndarray]:
+                domain: Optional[Domain] = None, particles: Optional[int] = None) -> list[numpy.ndarray]:
     """Read the sets of a point file: text, CSV, PLY, NumPy, HDF5 or UTK's .bin, told apart by content.
 
-    Coordinates are mapped to [0, 1) from `domain`, a pair (low, high); default: what the file says, or (0, 1).
+    Coordinates are mapped to [0, 1) from `domain`, a pair (low, high) or one for each axis; default: what the file says,
+    or (0, 1).
     `particles`: the type of a snapshot's particles, 0 for PartType0; default: its only one. A snapshot in several files
     is read as a whole where one of them is named. Warns of what was left out, or taken for something else.
     Returns a list of float64 arrays of shape (points, 2) or (points, 3), one a realization.
     Raises InputError with file and line.
     """
-    return _poissonlab.read_points([file], domain, particles, False, 2)
+    return _poissonlab.read_points([file], ranges_of(domain), particles, False, 2)
 
 
 def write_points(file: "str | os.PathLike[str]", points: numpy.typing.ArrayLike, comment: str = "") -> None:

@@ -26,12 +26,13 @@ double window_side(double points)
 
 }
 
-PointsView choose_points_view(const PointSet& points)
+PointsView choose_points_view(const PointSet& points, const PeriodicBox& box)
 {
     PointsView view;
     view.total = points.size();
     const auto total = static_cast<double>(view.total);
-    if (points.dimension == 3) view.depth = std::min(1.0, max_min_distance(view.total, 3));
+    if (!box.is_unit()) view.width = std::sqrt(box.sides[0] / box.sides[1]);
+    if (points.dimension == 3) view.depth = std::min(1.0, max_min_distance(view.total, 3) / box.sides[2]);
     const double in_slab = points.dimension == 3 ? total * view.depth : total;
     view.window = window_side(in_slab);
 
@@ -51,9 +52,10 @@ PointsView choose_points_view(const PointSet& points)
 
 Drawing draw_points(const PointsView& view)
 {
-    Drawing drawing{drawing_size, drawing_size, {}};
+    const double width = drawing_size * view.width, height = drawing_size / view.width;
+    Drawing drawing{width, height, {}};
     for (std::size_t i = 0; i < view.visible.size(); i += 2) {
-        const DrawingPoint place{drawing_size * view.visible[i], drawing_size * (1 - view.visible[i + 1])};
+        const DrawingPoint place{width * view.visible[i], height * (1 - view.visible[i + 1])};
         drawing.shapes.push_back({Disk{place, drawing_size * view.dot_diameter / 2}, "#000000", {}});
     }
     return drawing;

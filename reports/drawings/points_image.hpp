@@ -1,6 +1,7 @@
 // The picture of a point set: a window of the torus, small enough that every dot is seen.
 #pragma once
 
+#include "base/geometry/periodic_box.hpp"
 #include "base/geometry/point_set.hpp"
 #include "reports/drawings/drawing.hpp"
 
@@ -13,7 +14,8 @@ struct PointsView
 {
     double window = 1;
     double depth = 1;            ///< 3D only
-    double dot_diameter = 0;     ///< in units of the window
+    double dot_diameter = 0;     ///< in roots of the window's area
+    double width = 1;            ///< of the window, in the same unit: one over its height
     std::size_t total = 0;       ///< points in the set
     std::vector<double> visible; ///< x0 y0 x1 y1 ..., in units of the window
     std::size_t shown() const { return visible.size() / 2; }
@@ -23,7 +25,8 @@ struct PointsView
 /// 3D sets are shown as a slab as thick as the largest possible minimum distance, seen along z.
 /// Dots have a third of the diameter of the largest disks that so many points could carry, whatever the
 /// method, so that pictures of different methods compare.
-PointsView choose_points_view(const PointSet& points);
+/// Of a box, windows have the proportion of its sides along x and y.
+PointsView choose_points_view(const PointSet& points, const PeriodicBox& box = {});
 
 /// Black dots on white. The origin is at the lower left.
 Drawing draw_points(const PointsView& view);

@@ -1,5 +1,8 @@
 #include "reports/images/spectrum_image.hpp"
 
+#include <cmath>
+#include <cstddef>
+
 namespace poissonlab {
 
 namespace {
@@ -33,6 +36,20 @@ GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mappin
             image.at(column, size - 1 - row) =
                 grey(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
     return image;
+}
+
+Spectrum in_true_proportion(const Spectrum& plane, double column_side, double row_side)
+{
+    Spectrum stretched = plane;
+    const int half = plane.size / 2;
+    std::size_t pixel = 0;
+    for (int q = -half; q < half; ++q)
+        for (int p = -half; p < half; ++p, ++pixel) {
+            const auto u = static_cast<int>(std::lround(p * column_side));
+            const auto v = static_cast<int>(std::lround(q * row_side));
+            stretched.power[pixel] = u == 0 && v == 0 && (p != 0 || q != 0) ? 0 : plane.at(u, v);
+        }
+    return stretched;
 }
 
 int page_block(int spectrum_size)

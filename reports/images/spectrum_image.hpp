@@ -13,6 +13,11 @@ namespace poissonlab {
 /// black where a pixel would show nothing else.
 GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mapping, int block = 1);
 
+/// A plane of the spectrum of a box in true proportion: frequencies along both axes reach as far as they do along the
+/// longest side of the box, and those along shorter ones, which are further apart, fill several pixels. Sides of the
+/// box along columns and rows, over the longest.
+Spectrum in_true_proportion(const Spectrum& plane, double column_side, double row_side);
+
 /// The block for a picture on the page: the smallest power of two that makes it at most 512 pixels wide.
 int page_block(int spectrum_size);
 

@@ -23,7 +23,7 @@ double autocorrelation_reach(std::size_t points)
 void add_autocorrelation_panel(const ReportSeries& series, std::vector<Panel>& panels)
 {
     const auto& stored = *series.stored;
-    if (series.run->dimension != 2 || stored.spectrum_file.empty() || stored.is_window || stored.region ||
+    if (series.run->dimension != 2 || stored.spectrum_file.empty() || stored.is_window || stored.region || stored.box ||
         stored.points < 2)
         return;
     const double reach = autocorrelation_reach(stored.points_of_first());

@@ -34,6 +34,15 @@ constexpr int points_pixels = 1024;
 constexpr int cells_pixels = 1024;
 constexpr int density_pixels = 512;
 
+/// The planes through frequency 0; others cannot stand beside each other in one picture.
+std::vector<Spectrum> in_true_proportion(const std::vector<Spectrum>& planes, const SpectrumPicture& picture)
+{
+    const auto share = [&](std::size_t axis) { return picture.box.sides[axis] / picture.box.longest(); };
+    if (picture.dimension == 2) return {in_true_proportion(planes.front(), share(0), share(1))};
+    return {in_true_proportion(planes.at(0), share(0), share(1)), in_true_proportion(planes.at(1), share(0), share(2)),
+            in_true_proportion(planes.at(2), share(1), share(2))};
+}
+
 /// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
 std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
 {
@@ -43,7 +52,7 @@ std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
         throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", picture.file.string(),
                                      in_space ? "images of a 3D spectrum's planes" : "an image", picture.size,
                                      picture.size));
-    return planes;
+    return picture.box.is_unit() ? planes : in_true_proportion(planes, picture);
 }
 
 void write_in_pixels(const fs::path& path, const Drawing& drawing)

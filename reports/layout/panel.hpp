@@ -30,6 +30,7 @@ struct SpectrumPicture
     int size = 0; ///< frequencies along each axis, as results.json says
     int dimension = 2;
     Part part = Part::whole;
+    PeriodicBox box{}; ///< that the sets lie in
 };
 
 /// A picture of the stored samples of the zone plate.

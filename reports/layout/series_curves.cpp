@@ -77,7 +77,7 @@ Curve read_curve(const Run& run, const Series& stored)
     curve.periodograms = periodograms_of(stored);
     if (stored.min_distance && stored.min_distance->mean > 0) curve.principal_frequency = 1 / stored.min_distance->mean;
     if (stored.spectrum_size > 0)
-        curve.max_frequency = stored.spectrum_size / 2;
+        curve.max_frequency = spectrum_reach(stored);
     else if (stored.has_spectrum())
         curve.max_frequency = curve.bins.back().frequency;
     return curve;

@@ -24,7 +24,7 @@ PointSet first_realization(const ReportSeries& series)
 
 Panel points_panel(const ReportSeries& series, const PointSet& points)
 {
-    const auto view = choose_points_view(points);
+    const auto view = choose_points_view(points, series.stored->box ? series.stored->box->box() : PeriodicBox{});
     const auto side = format_significant(view.window, 2);
     auto caption = view.shown() == view.total
                        ? fmt::format("All {} {}", format_count(view.total), noun(view.total, "point"))
@@ -33,11 +33,14 @@ Panel points_panel(const ReportSeries& series, const PointSet& points)
         "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
         "up in a picture as patterns that are not there.";
     if (points.dimension == 3) {
-        caption += fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
+        caption += fmt::format(": a slab of the {}, z below {}, seen along z", series.stored->box ? "box" : "cube",
+                               format_significant(view.depth, 2));
         guide += " Of a cube, a slab is shown that is as thick as the smallest distance could be at most: points that "
                  "lie over one another may touch.";
     }
-    if (view.window < 1) caption += fmt::format(": the window of {} × {} at the lower left", side, side);
+    if (view.window < 1)
+        caption += series.stored->box ? fmt::format(": {} of each side, at the lower left", side)
+                                      : fmt::format(": the window of {0} × {0} at the lower left", side);
     return {.stem = "points",
             .picture = view,
             .title = "Points",
@@ -108,7 +111,8 @@ std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const 
     add_autocorrelation_panel(series, panels);
     add_folded_density_panel(series, panels);
     add_region_panels(series, index, panels);
-    if (has_points && points.dimension == 2 && !series.stored->region) panels.push_back(cells_panel(series, points));
+    if (has_points && points.dimension == 2 && !series.stored->region && !series.stored->box)
+        panels.push_back(cells_panel(series, points));
     add_space_panels(series, panels);
     add_iteration_panels(series, index, plots, panels);
     add_zone_plate_panels(run, index, plots, panels);

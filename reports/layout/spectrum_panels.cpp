@@ -19,7 +19,8 @@ using SpectrumPart = SpectrumPicture::Part;
 SpectrumPicture picture(const ReportSeries& series, SpectrumPart part)
 {
     const auto& stored = *series.stored;
-    return {series.run->folder / stored.spectrum_file, stored.spectrum_size, series.run->dimension, part};
+    return {series.run->folder / stored.spectrum_file, stored.spectrum_size, series.run->dimension, part,
+            stored.box ? stored.box->box() : PeriodicBox{}};
 }
 
 std::string caption(const ReportSeries& series)
@@ -35,12 +36,24 @@ std::string caption(const ReportSeries& series)
         text = fmt::format("Mean over {} tapers of the region", tapers) +
                (stored.realizations > 1 ? fmt::format(" and {} sets,", stored.realizations) : " of one set,");
     text += fmt::format(" {} × {} frequencies", side, in_space ? side + " × " + side : side);
-    if (in_space)
+    if (stored.box)
+        text += fmt::format(": those that all directions have, up to {} in cycles per root of the {}",
+                            format_significant(spectrum_reach(stored), 3), in_space ? "box's volume" : "box's area");
+    else if (in_space)
         text += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
                             format_fixed(-size / 2, 0), format_fixed(size / 2 - 1, 0));
     if (const int block = spectrum_page_block(size, series.run->dimension); block > 1)
         text += fmt::format("; a pixel here is the mean of {0} × {0}, full size one click away", block);
     return text + ".";
+}
+
+std::string close_ups_caption(const Series& stored, int reach)
+{
+    if (stored.box)
+        return fmt::format("The middle of the planes through frequency 0, up to {} along each axis.",
+                           format_significant(reach * spectrum_reach(stored) / (stored.spectrum_size / 2), 3));
+    return fmt::format("The middle of the planes through frequency 0, from {} to {}.", format_fixed(-reach, 0),
+                       format_fixed(reach - 1, 0));
 }
 
 std::string guide(bool in_space)
@@ -85,6 +98,14 @@ void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels)
 {
     const auto& stored = *series.stored;
     if (series.run->dimension == 2 || stored.spectrum_file.empty()) return;
+    const int reach = std::max(1, 5 * stored.spectrum_size / 16);
+    const Panel close_ups{.stem = "spectrum-close-ups",
+                          .picture = picture(series, SpectrumPart::close_ups),
+                          .title = "Close-ups",
+                          .caption = close_ups_caption(stored, reach),
+                          .image_class = "",
+                          .figure_class = "row"};
+    if (stored.box) return panels.push_back(close_ups); // a cube of frequencies has sides that do not differ
     panels.push_back({.stem = "spectrum-cube",
                       .picture = picture(series, SpectrumPart::cube),
                       .title = "Cube of frequencies",
@@ -99,14 +120,7 @@ void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels)
                           .caption = fmt::format("Planes where the frequency along z is {}.", fmt::join(slices, ", ")),
                           .image_class = "",
                           .figure_class = "row"});
-    const int reach = std::max(1, 5 * stored.spectrum_size / 16);
-    panels.push_back({.stem = "spectrum-close-ups",
-                      .picture = picture(series, SpectrumPart::close_ups),
-                      .title = "Close-ups",
-                      .caption = fmt::format("The middle of the planes through frequency 0, from {} to {}.",
-                                             format_fixed(-reach, 0), format_fixed(reach - 1, 0)),
-                      .image_class = "",
-                      .figure_class = "row"});
+    panels.push_back(close_ups);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -37,6 +38,19 @@ PageData region_data(const Series& series)
     return data;
 }
 
+/// The box's sides in their unit, and the unit of lengths.
+PageData box_data(const Series& series)
+{
+    if (!series.box) return false;
+    std::vector<std::string> sides;
+    for (const double side : series.box->sides) sides.push_back(format_significant(side, 5));
+    PageData data;
+    data.set("sides", fmt::format("{}", fmt::join(sides, " × ")));
+    data.set("unit", format_significant(series.box->unit_length(), 5));
+    data.set("of", series.box->sides.size() == 2 ? "area" : "volume");
+    return data;
+}
+
 }
 
 PageData optional_text(const std::string& text) { return text.empty() ? PageData(false) : PageData(text); }
@@ -51,6 +65,7 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     data.set("points", format_count(series.stored->points));
     data.set("is_window", series.stored->is_window);
     data.set("region", region_data(*series.stored));
+    data.set("box", box_data(*series.stored));
     data.set("points_range", optional_text(points_range(*series.stored)));
     data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
     const std::size_t repeated = series.stored->repeated.size();

@@ -14,13 +14,15 @@ namespace poissonlab {
 namespace {
 
 /// Ticks at plus and minus the principal frequency, in percent of the picture's width.
-PageData principal_ticks(const Curve& curve, int size)
+PageData principal_ticks(const Curve& curve, const SpectrumPicture& picture)
 {
     PageData ticks{PageData::type::list};
-    if (!curve.principal_frequency || *curve.principal_frequency >= size / 2) return ticks;
+    const int size = picture.size;
+    if (!curve.principal_frequency) return ticks;
+    const double pixels = *curve.principal_frequency * picture.box.longest();
+    if (pixels >= size / 2) return ticks;
     for (const double sign : {-1.0, 1.0})
-        ticks << PageData("percent",
-                          fmt::format("{:.2f}", 100 * (size / 2 + 0.5 + sign * *curve.principal_frequency) / size));
+        ticks << PageData("percent", fmt::format("{:.2f}", 100 * (size / 2 + 0.5 + sign * pixels) / size));
     return ticks;
 }
 
@@ -29,9 +31,13 @@ PageData spectrum_axis(const ReportSeries& series, const SpectrumPicture& pictur
 {
     if (picture.dimension == 3) return false;
     PageData data;
-    data.set("lowest", format_fixed(-picture.size / 2, 0));
-    data.set("highest", format_fixed(picture.size / 2 - 1, 0));
-    data.set("ticks", principal_ticks(series.curve, picture.size));
+    const int half = picture.size / 2;
+    const auto frequency = [&](int pixel) {
+        return format_fixed(pixel / picture.box.longest(), picture.box.is_unit() ? 0 : 1);
+    };
+    data.set("lowest", frequency(-half));
+    data.set("highest", frequency(half - 1));
+    data.set("ticks", principal_ticks(series.curve, picture));
     return data;
 }
 

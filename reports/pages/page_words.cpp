@@ -80,8 +80,10 @@ std::string domain_words(const std::vector<const ReportSeries*>& series)
     const auto add_where = [&](const char* what, const auto& is_there) {
         if (std::ranges::any_of(series, is_there)) words.emplace_back(what);
     };
-    add_where("on the unit torus",
-              [](const auto* entry) { return !entry->stored->is_window && !entry->stored->region; });
+    add_where("on the unit torus", [](const auto* entry) {
+        return !entry->stored->is_window && !entry->stored->region && !entry->stored->box;
+    });
+    add_where("in periodic boxes", [](const auto* entry) { return entry->stored->box.has_value(); });
     add_where("in windows", [](const auto* entry) { return entry->stored->is_window; });
     add_where("in regions", [](const auto* entry) { return entry->stored->region.has_value(); });
     return fmt::format("{}", fmt::join(words, " or "));

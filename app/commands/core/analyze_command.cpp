@@ -21,13 +21,15 @@ constexpr auto analyze_notes =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
 a line with # alone separates realizations), CSV (columns x, y and z by name), PLY, NumPy .npy, HDF5 or UTK .bin. All
 realizations must have as many points. Of a snapshot in several files, one is named: all are read.
-Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
+Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`),
+with a range for each axis where the sides of a periodic box differ: `# domain 0:2 0:1`.
   poissonlab analyze set-*.dat --label "My method" --out mine
 --set takes the keys of a config's [analysis] that are about the analysis:
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
   --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders (2D:
                                       --periodic no corrects spectra and curves for the border as well)
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
+  --set analysis.box=[2,1]            the sets lie in a periodic box of these sides, with coordinates over them
   --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
   --set analysis.tapers=8             with --region: the spectrum is the mean by so many orthogonal tapers
   --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
@@ -40,7 +42,7 @@ struct AnalyzeOptions
     std::vector<std::filesystem::path> files;
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
-    std::string domain; ///< as for parse_range(); empty: what the files say
+    std::string domain; ///< as for parse_domain(); empty: what the files say
     std::uint32_t particles = no_type;
     std::string region;   ///< as for read_region(); empty: sets fill their square
     std::string periodic; ///< yes or no; empty: what the closest pairs say
@@ -89,6 +91,18 @@ ConfigTable window_entry(const Experiment& experiment, const std::vector<std::st
     return entry_of("--periodic", "window", true, "no");
 }
 
+/// The box of sets whose domain has sides that differ.
+ConfigTable box_entry(const AnalyzeOptions& options, const std::vector<double>& sides)
+{
+    if (options.periodic == "no")
+        throw InputError(
+            "analyze: --periodic no does not go with a domain whose sides differ: to measure points of the "
+            "plane within it, give it as --region, such as \"rectangle 0 0 2 1\"");
+    ConfigList list;
+    for (const double side : sides) list.push_back({side, {}, fmt::format("{}", side)});
+    return entry_of("--domain", "box", list, {});
+}
+
 void check_periodic(const AnalyzeOptions& options)
 {
     if (options.periodic.empty()) return;
@@ -101,16 +115,17 @@ void check_periodic(const AnalyzeOptions& options)
 void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
-    std::optional<CoordinateRange> domain;
+    std::optional<PointDomain> domain;
     if (!options.domain.empty()) {
-        domain = parse_range(options.domain);
+        domain = parse_domain(options.domain);
         if (!domain)
-            throw InputError("analyze: --domain " + options.domain +
-                             ": must be LOW:HIGH, two numbers, the first smaller; or HIGH" +
+            throw InputError("analyze: --domain " + options.domain + ": must be " + domain_form +
                              decimal_comma_words(options.domain));
     }
+    if (domain && domain->dimension() > 0 && options.in_pieces)
+        throw InputError("analyze: --in-pieces does not go with --domain of a range for each axis");
     check_periodic(options);
-    PointReading how{.range = domain, .options = option_words};
+    PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
     ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
@@ -121,7 +136,11 @@ void analyze(const AnalyzeOptions& options)
                              options.in_pieces};
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
                                    : import_points(options.files, options.label, how, large);
-    if (options.periodic == "no") entries = window_entry(experiment, options.overrides);
+    const std::vector<double> sides = experiment.analysis.box_sides;
+    if (!sides.empty())
+        entries = box_entry(options, sides);
+    else if (options.periodic == "no")
+        entries = window_entry(experiment, options.overrides);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
     experiment.analysis.is_periodic = options.periodic == "yes";
@@ -146,7 +165,9 @@ Command analyze_command(const std::string& typed)
              {"--out", &o->out, "The output folder; default: out/ and the label", "DIR"},
              {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
              {"--domain", &o->domain,
-              "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+              "Range of all coordinates, such as 512 or -1:1, or one for each axis, such as \"0:2 0:1\": sets lie in a "
+              "periodic rectangle (box); default: what a file says, or 0:1",
+              "[LOW:]HIGH"},
              allowing({"--particles", &o->particles,
                        "The particles of a snapshot that are the points: 0 for PartType0, and so on; default: the only "
                        "type that it has",

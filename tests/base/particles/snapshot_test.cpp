@@ -119,16 +119,17 @@ f = h5py.File('domain.h5', 'w'); f['points'] = x / 9; f['points'].attrs['domain'
     EXPECT_THAT(error("text.hdf5"), HasSubstr("text.hdf5: the attribute Header/BoxSize is text: must hold numbers"));
     EXPECT_THAT(error("empty.hdf5"), HasSubstr("the attribute Header/BoxSize is empty: must hold numbers"));
     EXPECT_THAT(error("four.hdf5"), HasSubstr("the attribute Header/BoxSize is 9 x 9 x 9 x 9: must be one side"));
-    EXPECT_THAT(error("long.hdf5"),
-                HasSubstr("the attribute Header/BoxSize is 9 x 9 x 18: the sides must be equal, boxes "
-                          "that are no cubes are not measured"));
+    EXPECT_THAT(error("long.hdf5"), HasSubstr("declares a domain whose sides differ"));
+    PointDomain box;
+    read_points_in_box(folder_.path() / "long.hdf5", {}, box);
+    EXPECT_THAT(box.sides(), ElementsAre(9, 9, 18));
     EXPECT_THAT(error("zero.hdf5"), HasSubstr("the attribute Header/BoxSize is 0: must be above 0"));
     EXPECT_THAT(error("nan.hdf5"), HasSubstr("Header/BoxSize is nan"));
     EXPECT_THAT(told("none.hdf5"),
                 ElementsAre("none.hdf5: the header has no BoxSize: the side of the box is taken as 1"));
     EXPECT_THAT(error("outside.hdf5"), HasSubstr("point 1: 1.25: must be a number in [0, 1)"));
     EXPECT_THAT(error("domain.h5"), HasSubstr("the attribute domain is 0, 0.5, 1: must be two numbers"));
-    expect_x("text.hdf5", {.range = CoordinateRange{0, 9}}); // what is asked for comes first
+    expect_x("text.hdf5", {.domain = CoordinateRange{0, 9}}); // what is asked for comes first
 }
 
 TEST_F(Snapshot, OfThePlaneHasASideAcrossThatDoesNotCount)

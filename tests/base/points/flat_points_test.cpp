@@ -46,7 +46,7 @@ ReadSets read(const std::string& name, const std::string& content, std::optional
     ReadSets result;
     result.sets =
         read_points(folder.write(name, content),
-                    {.range = range, .told = [&](const std::string& sentence) { result.told.push_back(sentence); }});
+                    {.domain = range, .told = [&](const std::string& sentence) { result.told.push_back(sentence); }});
     return result;
 }
 

@@ -36,7 +36,7 @@ protected:
         const ScratchFolder scratch(file("strips"));
         std::vector<double> told;
         const PointStrips strips =
-            read_into_strips(file(name), {.range = range}, scratch.path(),
+            read_into_strips(file(name), {.domain = range}, scratch.path(),
                              [&](std::span<const double> part) { told.insert(told.end(), part.begin(), part.end()); });
         EXPECT_EQ(told, expected.coordinates) << name;
         EXPECT_EQ(strips.dimension(), expected.dimension);

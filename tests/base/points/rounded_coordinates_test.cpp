@@ -48,7 +48,7 @@ TEST(RoundedCoordinates, OfDoublesAreZero)
 /// The nearest float to 0.1 is 0.100000001490116.
 TEST(RoundedCoordinates, MayBeFartherThanTheEnd)
 {
-    const ReadSet read = read_set("a.npy", npy<float>({0.05F, 0.1F, -0.1F, 0}), {.range = CoordinateRange{-0.1, 0.1}});
+    const ReadSet read = read_set("a.npy", npy<float>({0.05F, 0.1F, -0.1F, 0}), {.domain = CoordinateRange{-0.1, 0.1}});
     EXPECT_EQ(read.set.coordinates[1], 0);
     EXPECT_EQ(read.set.coordinates[2], 0);
     EXPECT_THAT(read.told, ElementsAre("a.npy: 2 of 4 coordinates lie on the end of [-0.1, 0.1) by rounding: taken as "
