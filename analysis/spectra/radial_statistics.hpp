@@ -28,8 +28,8 @@ struct RadialBin
 /// samples (at least 1). One sample wide, bin k holds those with round(|f|) = k, for k = 1 .. M/2 - 1.
 /// Compared as integers, so that no sample changes its bin by rounding. The DC sample (f = 0) is left out,
 /// and so are bins that reach beyond the spectrum's border. In a box |f| is the length in its reciprocal lattice, which
-/// has one frequency in a unit of area (volume) as well: bins hold as many samples as those of the unit torus. The first
-/// one also holds the frequencies of at most 1/2 that there are along sides longer than 2.
+/// has one frequency in a unit of area (volume) as well: bins hold as many samples as those of the unit torus. The
+/// first one also holds the frequencies of at most 1/2 that there are along sides longer than 2.
 std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_width = 1);
 
 /// Powers up to this are zeros: the square of the transform's error, over N.

@@ -18,7 +18,7 @@ def ranges_of(domain):
     if domain is None:
         return None
     ranges = numpy.asarray(domain, dtype=float)
-    if ranges.ndim > 2 or ranges.size == 0 or ranges.shape[-1] != 2:
+    if ranges.ndim not in (1, 2) or ranges.size == 0 or ranges.shape[-1] != 2:
         raise _poissonlab.InputError("domain: must be (low, high), or such a range for each axis")
     return ranges.reshape(-1, 2).tolist()
 
