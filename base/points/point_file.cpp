@@ -62,8 +62,7 @@ PointDomain declared_domain(const PointFileContent& file)
         while (words.next() && words.word().find(':') != std::string_view::npos)
             domain += " " + std::string(words.word());
         if (const auto declared = parse_domain(domain)) return *declared;
-        fail_in_point_file(file, lines.number(), text,
-                           "a domain is LOW:HIGH, two numbers, the first smaller; or such a range for each axis");
+        fail_in_point_file(file, lines.number(), text, "a domain is LOW:HIGH, two numbers, the first smaller");
     }
     return {};
 }

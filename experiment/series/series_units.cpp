@@ -1,6 +1,7 @@
 #include "experiment/series/series_units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

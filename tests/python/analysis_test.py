@@ -60,6 +60,35 @@ class Analyses(FolderTest):
         with self.assertRaisesRegex(pl.InputError, "domain: does not go with region"):
             pl.analyze(points, region=region, domain=(0, 64))
 
+    def test_of_points_in_a_periodic_box_are_sums_over_its_own_frequencies(self):
+        sides = numpy.array([6.0, 2.0])
+        points = numpy.random.default_rng(5).uniform((0, 0), sides, (90, 2))
+        analysis = pl.analyze(points, box=sides)
+        u, v = numpy.meshgrid(numpy.arange(-40, 41), numpy.arange(-40, 41))
+        waves = 2 * numpy.pi * numpy.stack([u / sides[0], v / sides[1]], axis=-1)
+        power = abs(numpy.exp(-1j * waves @ points.T).sum(axis=-1))**2 / len(points)
+        ring = numpy.rint(numpy.hypot(*numpy.moveaxis(waves, -1, 0)) * numpy.sqrt(sides.prod()) / (2 * numpy.pi))
+        for k in range(10):
+            numpy.testing.assert_allclose(analysis.radial.power[k], power[ring == k + 1].mean(), rtol=1e-6)
+        apart = abs(points[:, None] - points[None])
+        apart = numpy.hypot(*numpy.moveaxis(numpy.minimum(apart, sides - apart), -1, 0))
+        numpy.fill_diagonal(apart, numpy.inf)
+        numpy.testing.assert_allclose(analysis.min_distance[0] * numpy.sqrt(sides.prod()), apart.min(), rtol=1e-9)
+        self.assert_same_bytes(pl.analyze(points - [3, 0], domain=[(-3, 3), (0, 2)]).radial.frequency,
+                               analysis.radial.frequency)
+        square = pl.analyze(points / sides)
+        self.assert_same_bytes(pl.analyze(points / sides, box=(1, 1)).radial.power, square.radial.power)
+
+    def test_of_boxes_that_cannot_be_are_refused(self):
+        points = sets_of(1, 20)[0]
+        for options, words in (({"box": (2, 1), "domain": (0, 2)}, "box: does not go with domain"),
+                               ({"box": (2, 1), "periodic": False}, "periodic=False does not go with"),
+                               ({"box": (2, 1), "region": "rectangle 0 0 2 1"}, "box: does not go with region"),
+                               ({"box": (2, 0)}, "box: must be"), ({"box": (2, 1, 1)}, "one for each axis"),
+                               ({"box": (2, 1), "tiles": 4}, "does not go with tiles")):
+            with self.subTest(**options), self.assertRaisesRegex(pl.InputError, words):
+                pl.analyze(points, **options)
+
     def test_have_the_numbers_of_the_program_bit_for_bit(self):
         for k, n, d, options in ((3, 200, 2, {}), (1, 150, 3, {}), (34, 20, 2, {"spectrum": "exact"}),
                                  (2, 64, 2, {"window": True, "bin_width": 2})):
