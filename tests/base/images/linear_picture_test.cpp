@@ -139,6 +139,19 @@ TEST_F(TransparentPictures, OfTiffSayWhatTheirColoursAre)
     expect_numbers("multiplied.tif", "ink", {half * (1 - 0.507320), 1 - grey_light});
 }
 
+/// GIF89a of 2 x 1 pixels: black, and a colour of the palette that is transparent.
+TEST_F(TransparentPictures, MayBeGif)
+{
+    const std::string hex = "47494638396102000100f10000000000c86432ffffff00000021f90401000001"
+                            "002c0000000002000100000202440a003b";
+    std::string bytes;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    folder_.write("a.gif", bytes);
+    expect_numbers("a.gif", "ink", {1, 0});
+    expect_numbers("a.gif", "light", {0, 0});
+}
+
 /// BMP with 32 bits a pixel, BI_RGB: the fourth byte is not used, and 0 in most files.
 TEST_F(TransparentPictures, AreNoneOfBmp)
 {

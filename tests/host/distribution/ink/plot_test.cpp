@@ -81,7 +81,7 @@ TEST(Plots, MayHaveShortStrokes)
     EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-linecap=\"round\""));
     const auto lines = elements_of(svg, "line");
     ASSERT_EQ(lines.size(), 3U);
-    EXPECT_THAT(lines[1], Pointwise(DoubleNear(1e-9), {23.995, 20, 24.005, 20}));
+    EXPECT_THAT(lines[1], Pointwise(DoubleNear(1e-9), {23.995, 20.0, 24.005, 20.0}));
 }
 
 /// Strokes of 1 mm whose ends are 10 mm apart are as long with a pen of 0.4 mm, and begin with the end that is nearer.
