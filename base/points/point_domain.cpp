@@ -33,12 +33,6 @@ std::optional<CoordinateRange> range_between(std::string_view low, std::string_v
 
 }
 
-PointDomain::PointDomain(std::span<const CoordinateRange> ranges)
-    : ranges_{any_coordinates, any_coordinates, any_coordinates}, dimension_(static_cast<int>(ranges.size()))
-{
-    std::ranges::copy(ranges, ranges_.begin());
-}
-
 std::vector<double> PointDomain::sides() const
 {
     std::vector<double> sides;

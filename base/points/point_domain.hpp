@@ -1,6 +1,7 @@
 // The domain of points: which coordinates a file or a user says that there can be.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -32,8 +33,13 @@ class PointDomain
 public:
     PointDomain(CoordinateRange all = {}) : ranges_{all, all, all} {}
 
-    /// Two or three ranges; a third coordinate that there should not be can be any number.
-    explicit PointDomain(std::span<const CoordinateRange> ranges);
+    /// Two or three ranges; a third coordinate that there should not be can be any number. It is here for the module of
+    /// files of particles, which links nothing of this room.
+    explicit PointDomain(std::span<const CoordinateRange> ranges)
+        : ranges_{any_coordinates, any_coordinates, any_coordinates}, dimension_(static_cast<int>(ranges.size()))
+    {
+        std::ranges::copy(ranges, ranges_.begin());
+    }
 
     const CoordinateRange& operator[](std::size_t axis) const { return ranges_[axis]; }
 

@@ -10,6 +10,8 @@
 
 namespace poissonlab {
 
+std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
+
 SeriesTileSets::SeriesTileSets(const TileSetChoice& choice, const SampleRequest& request, Engine engine,
                                const DeviceProvider& device)
 {

@@ -17,6 +17,9 @@ struct TileSetChoice
     double density = 1; ///< part of the points that is kept
 };
 
+/// How many tile sets a series has: its parameter `sets`.
+std::uint32_t sets_of(const Parameters& given);
+
 class SeriesTileSets
 {
 public:

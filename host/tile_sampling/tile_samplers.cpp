@@ -55,8 +55,6 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
 
 double density_of(const Parameters& given) { return given.number("density"); }
 
-std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
-
 class TileSampler final : public DeviceSampler
 {
 public:

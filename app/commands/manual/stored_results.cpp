@@ -77,8 +77,8 @@ std::string seam_table()
             const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-12", colors, border);
             const Estimate peak = measure_of_sets(measures, name, "near_lattice_peaks"),
                            share = measure_of_sets(measures, name, "lattice_excess");
-            text += fmt::format(" {} | {} |", with_digits_of_error(peak.value, *peak.standard_error),
-                                with_digits_of_error(100 * share.value, 100 * *share.standard_error, " %"));
+            text += fmt::format(" {} | {} % |", format_estimate(peak.value, peak.standard_error).text(),
+                                format_estimate(100 * share.value, 100 * *share.standard_error).text());
         }
         text += "\n";
     }

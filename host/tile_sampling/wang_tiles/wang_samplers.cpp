@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/device_sampler.hpp"
+#include "host/tile_sampling/series_tile_sets.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
@@ -95,8 +96,6 @@ double shade_distance(const Parameters& given)
     return min_distance_for(given.number("relative_radius"), static_cast<std::size_t>(given.integer("points_per_tile")),
                             2);
 }
-
-std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
 
 BuiltTiles shade_tiles(const Parameters& given, std::uint64_t seed)
 {

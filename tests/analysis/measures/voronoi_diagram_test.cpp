@@ -64,7 +64,7 @@ TEST(VoronoiDiagram, HasTheCellsThatBisectorsCut)
 {
     std::mt19937_64 random(1);
     for (const std::size_t n : {1, 2, 3, 4, 7, 20, 150}) {
-        const PointSet points = random_points(n, 2, random);
+        const PointSet points = test::random_points(n, 2, random);
         const VoronoiDiagram diagram = voronoi_diagram(points);
         ASSERT_EQ(diagram.cells.size(), n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -92,7 +92,7 @@ TEST(VoronoiDiagram, HasSixNeighboursOnAverageAndTheWholeArea)
 {
     std::mt19937_64 random(2);
     for (const std::size_t n : {5, 100, 5000}) {
-        const VoronoiDiagram diagram = voronoi_diagram(random_points(n, 2, random));
+        const VoronoiDiagram diagram = voronoi_diagram(test::random_points(n, 2, random));
         int sum = 0;
         for (const VoronoiCell& cell : diagram.cells) sum += cell.neighbours;
         EXPECT_EQ(sum, static_cast<int>(6 * n)); // Euler's formula on the torus
@@ -142,7 +142,7 @@ TEST(VoronoiDiagram, OfIndependentPointsHasThePublishedMoments)
     std::mt19937_64 random(3);
     std::vector<std::vector<double>> samples(5);
     for (int i = 0; i < 30; ++i) {
-        const VoronoiStatistics statistics = voronoi_statistics(voronoi_diagram(random_points(2000, 2, random)));
+        const VoronoiStatistics statistics = voronoi_statistics(voronoi_diagram(test::random_points(2000, 2, random)));
         samples[0].push_back(statistics.relative_area_variance);
         for (std::size_t k = 0; k < 4; ++k) samples[k + 1].push_back(statistics.neighbour_share[k]);
     }
@@ -172,7 +172,7 @@ TEST(VoronoiDiagram, GivesCoincidingPointsOneCell)
 TEST(VoronoiDiagram, IsTheSameEveryTime)
 {
     std::mt19937_64 random(4);
-    for (const PointSet& points : {random_points(500, 2, random), square_lattice(13, 2)}) {
+    for (const PointSet& points : {test::random_points(500, 2, random), square_lattice(13, 2)}) {
         const VoronoiDiagram first = voronoi_diagram(points), second = voronoi_diagram(points);
         for (std::size_t i = 0; i < points.size(); ++i) {
             EXPECT_EQ(first.cells[i].polygon, second.cells[i].polygon);
