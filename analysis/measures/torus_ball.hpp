@@ -30,7 +30,8 @@ double largest_toroidal_distance(int dimension);
 /// two independent uniform points.
 double torus_ball_volume(double radius, int dimension);
 
-/// The same in a box, for radii up to half of its shortest side where it is no square (cube).
+/// The area or volume of such positions in a periodic box, for radii up to half of its shortest side where it is no
+/// square (cube).
 double torus_ball_volume(double radius, int dimension, const PeriodicBox& box);
 
 /// The distribution function of the distance of two independent uniform points of the unit square or cube, for

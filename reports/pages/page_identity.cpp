@@ -43,7 +43,7 @@ PageData box_data(const Series& series)
 {
     if (!series.box) return false;
     std::vector<std::string> sides;
-    for (const double side : series.box->sides) sides.push_back(format_significant(side, 5));
+    for (const double side : series.box->sides) sides.push_back(fmt::format("{:.6g}", side));
     PageData data;
     data.set("sides", fmt::format("{}", fmt::join(sides, " × ")));
     data.set("unit", format_significant(series.box->unit_length(), 5));

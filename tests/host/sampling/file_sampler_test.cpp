@@ -120,7 +120,8 @@ TEST_F(FileSampler, RefusesSetsOfAnotherDimension)
 TEST_F(FileSampler, PassesOnWhatIsWrongInAFile)
 {
     folder.write("a.dat", "0.1 0\n0.2 1.5\n");
-    EXPECT_EQ(error({"a.dat"}), "a.dat:2: 1.5: must be a number in [0, 1)");
+    EXPECT_EQ(error({"a.dat"}), "a.dat:2: 1.5: must be a number in [0, 1); the numbers go from 0 to 1.5: region = "
+                                "\"rectangle 0.1 0 0.21 1.6\" would fit");
 }
 
 TEST_F(FileSampler, RefusesWhatHasNoEndOrCanBeReadOnce)
