@@ -16,8 +16,8 @@ namespace poissonlab {
 /// sides of more than most_exemplar_pixels.
 PngPixels read_exemplar(const std::filesystem::path& file, AlphaUse use = AlphaUse::left_out);
 
-/// Reads an exemplar; `note` becomes what a person should know of light that 8 bits do not show, and of alpha that is left
-/// out, or stays empty.
+/// Reads an exemplar; `note` becomes what a person should know of light that 8 bits do not show, and of alpha that is
+/// left out, or stays empty.
 PngPixels read_exemplar(const std::filesystem::path& file, std::string& note, AlphaUse use = AlphaUse::left_out);
 
 /// Light from 0 to 1 of light from 0 to `brightest`, channel by channel: Reinhard and others, Photographic Tone

@@ -164,8 +164,9 @@ TEST_F(TilesPointsCommand, SaysWhatIsWrongWithADensity)
 TEST_F(TilesPointsCommand, SaysWhatIsWrong)
 {
     expect_error("none.ptiles --window 0 0 1 1 --out points.npy", "none.ptiles: cannot be read");
-    expect_error("tiles.ptiles --window 0 0 1 1 --out points.svg",
-                 "--out points.svg: must end in .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda, .h5part, .geojson or .dxf");
+    expect_error(
+        "tiles.ptiles --window 0 0 1 1 --out points.svg",
+        "--out points.svg: must end in .txt, .dat, .csv, .npy, .ply, .h5, .hdf5, .usda, .h5part, .geojson or .dxf");
     expect_error("tiles.ptiles --window 0 0 1 --out points.npy", "--window 0 0 1: must be X Y W H");
     expect_error("tiles.ptiles --window 0 0 0 1 --out points.npy", "sizes are at least 1");
     expect_error("tiles.ptiles --window 0 0 70000 1 --out points.npy", "must be 1 to 65536");

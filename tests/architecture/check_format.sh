@@ -3,5 +3,5 @@
 # hand: the formatter takes the loops that kernels write as macros for functions, and breaks the tables in comments.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-find analysis app base host reports results tests tiles \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
+find analysis app base experiment host python reports results tests tiles \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
   xargs -0 -n 64 -P "$(nproc)" "$1" --dry-run -Werror
