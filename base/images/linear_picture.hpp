@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What alpha does to the colours of a picture that is read.
+/// An alpha use says how alpha changes the colours of a picture that is read.
 enum class AlphaUse
 {
     covers,   ///< colours are multiplied by it, in light: what is transparent is black, and its weight is nothing

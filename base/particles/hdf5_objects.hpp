@@ -13,7 +13,7 @@
 
 namespace poissonlab {
 
-/// What HDF5 refused. The message is for files that are written; `cause` is HDF5's own.
+/// An HDF5 failure holds the message about a file that is written, and in `cause` HDF5's own words.
 class Hdf5Failure : public StorageError
 {
 public:

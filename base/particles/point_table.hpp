@@ -20,9 +20,9 @@ struct PointTable
     double rounding = 0; ///< half the relative distance between neighbours of its numbers
 };
 
-/// Nothing where the file has no such table, or one without rows. Throws InputError without the file's name for one
-/// that holds no points, and for one that this HDF5 cannot read: by its compression, or because files are missing that
-/// it is put together of.
+/// Opens a table of points; returns nothing where the file has no such table, or one without rows. Throws InputError
+/// without the file's name for a table that holds no points, and for one that this HDF5 cannot read: by its
+/// compression, or because files are missing that it is put together of.
 std::optional<PointTable> open_point_table(const std::filesystem::path& path, const std::string& name);
 
 void read_rows(const PointTable& table, hsize_t first, hsize_t rows, std::vector<double>& numbers);

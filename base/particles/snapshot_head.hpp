@@ -1,4 +1,4 @@
-// What the header of a snapshot says, and the files that it has: see base/points/hdf5_reading.hpp.
+// These functions read the header of a snapshot and find its files: see base/points/hdf5_reading.hpp.
 #pragma once
 
 #include "base/particles/hdf5_objects.hpp"

@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-/// What is known of the points of a file before they are read.
+/// The head of an HDF5 file tells the number, dimension and domain of its points before they are read.
 struct Hdf5Head
 {
     std::uint64_t points = 0;

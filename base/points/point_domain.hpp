@@ -43,7 +43,7 @@ public:
 
     const CoordinateRange& operator[](std::size_t axis) const { return ranges_[axis]; }
 
-    /// Of the points that it is for; 0: any.
+    /// Returns the dimension of the points that the domain is for; 0: any.
     int dimension() const { return dimension_; }
 
     /// The length along each axis; none of a domain with one range for all axes.

@@ -16,7 +16,7 @@
 
 namespace poissonlab {
 
-/// What messages call the options of who asks for points, as formats of fmt; empty: there is none.
+/// Point options name, in messages, the options of the program that asks for points: formats of fmt; empty: none.
 struct PointOptions
 {
     const char* domain = "";    ///< of the range's two ends

@@ -77,7 +77,7 @@ void write_geojson_points(const std::filesystem::path& path, int dimension, cons
 void write_dxf_points(const std::filesystem::path& path, int dimension, const std::string& comment,
                       const std::function<void(const PointSink& sink)>& write);
 
-/// What is before the entities of a DXF file, and after them.
+/// The two parts of a DXF file enclose its entities.
 std::string dxf_begin(const std::string& comment);
 inline constexpr std::string_view dxf_end = "0\nENDSEC\n0\nEOF\n";
 

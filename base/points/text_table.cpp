@@ -19,7 +19,7 @@ namespace {
 
 bool has(std::string_view text, char c) { return text.find(c) != text.npos; }
 
-/// With a decimal comma or point.
+/// Returns true for a number with a decimal comma or a decimal point.
 bool is_a_number(std::string_view word)
 {
     double value = 0;
@@ -106,7 +106,7 @@ bool TextTable::takes(std::string_view line, int number)
     return true;
 }
 
-/// Of a line of names or of numbers. Commas within numbers that tabs separate are decimal points.
+/// Finds the separator of a line of names or of numbers. Commas within numbers that tabs separate are decimal points.
 void TextTable::find_separator(std::string_view line)
 {
     if (separator_ != Separator::unknown) return;

@@ -18,7 +18,7 @@ public:
 private:
     struct Rows;
 
-    /// Those at a place: `form` is the object that says their type.
+    /// Returns the rows of numbers at a place; `form` is the object that says their type.
     Rows rows_at(const StoredObject& place, const StoredObject& form, std::size_t count, std::size_t width);
     void put_sparse(const StoredObject& accessor, std::size_t width, std::vector<double>& values);
 

@@ -15,7 +15,7 @@ struct OffKeyword
     std::string_view glued; ///< digits that follow without a blank, as in "OFF8 6 0"
 };
 
-/// Nothing where the word is none.
+/// Reads a keyword of OFF; returns nothing where the word is none.
 std::optional<OffKeyword> off_keyword(std::string_view word);
 
 /// Divides homogeneous coordinates by their weight. False where no finite numbers come out.

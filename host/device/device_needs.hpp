@@ -1,4 +1,5 @@
-// What kernels need and a device may lack: asked before anything is built, and said in one line.
+// These functions ask, before anything is built, whether a device has all that kernels need, and say in one line what
+// it lacks.
 #pragma once
 
 #include "base/errors/errors.hpp"
@@ -14,7 +15,7 @@ struct DeviceInfo;
 /// The first need that a device does not meet, such as "double precision"; empty: it meets all.
 std::string lacking(const KernelNeeds& needs, const DeviceInfo& device);
 
-/// Whether work with these needs can be done there at all.
+/// Returns true if a device can do work with these needs.
 bool can_run(const KernelNeeds& needs, const DeviceInfo& device);
 
 /// The error for `what`, a method or a file, that needs what a device lacks. It names one of `devices` that lacks

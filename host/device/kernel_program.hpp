@@ -27,7 +27,7 @@ struct KernelNeeds
 
     bool operator==(const KernelNeeds&) const = default;
 
-    /// Of kernels that run one after the other.
+    /// Adds the needs of kernels that run before or after these.
     KernelNeeds& operator|=(const KernelNeeds& other);
 };
 

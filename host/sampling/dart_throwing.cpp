@@ -191,7 +191,7 @@ private:
 
     std::size_t point_count() const { return batch_ends_.empty() ? 0 : batch_ends_.back(); }
 
-    /// Of each list, in local memory: all that a work-group can make, or as many as there is room for.
+    /// Each list in local memory holds all that a work-group can make, or as many as there is room for.
     std::size_t staged_entries() const
     {
         constexpr std::size_t entry_bytes = (D + dart_words) * sizeof(std::uint32_t);

@@ -1,4 +1,4 @@
-// What methods need of a device: that of their kernels.
+// A method needs of a device what its kernels need.
 #pragma once
 
 #include "host/device/kernel_program.hpp"

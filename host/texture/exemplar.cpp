@@ -62,7 +62,7 @@ std::string light_note(const LightRange& range, const std::string& file)
     return words.empty() ? "" : fmt::format("{}: {} where tiles are chosen and cut", printable(file), words);
 }
 
-/// What is said of alpha that is left out, after what was said of the file, or else after its name.
+/// Adds the sentence about alpha that is left out to what was said of the file, or else to its name.
 std::string alpha_note(const LinearPicture& picture, const std::string& name)
 {
     std::size_t clear = 0;

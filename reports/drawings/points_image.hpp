@@ -25,7 +25,7 @@ struct PointsView
 /// 3D sets are shown as a slab as thick as the largest possible minimum distance, seen along z.
 /// Dots have a third of the diameter of the largest disks that so many points could carry, whatever the
 /// method, so that pictures of different methods compare.
-/// Of a box, windows have the proportion of its sides along x and y.
+/// Windows of a box have the proportion of its sides along x and y.
 PointsView choose_points_view(const PointSet& points, const PeriodicBox& box = {});
 
 /// Black dots on white. The origin is at the lower left.

@@ -112,7 +112,7 @@ TEST_P(OfflineCompiler, FindsMistakes)
 INSTANTIATE_TEST_SUITE_P(For, OfflineCompiler, testing::Values("spir64-unknown-unknown"));
 INSTANTIATE_TEST_SUITE_P(Nightly, OfflineCompiler, testing::Values("nvptx64-nvidia-nvcl", "amdgcn-amd-amdhsa"));
 
-/// What the compiler says of padding at the end of records in a C++ source below the source folder.
+/// Returns the compiler's words about padding at the end of records in a C++ source below the source folder.
 std::string padded_records(const std::string& text)
 {
     const TemporaryFolder folder;

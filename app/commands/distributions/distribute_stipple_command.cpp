@@ -105,7 +105,7 @@ PlotSheet plot_sheet(const MarkOptions& o)
     return sheet;
 }
 
-/// What a person at the plotter wants to know.
+/// Tells a person at the plotter the size of the sheet and the way of the pen between marks.
 std::string plot_words(const Plot& plot)
 {
     const std::string unit = plot.sheet.width > 0 ? "mm" : "pixels";

@@ -38,10 +38,11 @@ public:
     void closePath() override;
     void flush() override {}
 
-    /// Of ends, control points and arcs; of nothing, the origin.
+    /// The box holds ends, control points and arcs; without any it is the origin.
     const RegionBox& box() const { return box_; }
 
-    /// What closed lines go around; open paths are closed. Throws InputError where curves take too many lines.
+    /// Returns the rings that closed lines go around; open paths are closed. Throws InputError where curves take too
+    /// many lines.
     std::vector<RegionRing> rings(double tolerance, const std::string& name) const;
 
 private:

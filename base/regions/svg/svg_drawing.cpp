@@ -21,14 +21,14 @@ constexpr std::array<std::string_view, 16> svg_definitions{
     "defs",   "title",          "desc",           "metadata", "script", "clipPath", "mask",  "symbol",
     "marker", "linearGradient", "radialGradient", "pattern",  "filter", "view",     "style", "cursor"};
 
-/// What a style sheet may not say: it would take more than this reader to know of whom.
+/// A style sheet may not set these properties: finding the elements that they hold for takes more than this reader.
 constexpr std::array<std::string_view, 6> svg_placing{"display",   "visibility", "fill-rule",
                                                       "transform", "clip-path",  "mask"};
 
 /// Attributes of groups and shapes that would change what is seen, and are not known.
 constexpr std::array<std::string_view, 3> svg_refused{"clip-path", "mask", "transform-origin"};
 
-/// What an element hands on to those in it.
+/// A group hands this state on to the elements in it.
 struct SvgContext
 {
     Geom::Affine to_sheet;
@@ -37,7 +37,7 @@ struct SvgContext
     bool is_hidden = false;   ///< unless an element in it is visible
 };
 
-/// What a property is by `style`, which goes before the attribute of that name.
+/// Returns the value of a property in `style`, which goes before the attribute of that name.
 std::string property_of(const SvgAttributes& attributes, const std::string& name)
 {
     const auto style = attributes.find("style");

@@ -32,8 +32,8 @@ std::vector<SvgShape> read_svg_drawing(const std::string& content, const std::st
 /// The attributes of an element; names of other namespaces begin with the namespace and a blank.
 using SvgAttributes = std::map<std::string, std::string, std::less<>>;
 
-/// What a `transform` does, with places as rows: those of an inner group come first. Nothing where it cannot be
-/// understood.
+/// Reads the map that a `transform` stands for, with places as rows: maps of inner groups come first. Returns nothing
+/// where it cannot be understood.
 std::optional<Geom::Affine> svg_transform(std::string_view text);
 
 /// Numbers between blanks and commas; nothing where there is anything else.

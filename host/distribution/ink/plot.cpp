@@ -110,7 +110,7 @@ void append_line(std::string& svg, const Stroke& stroke)
                    rounded(stroke[1]), rounded(stroke[2]), rounded(stroke[3]));
 }
 
-/// What all marks look like: outlines by a pen, or as wide as they are.
+/// Begins the group of all marks, which are outlines by a pen, or as wide as they are.
 std::string group_begin(const Plot& plot, double mark_width)
 {
     const bool are_lines = !plot.marks.strokes.empty() || plot.sheet.dots == DotForm::strokes;

@@ -14,7 +14,7 @@
 
 namespace poissonlab {
 
-/// What a dot is.
+/// A dot is drawn in one of these forms.
 enum class DotForm
 {
     circles,

@@ -64,7 +64,7 @@ Spectrum spectrum_with_peaks(double strength, int realizations, std::mt19937_64&
     return mean;
 }
 
-/// What the error claims of the peaks of spectrum_with_peaks(), over the scatter that 400 of them have.
+/// Divides the error that is claimed for peaks of spectrum_with_peaks() by the scatter that 400 of them have.
 double claimed_over_scatter(double strength, int realizations)
 {
     constexpr int trials = 400;

@@ -127,7 +127,7 @@ std::string tiff_with_alpha(unsigned extra_sample, const std::array<std::uint8_t
     return bytes;
 }
 
-/// Of bytes that are multiplied by alpha in sRGB, the colour is a division away.
+/// Bytes that are multiplied by alpha in sRGB give their colour by a division.
 TEST_F(TransparentPictures, OfTiffSayWhatTheirColoursAre)
 {
     folder_.write("straight.tif", tiff_with_alpha(2, {188, 188, 188, 127, 188, 188, 188, 255}));

@@ -1,4 +1,4 @@
-// What devices lack, on machines that are made up.
+// Devices that are made up lack some of what kernels need.
 #include "host/device/device_needs.hpp"
 
 #include "host/device/device.hpp"
