@@ -185,21 +185,20 @@ void TextTable::take_names(int number)
 
 std::span<const std::string_view> TextTable::coordinates(std::string_view line, int number)
 {
-    const bool has_decimal_commas = separator_ == Separator::semicolon || separator_ == Separator::tab;
-    if (!has_decimal_commas && columns_.size() == names_.size()) check_commas(line, number);
+    if (!has_decimal_commas() && columns_.size() == names_.size()) check_commas(line, number);
     split(line, number);
     if (!names_.empty()) check_fields(line, number);
     words_.clear();
     for (const std::size_t column : columns_) words_.push_back(fields_[column + has_row_names_]);
     if (columns_.empty()) words_.assign(fields_.begin(), fields_.end());
-    if (has_decimal_commas || !columns_.empty())
+    if (has_decimal_commas() || !columns_.empty())
         if (const auto empty = std::ranges::find(words_, ""); empty != words_.end())
             fail_in_point_file(file_, number, "nothing between separators",
                                columns_.empty()
                                    ? "must be a number"
                                    : fmt::format("column {} must be a number",
                                                  names_[columns_[static_cast<std::size_t>(empty - words_.begin())]]));
-    if (has_decimal_commas) mend_decimals(number);
+    if (has_decimal_commas()) mend_decimals(number);
     return words_;
 }
 
@@ -212,10 +211,11 @@ void TextTable::check_fields(std::string_view line, int number)
         if (columns_.size() == names_.size()) file_.tell("the names of rows, in front, are left out");
     }
     const std::size_t needed = names_.size() + has_row_names_;
-    if (fields_.size() != needed)
-        fail_in_point_file(file_, number, fmt::format("{} {}", fields_.size(), noun(fields_.size(), "field")),
-                           fmt::format("must be {}, as the names of the columns say ({}){}", needed,
-                                       fmt::join(names_, ", "), decimal_comma_words(line)));
+    if (fields_.size() == needed) return;
+    const std::string hint = has_decimal_commas() ? "" : decimal_comma_words(line);
+    fail_in_point_file(
+        file_, number, fmt::format("{} {}", fields_.size(), noun(fields_.size(), "field")),
+        fmt::format("must be {}, as the names of the columns say ({}){}", needed, fmt::join(names_, ", "), hint));
 }
 
 /// Throws where commas stand within numbers, as many languages write decimals: "12,5 7" is no point in space.

@@ -44,6 +44,8 @@ private:
     void split(std::string_view line, int number);
     bool are_names() const;
     void take_names(int number);
+    /// Decimal commas are read where no comma separates numbers.
+    bool has_decimal_commas() const { return separator_ == Separator::semicolon || separator_ == Separator::tab; }
     void check_fields(std::string_view line, int number);
     void check_commas(std::string_view line, int number) const;
     void mend_decimals(int number);

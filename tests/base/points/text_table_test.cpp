@@ -124,6 +124,8 @@ TEST(TextTable, NamesTheFieldThatIsWrong)
     EXPECT_THAT(input_error_of("a.csv", "id,x,y\n1,0.5,NA\n"), HasSubstr("a.csv:2: NA: must be a number in [0, 1)"));
     EXPECT_THAT(input_error_of("a.csv", "id,x,y\n1,0.5\n"),
                 HasSubstr("a.csv:2: 2 fields: must be 3, as the names of the columns say (id, x, y)"));
+    EXPECT_EQ(input_error_of("a.csv", "x;y\n0,1;0,2\n0,3\n"), // whose comma is right
+              "a.csv:3: 1 field: must be 2, as the names of the columns say (x, y)");
     EXPECT_THAT(input_error_of("a.csv", "id,x,y\n\"1,0.5,0.5\n"),
                 HasSubstr("a quote stays open, or text goes on behind a closing one"));
     EXPECT_EQ(input_error_of("a.csv", "0.5;;0.5\n"), "a.csv:1: nothing between separators: must be a number");
