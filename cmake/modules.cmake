@@ -5,7 +5,7 @@
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules tiles other_tiles tilings textures regions distributions)
 set(lab_command_modules tiles tilings textures distributions large_sets manual)
-set(lab_wordless_modules particles) # that work asks for, and no word: files of HDF5
+set(lab_wordless_modules particles space) # that work asks for, and no word: files of HDF5, sets in 3D
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
@@ -36,8 +36,8 @@ foreach(name IN LISTS lab_all_modules)
   endif()
 endforeach()
 
-# What parts of the core call that only modules have: a program without these has host/modules/without_regions.cpp and
-# reports/site/without_tiles.cpp, which ask for the module.
+# What parts of the core call that only modules have: a program without these has host/modules/without_regions.cpp,
+# host/modules/without_space.cpp and reports/site/without_tiles.cpp, which ask for the module.
 set(lab_program_has_regions NO)
 set(lab_program_has_tiles NO)
 foreach(name IN LISTS lab_modules_of_program)

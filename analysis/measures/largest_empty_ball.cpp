@@ -4,7 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 
-#include <CGAL/Exact_rational.h>
+#include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +88,9 @@ Coordinates<D> circumcentre(const DelaunaySimplex<D>& simplex)
         for (double& c : centre) c /= determinant;
         return centre;
     }
-    using Exact = CGAL::Exact_rational;
-    Exact exact_determinant;
-    const auto exact = scaled_centre(edges_of<Exact, D>(simplex), exact_determinant);
-    for (std::size_t k = 0; k < D; ++k) centre[k] = CGAL::to_double(Exact(exact[k] / exact_determinant));
+    mpq_class exact_determinant;
+    const auto exact = scaled_centre(edges_of<mpq_class, D>(simplex), exact_determinant);
+    for (std::size_t k = 0; k < D; ++k) centre[k] = mpq_class(exact[k] / exact_determinant).get_d();
     return centre;
 }
 

@@ -78,6 +78,8 @@ TorusCell<3> cell_of(const Triangulation& triangulation, Triangulation::Vertex_h
 
 }
 
+void need_triangulations_3d() {}
+
 void visit_tetrahedra(const PointSet& points, const std::function<void(const DelaunaySimplex<3>&)>& visit)
 {
     const Triangulation triangulation = triangulation_of(points);

@@ -1,6 +1,7 @@
 #include "experiment/run/runner.hpp"
 
 #include "base/files/file_lock.hpp"
+#include "base/geometry/torus_delaunay.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/run/result_folder.hpp"
 #include "experiment/run/run_work.hpp"
@@ -302,6 +303,8 @@ void RunsOutcome::raise_failures() const
 RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
                             Progress& progress)
 {
+    for (const auto& [experiment, out] : runs)
+        if (experiment.dimension == 3 && !experiment.series.empty()) need_triangulations_3d();
     std::optional<Runs> work;
     const bool is_there = crew.together([&] {
         if (crew.leads()) check_folders(runs, settings);

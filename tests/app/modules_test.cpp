@@ -103,6 +103,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[method]]\nsampler = \"random\"\nregion = \"disk 0 0 1\"\n", "regions"},
              {"[[distribution]]\nkind = \"darts\"\n", "distributions"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
+             {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
              {"[[tiling]]\nkind = \"corner\"\n", "tilings"}}) {
         SCOPED_TRACE(tables);
         const Outcome outcome = run_of(tables);

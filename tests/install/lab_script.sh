@@ -20,6 +20,9 @@ stub() {
 stub dpkg-query 'shift 3; printf "installed %s\n" "$@"'
 stub apt-get 'exit 1'
 stub ctest ''
+# Ninja has 12 steps to make.
+stub ninja 'for i in {1..12}; do echo "[$i/12] Building"; done'
+stub nproc 'echo 3'
 # Configuring writes the cache as CMake does, building the program: one that tells its arguments.
 stub cmake '
 if [[ $1 == -S ]]; then
@@ -78,6 +81,21 @@ lab 0 --with textures run b.toml
 called '-DPOISSONLAB_MODULES=tiles;textures '
 lab 0 --with tiles run b.toml
 not_called 'cmake -S'
+
+# Thirty steps of 10 s, four at a time, say how long twelve will take; fewer steps, or none to make, say nothing.
+not_said() { ! grep -qF 'takes about' "$folder/err" || fail "said how long: $(cat "$folder/err")"; }
+not_said
+for ((i = 0; i < 30; ++i)); do printf '%d\t%d\t0\tfile%d\t0\n' $((i * 1000)) $((i * 1000 + 10000)) "$i"; done \
+  >"$folder/lab/build/release/.ninja_log"
+lab 0 run a.toml
+wrote err 'building takes about 30 s'
+sed -i 1d "$folder/lab/build/release/.ninja_log"
+lab 0 run a.toml
+not_said
+stub ninja 'echo "ninja: no work to do."'
+seq 100 | sed 's/.*/0\t10000\t0\tfile&\t0/' >"$folder/lab/build/release/.ninja_log"
+lab 0 run a.toml
+not_said
 lab 0 build
 called '-DPOISSONLAB_MODULES=all '
 lab 0 --with regions run b.toml
