@@ -105,6 +105,13 @@ PageData overlay_data(const Panel& panel, const SeriesList& series, const PlotPl
     return data;
 }
 
+/// The right end of the axis below a picture of points: in sides of the torus, or in the units that a box was given in.
+PageData width_of(const PointsView& view, const ReportSeries& series)
+{
+    const auto& box = series.stored->box;
+    return box ? fmt::format("{:.4g}", view.window * box->sides[0]) : format_significant(view.window, 2);
+}
+
 PageData file_link(const std::string& text, const std::string& link)
 {
     PageData data;
@@ -130,7 +137,7 @@ PageData panel_data(const ReportSeries& series, const Panel& panel)
     data.set("image_class", panel.image_class);
     data.set("figure_class", optional_text(panel.figure_class));
     data.set("how_to_read", optional_text(panel.guide));
-    data.set("window", points ? PageData(format_significant(points->window, 2)) : PageData(false));
+    data.set("window", points ? width_of(*points, series) : PageData(false));
     data.set("spectrum_axis", has_axis ? spectrum_axis(series, *spectrum) : PageData(false));
     data.set("cell_key", cells ? cell_key(shares_of(series, *cells)) : PageData(false));
     return data;

@@ -108,6 +108,7 @@ TEST_F(PeriodicBoxCommand, MeasuresOnTheBoxsOwnFrequencies)
     EXPECT_FALSE(json["measures"].contains("largest_empty"));
     EXPECT_THAT(stored("index.html"),
                 HasSubstr("in a periodic box of 6 × 2: lengths are in roots of its area, 3.4641"));
+    EXPECT_THAT(stored("index.html"), HasSubstr("<div class=\"axis\"><span>0</span><span>6</span></div>"));
     EXPECT_THAT(stored("index.html"), Not(HasSubstr("Voronoi")));
     EXPECT_THAT(stored("number-variance.csv"), HasSubstr("radius"));
 }
