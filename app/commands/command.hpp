@@ -114,6 +114,7 @@ Command texture_map_command();
 Command texture_endless_command();
 Command texture_export_command();
 Command texture_cells_command();
+Command texture_design_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_page_command();

@@ -1,0 +1,15 @@
+// A page on which texture tiles are drawn by hand, in any browser and from the disk: Cohen, Shade, Hiller, Deussen,
+// Wang Tiles for Image and Texture Generation, 2003, section 3.1. A mark that crosses an edge is in every tile with the
+// edge's colour, and of corner tiles one that crosses a corner is at every corner of its colour.
+#pragma once
+
+#include "tiles/texture/texture_set.hpp"
+
+#include <string>
+
+namespace poissonlab {
+
+/// The page for a complete set of corner or Wang tiles without pixels: its kind, colours, size, ring and tiles.
+std::string render_design_page(const TextureSet& set);
+
+}
