@@ -202,6 +202,18 @@ std::vector<Exhibit> exhibits_of(const Config& config, std::set<std::string>& na
     return exhibits;
 }
 
+/// What samplers say of their sets, each sentence once.
+std::vector<std::string> notes_of(const std::vector<SeriesPlan>& plan)
+{
+    std::vector<std::string> notes;
+    for (const SeriesPlan& series : plan) {
+        if (!series.sampler->notes) continue;
+        for (std::string& note : series.sampler->notes(series.parameters, series.request))
+            if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+    }
+    return notes;
+}
+
 }
 
 Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
@@ -221,6 +233,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.methods = method_grids(config);
     std::vector<SeriesPlan> plan = make_plan(config);
     experiment.left_out = leave_out(plan, config);
+    experiment.notes = notes_of(plan);
     std::set<std::string> names; // folders of the series come first
     for (const SeriesPlan& series : plan) names.insert(series.name);
     experiment.exhibits = exhibits_of(config, names);

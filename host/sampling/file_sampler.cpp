@@ -71,24 +71,29 @@ std::string size_in_words(const std::filesystem::path& file, const PointSet& poi
     return fmt::format("{} has {} {}D points", file.string(), points.size(), points.dimension);
 }
 
+using Told = std::function<void(const std::string& sentence)>;
+
 /// The sets of a file: in the unit square, or in a region, in its units.
 std::vector<PointSet> sets_of(const std::filesystem::path& file, const Parameters& parameters,
-                              const FramedRegion* region)
+                              const FramedRegion* region, const Told& told)
 {
-    if (!region) return read_points(file, reading_of(parameters, {}));
-    std::vector<PointSet> sets = read_points(file, reading_of(parameters, any_coordinates));
+    PointReading how = reading_of(parameters, {});
+    if (region) how.domain = any_coordinates;
+    how.told = told;
+    std::vector<PointSet> sets = read_points(file, how);
+    if (!region) return sets;
     for (const PointSet& points : sets) region->framed(points, file.string()); // throws where some are outside
     return sets;
 }
 
 /// Reads every realization. Throws InputError where they do not have the same size and dimension.
-std::vector<PointSet> read_realizations(const Parameters& parameters, const FramedRegion* region)
+std::vector<PointSet> read_realizations(const Parameters& parameters, const FramedRegion* region, const Told& told = {})
 {
     std::vector<PointSet> realizations;
     std::filesystem::path first_file;
     for (const std::filesystem::path& file : files_of(parameters)) {
         if (realizations.empty()) first_file = file;
-        for (PointSet& points : sets_of(file, parameters, region)) {
+        for (PointSet& points : sets_of(file, parameters, region, told)) {
             realizations.push_back(std::move(points));
             const PointSet& first = realizations.front();
             const PointSet& last = realizations.back();
@@ -150,6 +155,12 @@ SamplerSpec file_sampler()
                         .unless_given = "its only type"}};
     spec.has_own_points = true;
     spec.check = check_file;
+    spec.notes = [](const Parameters& parameters, const SampleRequest& request) {
+        std::vector<std::string> notes;
+        read_realizations(parameters, request.region.get(),
+                          [&](const std::string& sentence) { notes.push_back(sentence); });
+        return notes;
+    };
     spec.available_realizations = [](const Parameters& parameters) {
         std::size_t count = 0;
         for (const auto& file : files_of(parameters))

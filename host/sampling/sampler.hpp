@@ -112,6 +112,10 @@ struct SamplerSpec
     /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
 
+    /// What users must know of the sets before work begins, a sentence each, such as what was left out of files. Empty:
+    /// there is never anything. Asked after `check` has passed.
+    std::function<std::vector<std::string>(const Parameters&, const SampleRequest&)> notes;
+
     /// Why its sets cannot be had on this machine, where the user has said that series are left out then; nothing: they
     /// can. Empty: they always can. Asked before work begins.
     std::function<std::optional<std::string>(const Parameters&)> absence;

@@ -54,6 +54,20 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     EXPECT_GE(json["series"][1]["relative_radius"]["min"].get<double>(), 0.6 - 1e-6);
 }
 
+/// What was left out of files is said once, however many series have them.
+TEST_F(Run, SaysWhatWasLeftOutOfFiles)
+{
+    folder_.write("flat.txt", "0.1 0.2 0\n0.3 0.7 0\n0.8 0.4 0\n");
+    folder_.write("flat.toml", "[[method]]\nsampler = \"file\"\npath = \"flat.txt\"\n"
+                               "[[method]]\nsampler = \"file\"\npath = \"flat.t*\"\nlabel = \"Again\"\n");
+    const Outcome outcome = run({"run", "flat.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const std::string sentence = "all points have the same third coordinate: they are taken as points of the plane";
+    const std::size_t at = outcome.out.find(sentence);
+    EXPECT_NE(at, std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find(sentence, at + 1), std::string::npos) << outcome.out;
+}
+
 TEST_F(Run, SetsOfDifferentSizesAreReportedAsSuch)
 {
     folder_.write("sat.toml", "[analysis]\npoints = 300\nrealizations = 6\n"

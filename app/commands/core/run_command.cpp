@@ -174,8 +174,10 @@ void run(const RunOptions& options)
     }
 
     Progress progress(style_of(options, *crew));
-    for (const PlannedRun& run : plan.runs)
+    for (const PlannedRun& run : plan.runs) {
         for (const std::string& word : run.experiment.left_out) progress.message(word);
+        for (const std::string& note : run.experiment.notes) progress.message(note);
+    }
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;
     if (plan.is_collection) settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
