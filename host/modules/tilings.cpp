@@ -12,7 +12,8 @@ void add_tilings(Laboratory& laboratory)
     for (Kind (*const kind)() :
          {tile_set_picture_kind, tiling_kind, printed_tiling_kind, corner_problem_kind, scanline_steps_kind,
           direct_scheme_kind, noise_kind, tiling_cost_kind, lattice_construction_kind, aperiodic_table_kind,
-          diffraction_kind, isohedral_kind, surface_kind, packing_kind, printed_packing_kind})
+          diffraction_kind, isohedral_kind, substitution_kind, periodic_kind, brick_kind, surface_kind, packing_kind,
+          printed_packing_kind})
         laboratory.kinds.push_back(kind());
 }
 
