@@ -64,12 +64,42 @@ void PolygonPainter::add_edge(std::vector<MarkPoint>& outline, const MarkPoint& 
     }
 }
 
+/// Where shifts move a vertex of an outline.
+MarkPoint PolygonPainter::shifted(const PlacedTile& tile, const ShiftedPlace& vertex) const
+{
+    MarkPoint place = at(moved(tiling_.ring, tile.motion, vertex.place));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto turn = tiling_.ring.value(tiling_.ring.times(tile.motion.turn, vertex.shifts[i]));
+        const double length = (*style_.shifts)[2 * i] / view_.unit;
+        const double angle = (*style_.shifts)[2 * i + 1] * std::numbers::pi / 180;
+        const MarkPoint shift{length * std::cos(angle), length * std::sin(angle)};
+        place[0] += turn[0] * shift[0] - turn[1] * shift[1];
+        place[1] += turn[0] * shift[1] + turn[1] * shift[0];
+    }
+    return place;
+}
+
+std::vector<PolygonPainter::Vertex> PolygonPainter::vertices_of(const PlacedTile& tile) const
+{
+    const Prototile& prototile = tiling_.prototiles[tile.prototile];
+    std::vector<Vertex> vertices;
+    if (style_.shifts) {
+        for (std::size_t i = 0; i < prototile.outline.size(); ++i)
+            vertices.push_back({shifted(tile, prototile.outline[i]), prototile.outline_edges[i]});
+        return vertices;
+    }
+    const std::vector<RingPlace> corners = corners_of(tiling_, tile);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        vertices.push_back({at(corners[i]), edge_letter(tiling_, tile, i)});
+    return vertices;
+}
+
 std::vector<MarkPoint> PolygonPainter::outline(const PlacedTile& tile) const
 {
-    const std::vector<RingPlace> corners = corners_of(tiling_, tile);
+    const std::vector<Vertex> vertices = vertices_of(tile);
     std::vector<MarkPoint> outline;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        add_edge(outline, at(corners[i]), at(corners[(i + 1) % corners.size()]), edge_letter(tiling_, tile, i));
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        add_edge(outline, vertices[i].place, vertices[(i + 1) % vertices.size()].place, vertices[i].letter);
     return outline;
 }
 
@@ -122,16 +152,16 @@ void PolygonPainter::paint_arcs(const PlacedTile& tile)
 
 void PolygonPainter::paint_letters(const PlacedTile& tile)
 {
-    constexpr double letter_size = 0.2, inside = 0.16;
-    const std::vector<RingPlace> corners = corners_of(tiling_, tile);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const char letter = edge_letter(tiling_, tile, i);
-        if (letter == 0) return;
-        const MarkPoint a = at(corners[i]), b = at(corners[(i + 1) % corners.size()]);
+    constexpr double largest = 0.22, part_of_edge = 0.28;
+    const std::vector<Vertex> vertices = vertices_of(tile);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const MarkPoint &a = vertices[i].place, &b = vertices[(i + 1) % vertices.size()].place;
         const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        if (vertices[i].letter == 0 || !(length > 0)) continue;
         const MarkPoint inwards{-(b[1] - a[1]) / length, (b[0] - a[0]) / length};
-        canvas_.words({(a[0] + b[0]) / 2 + inside * inwards[0], (a[1] + b[1]) / 2 + inside * inwards[1]}, letter_size,
-                      std::string(1, letter));
+        const double size = std::min(largest, part_of_edge * length);
+        canvas_.words({(a[0] + b[0]) / 2 + 0.8 * size * inwards[0], (a[1] + b[1]) / 2 + 0.8 * size * inwards[1]}, size,
+                      std::string(1, vertices[i].letter));
     }
 }
 

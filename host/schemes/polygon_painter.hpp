@@ -35,7 +35,16 @@ public:
     std::vector<MarkPoint> outline(const PlacedTile& tile) const;
 
 private:
+    /// A vertex of an outline, and the letter of the edge from it to the next one.
+    struct Vertex
+    {
+        MarkPoint place;
+        char letter = 0;
+    };
+
     std::string color_of(const PlacedTile& tile) const;
+    std::vector<Vertex> vertices_of(const PlacedTile& tile) const;
+    MarkPoint shifted(const PlacedTile& tile, const ShiftedPlace& vertex) const;
     void add_edge(std::vector<MarkPoint>& outline, const MarkPoint& from, const MarkPoint& to, char letter) const;
     void paint_arcs(const PlacedTile& tile);
     void paint_letters(const PlacedTile& tile);

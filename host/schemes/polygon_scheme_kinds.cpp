@@ -11,6 +11,10 @@
 #include <algorithm>
 
 namespace poissonlab {
+
+Kind substitution_kind();
+Kind periodic_kind();
+Kind brick_kind(); // LOCAL
 namespace {
 
 constexpr int most_divisions = 200;
@@ -57,6 +61,15 @@ void style_keys(Keys& keys, PolygonStyle& style, const PolygonTilingChoice& choi
                "curves for edges with letters, between (0, 0) and (1, 0)",
                [&](const ConfigNode& node) { read_curves(keys, node, style.curves); })
         .otherwise("none");
+    keys.value("shifts", "[length, degrees, length, degrees]", "of p and q, which move the vertices of outlines",
+               [&](const ConfigNode& node) {
+                   const auto numbers = numbers_of_list(node, 360);
+                   if (!numbers || numbers->size() != 4)
+                       throw keys.invalid("shifts", "must be [length, degrees, length, degrees]");
+                   style.shifts.emplace();
+                   std::ranges::copy(*numbers, style.shifts->begin());
+               })
+        .otherwise("straight edges from corner to corner");
     keys.flag("arcs", style.has_arcs, "whether to draw the arcs that meet where tiles match");
     keys.flag("letters", style.has_letters, "whether to draw the letters of edges");
     if (!keys.is_read()) return;
@@ -69,6 +82,8 @@ void style_keys(Keys& keys, PolygonStyle& style, const PolygonTilingChoice& choi
         if (key != std::string("letters") && has_mirrored_tiles(tiling))
             throw keys.invalid(key, "is for tilings without mirrored tiles");
     }
+    if (style.shifts && !std::ranges::all_of(tiling.prototiles, [](const Prototile& p) { return !p.outline.empty(); }))
+        throw keys.invalid("shifts", "is for tilings whose tiles have an outline with shifts");
     const auto has_arcs = [](const Prototile& p) { return !p.arcs.empty(); };
     if (style.has_arcs && !std::ranges::any_of(tiling.prototiles, has_arcs))
         throw keys.invalid("arcs", "is for tilings whose tiles have arcs");
@@ -143,7 +158,7 @@ void periodic_keys(Keys& keys, PeriodicSettings& s)
     tiling_keys(keys, s.tiling, periodic_words(), true);
     keys.value("window", "[width, height], each from 1 to 100", window_help,
                [&](const ConfigNode& node) { s.window = *read_window(keys, node); })
-        .otherwise("[10, 8]");
+        .otherwise("[16, 12]");
     keys.flag("unit", s.shows_unit, "whether to draw a period");
     style_keys(keys, s.style, s.tiling);
 }

@@ -94,9 +94,10 @@ struct PolygonTilingChoice
 /// How polygons are drawn.
 struct PolygonStyle
 {
-    std::string colors = "tiles";           ///< or "directions"
-    std::string edges = "straight";         ///< or "puzzle"
-    std::map<char, PlaneCurve> curves = {}; ///< by small letters of edges; for others `edges` holds
+    std::string colors = "tiles";                     ///< or "directions"
+    std::string edges = "straight";                   ///< or "puzzle"
+    std::map<char, PlaneCurve> curves = {};           ///< by small letters of edges; for others `edges` holds
+    std::optional<std::array<double, 4>> shifts = {}; ///< length and degrees of p and of q, for outlines that have them
     bool has_arcs = false;
     bool has_letters = false;
 };
@@ -116,7 +117,7 @@ struct SubstitutionSettings
 struct PeriodicSettings
 {
     PolygonTilingChoice tiling{"3.4.6.4", {}};
-    std::array<double, 2> window{10, 8};
+    std::array<double, 2> window{16, 12};
     bool shows_unit = true;
     PolygonStyle style;
 };

@@ -4,9 +4,8 @@
 
 namespace poissonlab {
 
-std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list)
+std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list, double most)
 {
-    constexpr double most_listed = 100; // sides of tiles are about 1
     const auto* items = list.get_if<ConfigList>();
     if (!items) return {};
     std::vector<double> numbers;
@@ -15,7 +14,7 @@ std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list)
         const auto* real = item.get_if<double>();
         if (!whole && !real) return {};
         numbers.push_back(whole ? static_cast<double>(*whole) : *real);
-        if (!(std::abs(numbers.back()) <= most_listed)) return {};
+        if (!(std::abs(numbers.back()) <= most)) return {};
     }
     return numbers;
 }

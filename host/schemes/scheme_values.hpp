@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-/// The numbers of a list, from -100 to 100; nothing for any other value.
-std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list);
+/// The numbers of a list, from -most to most; nothing for any other value.
+std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list, double most = 100);
 
 /// The curve of a list of points [x, y], with (0, 0) before and (1, 0) after them; nothing for any other value.
 std::optional<PlaneCurve> curve_of_node(const ConfigNode& list);

@@ -23,6 +23,13 @@ struct TileArc
     std::string color;
 };
 
+/// A point of an outline that two shifts p and q move: place + shifts[0] p + shifts[1] q.
+struct ShiftedPlace
+{
+    RingPlace place;
+    std::array<RingPlace, 2> shifts{};
+};
+
 struct Prototile
 {
     std::string name;
@@ -32,6 +39,11 @@ struct Prototile
     /// A letter for each edge, the first from corner 0 to corner 1; empty: edges have none. Two tiles may share an edge
     /// where one has a small letter and the other this letter as a capital one, or both have one digit.
     std::string edges;
+
+    /// A more general outline with the same matching condition, which shifts change, and the letters of its edges;
+    /// empty: there is none. Kaplan's quasivertices, section 8.3.
+    std::vector<ShiftedPlace> outline;
+    std::string outline_edges;
 
     std::vector<TileArc> arcs;
     bool is_regular = false; ///< a regular polygon

@@ -19,11 +19,13 @@ constexpr int most_parentheses = 50;
 class RingExpressionReader
 {
 public:
-    RingExpressionReader(const RootRing& ring, std::string_view text) : ring_(ring), text_(text) {}
+    RingExpressionReader(const RootRing& ring, std::string_view text, bool allows_shifts)
+        : ring_(ring), text_(text), allows_shifts_(allows_shifts)
+    {}
 
-    RingPlace read()
+    ShiftedPlace read()
     {
-        const RingPlace sum = read_sum();
+        const ShiftedPlace sum = read_sum();
         if (!at_end()) throw wrong(fmt::format("\"{}\" is not expected", text_[place_]));
         return sum;
     }
@@ -46,40 +48,51 @@ private:
 
     static InputError wrong(const std::string& what) { return InputError(what); }
 
-    RingPlace read_sum()
+    ShiftedPlace read_sum()
     {
-        RingPlace sum = takes('-') ? -read_product() : (takes('+'), read_product());
+        ShiftedPlace sum = takes('-') ? product(read_product(), {{{-1, 0, 0, 0}}}) : (takes('+'), read_product());
         for (;;) {
-            if (takes('+'))
-                sum = sum + read_product();
-            else if (takes('-'))
-                sum = sum - read_product();
-            else
-                return sum;
+            const bool adds = takes('+');
+            if (!adds && !takes('-')) return sum;
+            const ShiftedPlace next = product(read_product(), {{{adds ? 1 : -1, 0, 0, 0}}});
+            sum.place = sum.place + next.place;
+            for (std::size_t i = 0; i < 2; ++i) sum.shifts[i] = sum.shifts[i] + next.shifts[i];
         }
     }
 
-    RingPlace read_product()
+    ShiftedPlace read_product()
     {
-        RingPlace product = read_factor();
+        ShiftedPlace all = read_factor();
         while (takes('*') || (next() != '\0' && next() != '+' && next() != '-' && next() != ')'))
-            product = ring_.times(product, read_factor());
-        for (const std::int64_t c : product.c)
-            if (c > largest_product || c < -largest_product) throw wrong("is too large");
-        return product;
+            all = product(all, read_factor());
+        return all;
     }
 
-    RingPlace read_factor()
+    static bool has_shifts(const ShiftedPlace& a) { return a.shifts != std::array<RingPlace, 2>{}; }
+
+    ShiftedPlace product(const ShiftedPlace& a, const ShiftedPlace& b) const
+    {
+        if (has_shifts(a) && has_shifts(b)) throw wrong("has a product of p and q");
+        ShiftedPlace result{ring_.times(a.place, b.place)};
+        for (std::size_t i = 0; i < 2; ++i)
+            result.shifts[i] = ring_.times(a.shifts[i], b.place) + ring_.times(a.place, b.shifts[i]);
+        for (const RingPlace* part : {&result.place, &result.shifts[0], &result.shifts[1]})
+            for (const std::int64_t c : part->c)
+                if (c > largest_product || c < -largest_product) throw wrong("is too large");
+        return result;
+    }
+
+    ShiftedPlace read_factor()
     {
         if (takes('(')) {
             if (++depth_ > most_parentheses) throw wrong("has too many parentheses");
-            const RingPlace sum = read_sum();
+            const ShiftedPlace sum = read_sum();
             if (!takes(')')) throw wrong("lacks a )");
             --depth_;
             return sum;
         }
-        if (takes('@')) return read_direction();
-        if (std::isdigit(static_cast<unsigned char>(next())) != 0) return {{read_integer(), 0, 0, 0}};
+        if (takes('@')) return {read_direction()};
+        if (std::isdigit(static_cast<unsigned char>(next())) != 0) return {{{read_integer(), 0, 0, 0}}};
         return read_word();
     }
 
@@ -105,7 +118,7 @@ private:
         return value;
     }
 
-    RingPlace read_word()
+    ShiftedPlace read_word()
     {
         std::string word;
         while (!at_end() && std::isalnum(static_cast<unsigned char>(text_[place_])) != 0) {
@@ -113,10 +126,15 @@ private:
             if (place_ < text_.size() && text_[place_] == ' ') break;
         }
         const RingPlace twice_cosine = ring_.unit(1) + ring_.unit(-1); // of the ring's smallest angle
-        if (word == "i" && ring_.order() % 4 == 0) return ring_.unit(ring_.order() / 4);
-        if (word == "phi" && ring_.order() == 10) return twice_cosine;
-        if (word == "sqrt2" && ring_.order() == 8) return twice_cosine;
-        if (word == "sqrt3" && ring_.order() == 12) return twice_cosine;
+        if (word == "i" && ring_.order() % 4 == 0) return {ring_.unit(ring_.order() / 4)};
+        if (word == "phi" && ring_.order() == 10) return {twice_cosine};
+        if (word == "sqrt2" && ring_.order() == 8) return {twice_cosine};
+        if (word == "sqrt3" && ring_.order() == 12) return {twice_cosine};
+        if (allows_shifts_ && (word == "p" || word == "q")) {
+            ShiftedPlace shift;
+            shift.shifts[word == "p" ? 0 : 1] = ring_.unit(0);
+            return shift;
+        }
         if (word.empty()) throw wrong(at_end() ? "ends too early" : fmt::format("has a \"{}\"", text_[place_]));
         throw wrong(fmt::format("\"{}\" is no number of {} directions; known: {}", word, ring_.order(),
                                 ring_.order() == 8    ? "i, sqrt2, @45"
@@ -126,6 +144,7 @@ private:
 
     const RootRing& ring_;
     std::string_view text_;
+    bool allows_shifts_;
     std::size_t place_ = 0;
     int depth_ = 0;
 };
@@ -134,7 +153,12 @@ private:
 
 RingPlace ring_expression(const RootRing& ring, std::string_view text)
 {
-    return RingExpressionReader(ring, text).read();
+    return RingExpressionReader(ring, text, false).read().place;
+}
+
+ShiftedPlace shifted_expression(const RootRing& ring, std::string_view text)
+{
+    return RingExpressionReader(ring, text, true).read();
 }
 
 }

@@ -4,6 +4,7 @@
 // them. Factors stand side by side or with * between them.
 #pragma once
 
+#include "tiles/prototiles/polygon_tiling.hpp"
 #include "tiles/prototiles/root_ring.hpp"
 
 #include <string_view>
@@ -12,5 +13,9 @@ namespace poissonlab {
 
 /// Throws InputError that says what of the text is wrong.
 RingPlace ring_expression(const RootRing& ring, std::string_view text);
+
+/// A number that may have the shifts p and q as well: "phi + @144 p". Throws InputError that says what of the text is
+/// wrong.
+ShiftedPlace shifted_expression(const RootRing& ring, std::string_view text);
 
 }

@@ -100,7 +100,7 @@ private:
     void read_prototile(const ConfigNode& node)
     {
         const auto& table = *node.get_if<ConfigTable>();
-        check_keys(table, {"name", "color", "corners", "sides", "edges", "arcs", "parts"});
+        check_keys(table, {"name", "color", "corners", "sides", "edges", "outline", "outline_edges", "arcs", "parts"});
         Prototile prototile;
         prototile.color = prototile_colors[tiling_.prototiles.size() % prototile_colors.size()];
         Keys keys(table, node.location, "");
@@ -111,14 +111,8 @@ private:
             throw keys.invalid("name", "is the name of two tiles");
         if (const ConfigNode* color = find(table, "color")) prototile.color = color_of("color", *color);
         read_corners(keys, table, node.location, prototile);
-        if (find(table, "edges")) {
-            keys.text("edges", prototile.edges, "a letter for each edge");
-            const bool are_letters =
-                std::ranges::all_of(prototile.edges, [](unsigned char c) { return std::isalnum(c) != 0; });
-            if (!are_letters || prototile.edges.size() != prototile.corners.size())
-                throw keys.invalid(
-                    "edges", fmt::format("must be {} letters or digits, one for each edge", prototile.corners.size()));
-        }
+        if (find(table, "edges")) read_letters(keys, "edges", prototile.edges, prototile.corners.size());
+        read_outline(keys, table, prototile);
         read_arcs(table, prototile);
         tiling_.prototiles.push_back(std::move(prototile));
     }
@@ -150,6 +144,34 @@ private:
             prototile.corners.push_back(corner);
             corner = corner + tiling_.ring.unit(i * (directions / sides));
         }
+    }
+
+    static void read_letters(Keys& keys, const std::string& key, std::string& letters, std::size_t edges)
+    {
+        keys.text(key, letters, "a letter for each edge");
+        const bool are_letters = std::ranges::all_of(letters, [](unsigned char c) { return std::isalnum(c) != 0; });
+        if (!are_letters || letters.size() != edges)
+            throw keys.invalid(key, fmt::format("must be {} letters or digits, one for each edge", edges));
+    }
+
+    void read_outline(Keys& keys, const ConfigTable& table, Prototile& prototile) const
+    {
+        const ConfigNode* outline = find(table, "outline");
+        const ConfigNode* letters = find(table, "outline_edges");
+        if (!outline && !letters) return;
+        if (!outline || !letters)
+            throw invalid_node(outline ? "outline" : "outline_edges", outline ? *outline : *letters,
+                               "needs both outline and outline_edges");
+        for (const ConfigNode& item : list("outline", *outline, 3, most_corners, "numbers in quotes")) {
+            const auto* text = item.get_if<std::string>();
+            if (!text) throw invalid_node("outline", item, "must be a number in quotes, such as \"1 + @60 p\"");
+            try {
+                prototile.outline.push_back(shifted_expression(tiling_.ring, *text));
+            } catch (const InputError& error) {
+                throw invalid_node("outline", item, error.what());
+            }
+        }
+        read_letters(keys, "outline_edges", prototile.outline_edges, prototile.outline.size());
     }
 
     void read_arcs(const ConfigTable& table, Prototile& prototile) const
