@@ -6,6 +6,8 @@
 #include "host/schemes/scheme_run.hpp"
 #include "tiles/prototiles/periodic_tiling.hpp"
 
+#include "base/errors/errors.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,6 +63,15 @@ DistributionTable unit_table(const PolygonTiling& tiling, const TransitivityClas
     return table;
 }
 
+/// Throws InputError where an area has more tiles than a picture may have.
+void check_tile_count(const PolygonTiling& tiling, double area)
+{
+    double unit = 0;
+    for (const PlacedTile& tile : tiling.unit) unit += area_of(tiling, tile.prototile);
+    if (area / unit * static_cast<double>(tiling.unit.size()) > static_cast<double>(most_polygon_tiles))
+        throw InputError(fmt::format("the window has more than {} tiles", most_polygon_tiles));
+}
+
 /// The tiles of a few periods, of which at least one has neighbours all around.
 PatchSurvey periods_survey(const PolygonTiling& tiling)
 {
@@ -82,6 +93,7 @@ DistributionResult make_periodic(const PeriodicSettings& settings, DistributionF
 {
     const PolygonTiling tiling = tiling_of(settings.tiling);
     const double unit = picture_unit(tiling, 1);
+    check_tile_count(tiling, settings.window[0] * settings.window[1] * unit * unit);
     const std::vector<RepeatedTile> found =
         repeated_tiles(tiling, settings.window[0] / 2 * unit, settings.window[1] / 2 * unit);
     std::vector<PlacedTile> tiles;
