@@ -201,7 +201,7 @@ Kind periodic_kind()
 Kind brick_kind()
 {
     return make_kind<BrickSettings>(
-        {"scheme", "bricks", "", "Bricks by digits of pi", "Draw a tiling of bricks that never repeats", false},
+        {"scheme", "bricks", "", "Bricks by digits of pi", "Draw pairs of bricks placed by the binary digits of pi", false},
         brick_keys, [](const BrickSettings& s) { return fmt::format("Bricks by {} digits of pi", s.digits); },
         [](const BrickSettings& s, std::uint64_t, DistributionFiles& files) { return make_bricks(s, files); });
 }

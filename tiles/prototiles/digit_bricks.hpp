@@ -1,5 +1,5 @@
-// Pairs of bricks placed by the binary digits of a number, along a spiral of squares: a tiling of bricks that never
-// repeats if the digits do not, though bricks tile the plane periodically as well.
+// Pairs of bricks placed by the binary digits of pi, along a spiral of squares: a tiling that is probably nonperiodic,
+// though bricks tile the plane periodically as well.
 //
 // Kaplan, Introductory Tiling Theory for Computer Graphics, 2009 (SIGGRAPH 2008 class notes, II), figure 24.
 #pragma once
