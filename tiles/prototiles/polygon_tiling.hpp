@@ -5,7 +5,6 @@
 // and 8.
 #pragma once
 
-#include "tiles/isohedral/plane_motion.hpp"
 #include "tiles/prototiles/root_ring.hpp"
 
 #include <array>
