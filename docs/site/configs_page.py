@@ -21,7 +21,7 @@ def first_sentence(text):
 
 
 def rows_of(folder, root):
-    for config in sorted(folder.glob("*.toml")):
+    for config in sorted(folder.glob("*.toml" if folder == root else "**/*.toml")):
         text = config.read_text(encoding="utf-8")
         name = config.relative_to(root.parent)
         title = tomllib.loads(text).get("title", "")
