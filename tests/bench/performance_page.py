@@ -18,6 +18,9 @@ target are marked.
 
 Kernels are held against what a program does without them: a plain sequential loop, the laboratory's own reference, CGAL, voro++,
 FFTW. A ratio of 5 means that the other takes five times as long.
+
+`./lab bench --device NAME --short` tests another device and adds a section about it at the end, in eight minutes at most: what
+plain kernels come to there, and methods beside that.
 """
 
 # A heading, and the words by which its ratios are known; the first that fits has a ratio.
