@@ -18,6 +18,12 @@ constexpr std::size_t cells_an_edge = 16;
 constexpr int least_grid_bits = 5;
 constexpr int most_grid_bits = 11;
 
+/// Cells with more edges are divided, into parts with some four of them on a line: there are so many parts at most.
+constexpr std::uint32_t many_edges = 16;
+constexpr std::uint32_t edges_a_part = 4;
+constexpr int most_fine_bits = 5;
+constexpr std::size_t most_parts = std::size_t{1} << 23;
+
 }
 
 FixedRegion::FixedRegion(const PlaneRegion& region, double margin)
@@ -47,6 +53,7 @@ FixedRegion::FixedRegion(const PlaneRegion& region, double margin, const KeptAwa
     list_edges();
     find_corners();
     count_filled();
+    divide_cells();
 }
 
 TorusPoint<2> FixedRegion::rounded(const std::array<double, 2>& corner) const
@@ -106,39 +113,49 @@ bool FixedRegion::is_too_near(const FixedEdge& edge, const TorusPoint<2>& positi
     return squared != 0 && is_near(ends_of(edge), position, squared);
 }
 
-/// The cells that an edge is near are found row by row, nearly, and then exactly.
-void FixedRegion::list_edges()
+/// Cells that an edge is near are found row by row, nearly, and then exactly.
+template <typename Found>
+void FixedRegion::find_cells(std::size_t edge, const FixedBox& block, int shift, const Found& found) const
 {
-    const std::uint32_t width = 1u << shift();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
-    for (std::uint32_t number = 0; number < edges_.size(); ++number) {
-        const FixedEdge e = ends_of(edges_[number]);
-        const std::uint32_t margin = margin_of(edges_[number]);
-        const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin);
-        const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
-        for (std::uint32_t row = box.low[1] >> shift(); row <= box.high[1] >> shift(); ++row) {
-            const std::uint32_t bottom = row << shift(), top = bottom + width - 1;
-            double first = box.low[0], last = box.high[0];
-            if (e[1] != e[3]) {
-                // Heights of the edge that are near the row, from its lower end.
-                const double below = std::clamp(double{1} * bottom - margin, double{1} * e[1], double{1} * e[3]) - e[1];
-                const double above = std::clamp(double{1} * top + margin, double{1} * e[1], double{1} * e[3]) - e[1];
-                const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
-                first = std::max(first, least - margin - 2);
-                last = std::min(last, most + margin + 2);
-            }
-            const auto last_column = static_cast<std::uint32_t>(last) >> shift();
-            for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift(); c <= last_column; ++c) {
-                const std::uint32_t left = c << shift();
-                if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin)))
-                    found.emplace_back(static_cast<std::uint32_t>(cell_at(c, row)), number);
-            }
+    const std::uint32_t width = 1u << shift;
+    const FixedEdge e = ends_of(edges_[edge]);
+    const std::uint32_t margin = margin_of(edges_[edge]);
+    const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin);
+    const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
+    const std::uint32_t last_row = std::min(box.high[1], block.high[1]) >> shift;
+    for (std::uint32_t row = std::max(box.low[1], block.low[1]) >> shift; row <= last_row; ++row) {
+        const std::uint32_t bottom = row << shift, top = bottom + width - 1;
+        double first = std::max(box.low[0], block.low[0]), last = std::min(box.high[0], block.high[0]);
+        if (e[1] != e[3]) {
+            // Heights of the edge that are near the row, from its lower end.
+            const double below = std::clamp(double{1} * bottom - margin, double{1} * e[1], double{1} * e[3]) - e[1];
+            const double above = std::clamp(double{1} * top + margin, double{1} * e[1], double{1} * e[3]) - e[1];
+            const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
+            first = std::max(first, least - margin - 2);
+            last = std::min(last, most + margin + 2);
+        }
+        if (last < first) continue;
+        const auto last_column = static_cast<std::uint32_t>(last) >> shift;
+        for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift; c <= last_column; ++c) {
+            const std::uint32_t left = c << shift;
+            if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin))) found(c, row);
         }
     }
+}
+
+void FixedRegion::list_edges()
+{
+    const FixedBox all{{0, 0}, {most_coordinate, most_coordinate}};
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
+    for (std::uint32_t number = 0; number < edges_.size(); ++number)
+        find_cells(number, all, shift(), [&](std::uint32_t column, std::uint32_t row) {
+            found.emplace_back(static_cast<std::uint32_t>(cell_at(column, row)), number);
+        });
     std::ranges::sort(found);
-    cells_.assign((std::size_t{1} << 2 * bits_) + 1, 0);
+    cells_.assign(cell_count() + 1, 0);
     for (const auto& [cell, edge] : found) {
         listed_.push_back(edges_[edge]);
+        listed_numbers_.push_back(edge);
         cells_[cell + 1] += 2;
     }
     for (std::size_t i = 1; i < cells_.size(); ++i) cells_[i] += cells_[i - 1];
@@ -185,12 +202,69 @@ void FixedRegion::count_filled()
         }
 }
 
+void FixedRegion::divide_cells()
+{
+    std::vector<std::size_t> divided;
+    std::uint32_t most = 0;
+    for (std::size_t cell = 0; cell < cell_count(); ++cell) {
+        const auto edges = static_cast<std::uint32_t>(edges_of(cell).size());
+        if (edges > many_edges) divided.push_back(cell);
+        most = std::max(most, edges);
+    }
+    if (divided.empty()) return;
+    int bits = std::min({most_fine_bits, static_cast<int>(std::bit_width(most / edges_a_part)), shift()});
+    while (bits > 0 &&
+           (divided.size() << 2 * bits > most_parts || std::ranges::max(margins_) >> (shift() - bits) != 0))
+        --bits;
+    if (bits == 0) return;
+    const std::size_t parts = (std::size_t{1} << 2 * bits) + 1, first = 2 * cell_count() + 1;
+    std::vector<std::uint32_t> beginnings(cell_count());
+    for (std::size_t i = 0; i < divided.size(); ++i)
+        beginnings[divided[i]] = static_cast<std::uint32_t>(first + i * parts);
+    cells_.reserve(first + divided.size() * parts);
+    // Until fine_bits_ is set, positions are looked for in whole cells.
+    cells_.insert(cells_.end(), beginnings.begin(), beginnings.end());
+    for (const std::size_t cell : divided) divide(cell, bits);
+    fine_bits_ = bits;
+}
+
+/// Appends the parts of a cell.
+void FixedRegion::divide(std::size_t cell, int bits)
+{
+    const int part_shift = shift() - bits;
+    const TorusPoint<2> low{static_cast<std::uint32_t>(cell & (size() - 1)) << shift(),
+                            static_cast<std::uint32_t>(cell >> bits_) << shift()};
+    const std::uint32_t last = (1u << shift()) - 1, mask = (1u << bits) - 1;
+    std::vector<std::vector<std::uint32_t>> numbers(std::size_t{1} << 2 * bits);
+    for (std::uint32_t i = cells_[cell] / 2; i < cells_[cell + 1] / 2; ++i)
+        find_cells(listed_numbers_[i], {low, {low[0] + last, low[1] + last}}, part_shift,
+                   [&](std::uint32_t column, std::uint32_t row) {
+                       numbers[(row & mask) << bits | (column & mask)].push_back(listed_numbers_[i]);
+                   });
+    for (std::uint32_t part = 0; part < numbers.size(); ++part) {
+        const TorusPoint<2> corner{low[0] + ((part & mask) << part_shift), low[1] + ((part >> bits) << part_shift)};
+        cells_.push_back(static_cast<std::uint32_t>(2 * listed_.size() + contains_moved(corner)));
+        for (const std::uint32_t number : numbers[part]) listed_.push_back(edges_[number]);
+    }
+    cells_.push_back(static_cast<std::uint32_t>(2 * listed_.size()));
+}
+
+FixedRegion::FoundCell FixedRegion::cell_with(const TorusPoint<2>& p) const
+{
+    const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
+    const std::uint32_t divided = fine_bits_ == 0 ? 0 : cells_[cell_count() + 1 + cell];
+    if (divided == 0) return {cell, shift()};
+    const int part_shift = shift() - fine_bits_;
+    const std::uint32_t mask = (1u << fine_bits_) - 1;
+    return {divided + ((p[1] >> part_shift & mask) << fine_bits_ | (p[0] >> part_shift & mask)), part_shift};
+}
+
 FixedRegion::Inside FixedRegion::look_at(const TorusPoint<2>& p, bool has_margins) const
 {
     Inside inside;
     if ((p[0] | p[1]) >> coordinate_bits != 0) return inside;
-    const TorusPoint<2> corner{p[0] >> shift() << shift(), p[1] >> shift() << shift()};
-    const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
+    const auto [cell, shift] = cell_with(p);
+    const TorusPoint<2> corner{p[0] >> shift << shift, p[1] >> shift << shift};
     inside.moved = cells_[cell] % 2 == 1;
     for (const FixedEdge& e : edges_of(cell)) {
         if (has_margins && is_too_near(e, p)) {
@@ -252,16 +326,24 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
                                  filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
     if (filled == 0) return RegionSide::outside;
     if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
+    // Of small boxes, only the parts of divided cells that they lie in.
+    const int fine_shift = shift() - fine_bits_;
+    const bool is_fine = cut.high[0] >> fine_shift <= (cut.low[0] >> fine_shift) + 1 &&
+                         cut.high[1] >> fine_shift <= (cut.low[1] >> fine_shift) + 1;
+    const int looked_at = is_fine ? fine_shift : shift();
     bool is_crossed = false, is_near_edge = false;
-    for (std::uint32_t row = bottom; row <= top; ++row)
-        for (std::uint32_t column = left; column <= right; ++column)
-            for (const FixedEdge& e : edges_of(cell_at(column, row))) {
+    for (std::uint32_t row = cut.low[1] >> looked_at; row <= cut.high[1] >> looked_at; ++row)
+        for (std::uint32_t column = cut.low[0] >> looked_at; column <= cut.high[0] >> looked_at; ++column) {
+            const std::size_t cell =
+                is_fine ? cell_with({column << looked_at, row << looked_at}).number : cell_at(column, row);
+            for (const FixedEdge& e : edges_of(cell)) {
                 const FixedEdge ends = ends_of(e);
                 const std::uint64_t squared = squared_margin_of(e);
                 if (squared != 0 && is_all_near(ends, cut, squared)) return RegionSide::outside;
                 is_crossed |= is_of_boundary(e) && touches(ends, cut);
                 is_near_edge |= touches(ends, enlarged(cut, margin_of(e)));
             }
+        }
     if (is_crossed) return RegionSide::crossed;
     if (!contains(box.low, false)) return RegionSide::outside;
     return cut.high == box.high && !is_near_edge ? RegionSide::inside : RegionSide::crossed;

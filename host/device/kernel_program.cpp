@@ -31,14 +31,16 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const KernelConstant reach{"REACH", {"2", "3"}};
     static const KernelConstant large_disks{"LARGE_DISKS", {"0", "1"}};
+    static const KernelConstant bricks{"BRICKS", {"0", "1"}};
     static const std::vector<KernelFile> files{
         {"averaged_tiles.cl", doubles, {}},
         {"beatty_tiling.cl", {}, {}},
         {"class_darts.cl", {}, {dimension}},
         {"class_tiles.cl", doubles_in_tiles, {dimension}},
-        {"dart_throwing.cl", staging, {dimension, reach, large_disks, {"REGION", {"0", "1"}}}},
-        {"darts_in_order.cl", {}, {dimension, reach, large_disks}},
-        {"darts_in_rounds.cl", {}, {dimension, reach, large_disks}},
+        {"dart_throwing.cl", staging, {dimension, reach, large_disks, bricks, {"REGION", {"0", "1"}}}},
+        {"darts_in_bricks.cl", {}, {dimension, reach, large_disks, {"BRICKS", {"1"}}}},
+        {"darts_in_order.cl", {}, {dimension, reach, large_disks, {"BRICKS", {"0"}}}},
+        {"darts_in_rounds.cl", {}, {dimension, reach, large_disks, bricks}},
         {"farthest_point.cl", doubles, {}},
         {"gaussian_blue_noise.cl", doubles, {dimension, {"ADAPTIVE", {"0", "1"}}}},
         {"gradient_domain.cl", doubles, {}},
@@ -53,7 +55,7 @@ const std::vector<KernelFile>& kernel_files()
         {"recursive_tiles.cl", doubles, {}},
         {"region_lloyd.cl", doubles, {}},
         {"relaxation.cl", doubles, {dimension}},
-        {"relaxation_dart_throwing.cl", {}, {dimension, {"COVER_BITS", {"2", "3"}}, {"REGION", {"0", "1"}}}},
+        {"relaxation_dart_throwing.cl", {}, {dimension, {"COVER_BITS", {"2", "3"}}, {"REGION", {"0", "1", "2"}}}},
         {"repulsion.cl", doubles, {dimension}},
         {"sample_elimination.cl", doubles, {dimension, {"FACTORS", {"0", "1"}}}},
         {"sector_darts.cl", doubles, {}},

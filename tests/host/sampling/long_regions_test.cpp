@@ -1,0 +1,335 @@
+// Methods in regions that are very long: dart throwing in bricks of cells against that in cubes of them, relaxation by
+// darts into squares, Lloyd's method with listed cells, and grids that are folded.
+//
+// Oracles are dense grids, sets in which all pairs are looked at, and Rényi's parking constant: cars of length 1 that park
+// at random on a road leave it, when no further one fits, with 0.7475979 cars a unit of length.
+#include "base/regions/region_text.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/classics/torus_grid.hpp"
+#include "host/sampling/dart_throwing.hpp"
+#include "host/sampling/regions/region_bricks.hpp"
+#include "host/sampling/regions/region_bridson.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
+#include "host/sampling/regions/region_lloyd.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
+#include "tests/support/random_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+PlaneRegion long_plane(const std::string& name)
+{
+    return name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), 0x1p31) : read_region(name);
+}
+
+struct BrickCase
+{
+    std::string region;
+    double min_distance;      ///< of the torus
+    std::size_t points = 0;   ///< 0: to saturation
+    bool is_in_space = false; ///< of space
+};
+
+void PrintTo(const BrickCase& c, std::ostream* out) { *out << c.region << ", distance " << c.min_distance; }
+
+DartThrowingRequest brick_request(const BrickCase& c)
+{
+    DartThrowingRequest request;
+    request.dimension = c.is_in_space ? 3 : 2;
+    request.min_distance = c.min_distance;
+    if (c.points > 0) request.points = c.points;
+    request.stream = stream_key(7, Purpose::dart_throwing, 0);
+    const CellHierarchy cells = cell_hierarchy(c.min_distance, request.dimension);
+    if (c.is_in_space) {
+        request.space = std::make_shared<const FixedSpace>(read_space_region(c.region));
+        request.bricks = bricks_of(*request.space, cells, SIZE_MAX);
+    } else {
+        request.region = std::make_shared<const FixedRegion>(long_plane(c.region));
+        request.bricks = bricks_of(*request.region, cells, SIZE_MAX);
+    }
+    return request;
+}
+
+class DartsInBricks : public testing::TestWithParam<BrickCase>
+{
+};
+
+TEST_P(DartsInBricks, AreThoseOfAllCells)
+{
+    DartThrowingRequest request = brick_request(GetParam());
+    DartThrowingRequest dense = request;
+    dense.bricks.reset();
+    const PointSet expected = reference::throw_darts(dense);
+    ASSERT_GT(expected.size(), 0U);
+    EXPECT_EQ(reference::throw_darts(request), expected);
+    for (const DartSettling settling : {DartSettling::in_order, DartSettling::in_rounds})
+        for (const std::size_t group : {std::size_t{16}, std::size_t{0}})
+            EXPECT_EQ(DartThrower(Device::open(), group, settling).throw_darts(request), expected);
+}
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, DartsInBricks,
+                         testing::Values(BrickCase{"rectangle 0 0 30 2", 0.06},
+                                         BrickCase{"box 0 0 0 9 1 1", 0.08, 4, true}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, DartsInBricks,
+    testing::Values(BrickCase{"rectangle 0 0 3 2", 0.01}, BrickCase{"star60", 0.006}, BrickCase{"star4000", 0.004, 2000},
+                    BrickCase{"rectangle 0 0 1000 1", 0.0007}, BrickCase{"disk 5 5 2", 0.02},
+                    BrickCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((90 90,91 90,91 91,90 90)))", 0.0009},
+                    BrickCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 0.001},
+                    BrickCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 0.001, 500},
+                    BrickCase{"box 0 0 0 9 1 1", 0.02, 0, true}, BrickCase{"ball 0 0 0 1", 0.03, 200, true},
+                    BrickCase{"solid 0 0 0 1 1 1 sin(9*x)+cos(8*y)+sin(7*z)-0.5", 0.04, 0, true}));
+
+/// A road that is so narrow that its points are cars that park one behind the other: their number over its length.
+TEST(DartsInLongRegions, LeaveRenyisShareOfARoad)
+{
+    constexpr double length = 100'000, parking = 0.7475979202, variance = 0.0381564;
+    const DartThrowingRequest request = brick_request({"rectangle 0 0 100000 0.001", 1 / (length * 2)});
+    const PointSet points = DartThrower(Device::open()).throw_darts(request);
+    EXPECT_EQ(reference::throw_darts(request), points);
+    // Middles of cars on a road of that length park on one that is a car longer; Rényi 1958 has the mean there.
+    const double expected = parking * (length + 1) - (1 - parking);
+    EXPECT_NEAR(static_cast<double>(points.size()), expected, 4 * std::sqrt(variance * length));
+    std::vector<double> along;
+    for (std::size_t i = 0; i < points.size(); ++i) along.push_back(points[i][0] * 2 * length);
+    std::ranges::sort(along);
+    for (std::size_t i = 1; i < along.size(); ++i) {
+        ASSERT_GE(along[i] - along[i - 1], 1 - 1e-5);
+        ASSERT_LT(along[i] - along[i - 1], 2 + 1e-5); // no further one fits
+    }
+}
+
+/// Counts in equal parts of a slanting strip, of which a tenth lies in no square's half, are those of chance.
+TEST(CandidatesOfLongRegions, AreUniform)
+{
+    const FixedRegion region(read_region("POLYGON ((0 0, 100000 70000, 100000 70010, 0 10, 0 0))"));
+    RegionCandidates candidates(region, stream_key(3, Purpose::random_points, 0), CandidateArea::squares);
+    constexpr std::size_t count = 100'000, parts = 50;
+    const std::vector<TorusPoint<2>> places = candidates.next(count);
+    ASSERT_EQ(places.size(), count);
+    std::array<double, parts> along{}, across{};
+    for (const TorusPoint<2>& place : places) {
+        ASSERT_TRUE(region.contains_plainly(place));
+        const auto [x, y] = region.own(place);
+        ++along[static_cast<std::size_t>(std::min(x / 100'000 * parts, parts - 1.0))];
+        ++across[static_cast<std::size_t>(std::clamp((y - 0.7 * x) / 10 * parts, 0.0, parts - 1.0))];
+    }
+    constexpr double expected = double{count} / parts;
+    for (const auto& counts : {along, across}) {
+        double chi_squared = 0;
+        for (const double found : counts) chi_squared += (found - expected) * (found - expected) / expected;
+        EXPECT_LT(chi_squared, 100); // of 49 degrees of freedom: once in 40,000 times
+    }
+    EXPECT_GT(candidates.share_of_darts(), 0.3);
+    EXPECT_NEAR(candidates.share() * 100'000 * 70'010, 1e6, 1e6 * 0.02); // the area
+}
+
+struct LongRelaxationCase
+{
+    std::string region;
+    std::size_t points;
+    bool is_in_space = false;
+};
+
+void PrintTo(const LongRelaxationCase& c, std::ostream* out) { *out << c.points << " in " << c.region; }
+
+class RelaxationInSquares : public testing::TestWithParam<LongRelaxationCase>
+{
+};
+
+TEST_P(RelaxationInSquares, IsThatOfTheReferenceInsideAndFarEnoughApart)
+{
+    const auto& [name, points, is_in_space] = GetParam();
+    RelaxationDartThrowingRequest request;
+    request.dimension = is_in_space ? 3 : 2;
+    request.points = points;
+    request.initial_radius = 0.001;
+    request.factor = 0.9;
+    request.attempts = 300;
+    request.stream = stream_key(7, Purpose::relaxation_dart_throwing, 0);
+    if (is_in_space) {
+        request.space = std::make_shared<const FixedSpace>(read_space_region(name));
+        request.cubes = std::make_shared<const RegionSquares<FixedSpace>>(squares_of(*request.space, 1 << 14));
+    } else {
+        request.region = std::make_shared<const FixedRegion>(long_plane(name));
+        request.squares = std::make_shared<const RegionSquares<FixedRegion>>(squares_of(*request.region, 1 << 14));
+    }
+    const RelaxationDarts expected = reference::throw_relaxation_darts(request);
+    for (const std::size_t group : {std::size_t{1}, std::size_t{0}})
+        EXPECT_TRUE(RelaxationDartThrower(Device::open(), group).throw_darts(request) == expected);
+    ASSERT_EQ(expected.points.size(), points);
+    for (std::size_t i = 0; i < points; ++i) {
+        const auto p = expected.points[i];
+        if (!is_in_space) {
+            EXPECT_TRUE(request.region->contains_plainly(
+                {static_cast<std::uint32_t>(p[0] * 0x1p32), static_cast<std::uint32_t>(p[1] * 0x1p32)}));
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            double squared = 0;
+            for (std::size_t k = 0; k < p.size(); ++k)
+                squared += (p[k] - expected.points[j][k]) * (p[k] - expected.points[j][k]);
+            ASSERT_GE(std::sqrt(squared), 2 * expected.radius);
+        }
+    }
+}
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, RelaxationInSquares, testing::Values(LongRelaxationCase{"rectangle 0 0 90 1", 6}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, RelaxationInSquares,
+    testing::Values(LongRelaxationCase{"rectangle 0 0 30000 1", 1500},
+                    LongRelaxationCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 1000},
+                    LongRelaxationCase{"star60", 300},
+                    LongRelaxationCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((9000 9000,9001 9000,9001 9001,9000 9000)))",
+                                       400},
+                    LongRelaxationCase{"box 0 0 0 900 1 2", 500, true}));
+
+struct ListedCase
+{
+    std::string region;
+    std::size_t sites;
+};
+
+void PrintTo(const ListedCase& c, std::ostream* out) { *out << c.sites << " in " << c.region; }
+
+class ListedCells : public testing::TestWithParam<ListedCase>
+{
+};
+
+/// Moments are those of a grid with all cells but for rounding, and of the kernel to the last bit.
+TEST_P(ListedCells, HaveTheMomentsOfAllCells)
+{
+    const FixedRegion region(long_plane(GetParam().region));
+    const std::vector<TorusPoint<2>> sites =
+        RegionCandidates(region, stream_key(3, Purpose::random_points, 0)).next(GetParam().sites);
+    SiteGrid all(region, sites.size()), listed(region, sites.size(), true);
+    all.sort(sites);
+    listed.sort(sites);
+    const auto expected = reference::integrate_cells(all), found = reference::integrate_cells(listed);
+    std::vector<double> areas(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) areas[all.numbers()[i]] = expected[i].twice_area;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        EXPECT_NEAR(found[i].twice_area, areas[listed.numbers()[i]], 1e-9 * areas[listed.numbers()[i]] + 1e-3);
+    for (const std::size_t group : {std::size_t{1}, std::size_t{0}}) {
+        const auto by_kernel = RegionLloyd(Device::open(), group).integrate_cells(listed);
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            EXPECT_EQ(by_kernel[i].twice_area, found[i].twice_area);
+            EXPECT_EQ(by_kernel[i].x, found[i].x);
+            EXPECT_EQ(by_kernel[i].y, found[i].y);
+        }
+    }
+}
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, ListedCells, testing::Values(ListedCase{"star24", 9}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ListedCells,
+    testing::Values(ListedCase{"rectangle 0 0 3 2", 500}, ListedCase{"star60", 700}, ListedCase{"star4000", 200},
+                    ListedCase{"rectangle 0 0 1000 1", 800},
+                    ListedCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 1500},
+                    ListedCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((90 90,91 90,91 91,90 90)))", 40}));
+
+/// Lloyd's method on a narrow road ends where points are evenly spaced.
+TEST(LloydInLongRegions, SpacesPointsEvenlyOnARoad)
+{
+    const FixedRegion region(read_region("rectangle 0 0 100000 1"));
+    std::vector<TorusPoint<2>> sites;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> part(0.3, 0.7);
+    constexpr std::size_t count = 20'000; // 5 units each
+    for (std::size_t i = 0; i < count; ++i)
+        sites.push_back({static_cast<std::uint32_t>((static_cast<double>(i) + part(random)) / count * 0x1p31),
+                         static_cast<std::uint32_t>(part(random) / 100'000 * 0x1p31)});
+    const auto spread = [&](const std::vector<TorusPoint<2>>& all) {
+        double squares = 0;
+        for (std::size_t i = 1; i < count; ++i) {
+            const double gap = (double{1} * all[i][0] - all[i - 1][0]) / 0x1p31 * count;
+            squares += (gap - 1) * (gap - 1);
+        }
+        return std::sqrt(squares / count);
+    };
+    RegionLloyd lloyd(Device::open());
+    const auto by_kernel = [&](const SiteGrid& grid) { return lloyd.integrate_cells(grid); };
+    const auto moved = relax_in_region(region, region, sites, 20, by_kernel, true);
+    EXPECT_LT(spread(moved), spread(sites) / 10);
+    for (const TorusPoint<2>& site : moved) EXPECT_NEAR(site[1] / 0x1p31 * 100'000, 0.5, 0.02);
+}
+
+/// Bridson's points on a narrow road are in order: all gaps are known.
+TEST(BridsonInLongRegions, KeepsDistancesAndFillsTheRoad)
+{
+    const FixedRegion region(read_region("rectangle 0 0 100000 0.01"));
+    const PointSet points = throw_bridson_darts(region, {.min_distance = 1 / 200'000.0,
+                                                         .attempts = 300,
+                                                         .stream = stream_key(1, Purpose::bridson, 0),
+                                                         .area = CandidateArea::squares});
+    std::vector<double> along;
+    for (std::size_t i = 0; i < points.size(); ++i) along.push_back(points[i][0] * 200'000);
+    std::ranges::sort(along);
+    ASSERT_GT(along.size(), 50'000U);
+    std::size_t wide = 0;
+    for (std::size_t i = 1; i < along.size(); ++i) {
+        ASSERT_GE(along[i] - along[i - 1], 1 - 1e-4);
+        wide += along[i] - along[i - 1] > 2.001;
+    }
+    EXPECT_LT(wide, along.size() / 100);
+}
+
+class FoldedGrids : public testing::TestWithParam<int>
+{
+};
+
+/// Answers of folded grids are those of all points.
+TEST_P(FoldedGrids, FindWhatAllPointsTell)
+{
+    const int dimension = GetParam();
+    std::mt19937 random(7);
+    TorusGrid folded(2000, dimension, 1 << 12);
+    std::vector<TorusPosition> points;
+    for (int i = 0; i < 2000; ++i) {
+        TorusPosition position{};
+        for (int k = 0; k < dimension; ++k) {
+            // A diagonal, and some points anywhere.
+            const std::uint32_t along = static_cast<std::uint32_t>(i) << 12;
+            position[static_cast<std::size_t>(k)] =
+                static_cast<std::uint32_t>(i % 10 == 0 ? random() : along + random() % 5000);
+        }
+        points.push_back(position);
+        folded.add(position);
+    }
+    for (std::size_t i = 0; i < 200; ++i) {
+        TorusPosition from = points[random() % points.size()];
+        from[0] += static_cast<std::uint32_t>(random() % 9000);
+        for (const double reach : {3000.0, 20'000.0, 5e6, 2e9}) {
+            std::set<std::size_t> expected;
+            std::uint64_t nearest = UINT64_MAX;
+            for (std::size_t j = 0; j < points.size(); ++j) {
+                const std::uint64_t squared = squared_torus_distance(points[j], from);
+                nearest = std::min(nearest, squared);
+                if (static_cast<double>(squared) < reach * reach) expected.insert(j);
+            }
+            const std::vector<std::size_t> found = folded.within(from, reach);
+            EXPECT_EQ(std::set<std::size_t>(found.begin(), found.end()), expected);
+            EXPECT_EQ(found.size(), expected.size());
+            EXPECT_EQ(folded.squared_nearest(from), nearest);
+            EXPECT_EQ(folded.is_near(from, static_cast<std::uint64_t>(reach)),
+                      nearest < static_cast<std::uint64_t>(reach) * static_cast<std::uint64_t>(reach));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, FoldedGrids, testing::Values(2, 3));
+
+}
+}
