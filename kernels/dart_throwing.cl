@@ -20,6 +20,10 @@
 
 #define CHILDREN (1 << DIMENSION)
 
+#if BRICKS
+#define IS_INSIDE (1u << 31) // of the last word of an open cell
+#endif
+
 // Points that can matter to a cell, padded so that they fill vectors of eight.
 #define NEAR_ROOM ((MAX_NEAR + 7) / 8 * 8)
 
@@ -38,6 +42,7 @@ typedef struct
     uint near_begin, near_end; // the points that can matter to it
     uint open;                 // children, as bits
     uint crossed;              // children that lie partly outside the region, as bits
+    bool is_inside;            // is known to be, and so its children
 } Parent;
 
 /// The box of a parent in two halves along each axis, or in one, number 0.
@@ -137,6 +142,7 @@ bool has_room(const Parent* parent, const Halves* halves, const Near* near, cons
 ALWAYS_INLINE void close_outside(Parent* parent, const Halves* halves, const Region* region)
 {
     parent->crossed = 0;
+    if (parent->is_inside) return;
     for (uint open = parent->open; open != 0; open &= open - 1) {
         const uint c = 31 - clz(open & (0u - open));
         Position low, extent;
@@ -278,12 +284,14 @@ void put(const List* list, const Place* place, uint number, const uint* entry)
     for (uint w = 0; w < list->words; ++w) list->target[direct * list->words + w] = entry[w];
 }
 
-ALWAYS_INLINE void put_cell(const List* list, const Place* place, uint number, const Cell* cell, uint base)
+/// Writes the cell that is a child of a parent.
+ALWAYS_INLINE void put_cell(const List* list, const Place* place, uint number, const Cell* cell, const Parent* parent,
+                            uint child)
 {
 #if BRICKS
     uint entry[PARENT_WORDS];
     FOR_EACH_AXIS(k) entry[k] = cell->c[k];
-    entry[DIMENSION] = base;
+    entry[DIMENSION] = parent->base | (parent->crossed >> child & 1 ? 0 : IS_INSIDE);
     put(list, place, number, entry);
 #else
     put(list, place, number, cell->c);
@@ -388,7 +396,8 @@ ALWAYS_INLINE void take_listed(Parent* parent, global const uint* listed, uint n
 {
     FOR_EACH_AXIS(k) parent->cell.c[k] = listed[number * PARENT_WORDS + k];
 #if BRICKS
-    parent->base = listed[number * PARENT_WORDS + DIMENSION];
+    parent->base = listed[number * PARENT_WORDS + DIMENSION] & ~IS_INSIDE;
+    parent->is_inside = (listed[number * PARENT_WORDS + DIMENSION] & IS_INSIDE) != 0;
 #endif
 }
 
@@ -419,7 +428,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                               const Region* region, const struct Batch* batch, constant const uint* thresholds,
                               const Lists* lists)
 {
-    const bool lists_cells = batch->number > 0;
+    const bool lists_cells = BRICKS || batch->number > 0;
     const Place place = reserve(&lists->cells, lists_cells ? open_count : 0);
     uint listed = 0;
     Pending pending;
@@ -439,7 +448,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                     const uint child = 4 * block + in_block;
                     Cell cell;
                     FOR_EACH_AXIS(k) cell.c[k] = (parents[p + q].cell.c[k] << batch->is_split) + (child >> k & 1);
-                    if (lists_cells) put_cell(&lists->cells, &place, listed++, &cell, parents[p + q].base);
+                    if (lists_cells) put_cell(&lists->cells, &place, listed++, &cell, &parents[p + q], child);
                     for (uint number = 0; number < counts[in_block][q]; ++number) {
                         pending.parent[pending.count] = p + q;
                         pending.number[pending.count] = number;
@@ -456,8 +465,8 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 /// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
 /// batches; counters OPEN_CELLS and DARTS zero.
 ///
-/// `parent_cells` PARENT_WORDS words each, of the torus; in batches 0 and 1 not used: all cells of the grid. Batch 0 also clears their
-/// slots and masks, and does not list them as open. Local memory: staged_cells for PARENT_WORDS words each, staged_darts
+/// `parent_cells` PARENT_WORDS words each, of the torus; in batch 0, and in batch 1 without bricks, not used: all cells of
+/// the grid. Batch 0 also clears their slots and masks, and lists none as open, but for bricks, of which many are outside. Local memory: staged_cells for PARENT_WORDS words each, staged_darts
 /// for DART_WORDS each, group for GROUP_WORDS.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
@@ -482,7 +491,8 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
     uint open_count = 0;
     for (uint p = 0; p < count; ++p) {
         Parent* parent = &parents[p];
-        if (batch.number <= 1) {
+        parent->is_inside = false;
+        if (batch.number < (BRICKS ? 1 : 2)) {
             parent->base = first + p;
             const Spot spot = spot_of(&grid.cells, first + p);
             FOR_EACH_AXIS(k) parent->cell.c[k] = torus_coordinate(&grid.cells, &spot, k);

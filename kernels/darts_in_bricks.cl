@@ -15,7 +15,6 @@
 // Needs what common/darts/dart_grid.clh needs, with BRICKS.
 
 #include "kernels/common/darts/dart_grid.clh"
-#include "kernels/common/darts/mark_disk.clh"
 
 typedef struct
 {
@@ -41,6 +40,26 @@ ALWAYS_INLINE ulong bits_between(int k, uint low, uint high)
     return BITS_ALONG[k] >> step * (BRICK_SIDE - 1 - (high - low)) << step * low;
 }
 
+/// What a window has of bricks along an axis: of one, or of two.
+typedef struct
+{
+    uint first, count; // from the brick before on
+    ulong bits[2];
+} Stretch;
+
+ALWAYS_INLINE Stretch stretch_along(int k, uint c)
+{
+    // From the brick before on.
+    const uint begin = c + BRICK_SIDE - REACH, end = c + BRICK_SIDE + REACH;
+    Stretch stretch;
+    stretch.first = begin >> BRICK_BITS;
+    stretch.count = (end >> BRICK_BITS) - stretch.first + 1;
+    const uint low = begin & (BRICK_SIDE - 1), high = end & (BRICK_SIDE - 1);
+    stretch.bits[0] = bits_between(k, low, stretch.count == 1 ? high : BRICK_SIDE - 1);
+    stretch.bits[1] = bits_between(k, 0, high);
+    return stretch;
+}
+
 /// What the bricks around a dart have of the window around its cell, as bits.
 typedef struct
 {
@@ -50,37 +69,38 @@ typedef struct
     bool leaves; // the slab
 } Parts;
 
+ALWAYS_INLINE void add_part(Parts* parts, const Slab* slab, uint brick, ulong bits)
+{
+    if (brick == NO_BRICK) return;
+    parts->leaves |= !has_brick(slab, brick);
+    parts->brick[parts->count] = brick;
+    parts->cells[parts->count] = bits;
+    parts->count += has_brick(slab, brick);
+}
+
 ALWAYS_INLINE void find_parts(const Cells* cells, const Spot* spot, const Slab* slab, Parts* parts)
 {
     parts->count = 0;
     parts->leaves = false;
-    for (uint n = 0; n < 1 << DIMENSION; ++n) {
-        uint around = 0, power = 1;
-        ulong bits = 1;
-        bool is_there = true;
-        FOR_EACH_AXIS(k)
-        {
-            // From the brick before on.
-            const uint begin = spot->c[k] + BRICK_SIDE - REACH, end = spot->c[k] + BRICK_SIDE + REACH;
-            const uint first = begin >> BRICK_BITS, last = end >> BRICK_BITS;
-            const uint i = first + (n >> k & 1);
-            is_there &= i <= last;
-            const uint low = i == first ? begin & (BRICK_SIDE - 1) : 0;
-            const uint high = i == last ? end & (BRICK_SIDE - 1) : BRICK_SIDE - 1;
-            // Products of bits that differ along each axis have no carries.
-            bits *= is_there ? bits_between(k, low, high) : 0;
-            around += power * min(i, 2u);
-            power *= 3;
+    Stretch along[DIMENSION];
+    FOR_EACH_AXIS(k) along[k] = stretch_along(k, spot->c[k]);
+    global const uint* around = &cells->around[spot->brick * BRICKS_AROUND];
+    // Products of bits that differ along each axis have no carries.
+#if DIMENSION == 3
+    for (uint z = 0; z < along[2].count; ++z) {
+        global const uint* layer = &around[9 * (along[2].first + z)];
+        const ulong of_layer = along[2].bits[z];
+#else
+    {
+        global const uint* layer = around;
+        const ulong of_layer = 1;
+#endif
+        for (uint y = 0; y < along[1].count; ++y) {
+            for (uint x = 0; x < along[0].count; ++x) {
+                add_part(parts, slab, layer[3 * (along[1].first + y) + along[0].first + x],
+                         along[0].bits[x] * along[1].bits[y] * of_layer);
+            }
         }
-        const uint brick = is_there ? cells->around[spot->brick * BRICKS_AROUND + around] : NO_BRICK;
-        if (brick == NO_BRICK) continue;
-        if (!has_brick(slab, brick)) {
-            parts->leaves = true;
-            continue;
-        }
-        parts->brick[parts->count] = brick;
-        parts->cells[parts->count] = bits;
-        ++parts->count;
     }
 }
 
@@ -136,11 +156,57 @@ void let_wait(uint cell, const Waiting* waiting, uint at)
     *bits |= bit;
 }
 
+/// Sets the mask bits that stand for the point in a cell, in all cells that its disk reaches. These are the slab's own:
+/// the dart would wait otherwise.
+ALWAYS_INLINE void mark_disk(const Position* point, const Spot* spot, const Cells* cells, uint torus_size, ulong step,
+                             ulong squared_min_distance, global uint* masks)
+{
+    ulong gaps[DIMENSION][WINDOW];
+    uint bricks[DIMENSION][WINDOW], in_brick[DIMENSION][WINDOW];
+    uint power = 1;
+    FOR_EACH_AXIS(k)
+    {
+        uint low = (uint)lower_bound(wrapped(torus_coordinate(cells, spot, k), -REACH, torus_size), 0, step);
+        UNROLLED(int i = 0; i < WINDOW; ++i)
+        {
+            const uint c = torus_coordinate(cells, spot, k);
+            const uint high = (uint)lower_bound((ulong)wrapped(c, i - REACH, torus_size) + 1, 0, step);
+            gaps[k][i] = square(axis_nearest(point->c[k], low, high - low - 1));
+            low = high;
+            const uint from_before = spot->c[k] + BRICK_SIDE + i - REACH;
+            bricks[k][i] = power * (from_before >> BRICK_BITS);
+            in_brick[k][i] = (from_before & (BRICK_SIDE - 1)) << (k * BRICK_BITS);
+        }
+        power *= 3;
+    }
+    global const uint* around = &cells->around[spot->brick * BRICKS_AROUND];
+    for (uint row = 0; row < MAX_NEAR / WINDOW; ++row) {
+        const uint y = row % WINDOW;
+        ulong gap = gaps[1][y];
+        uint of_row = bricks[1][y], cells_of_row = in_brick[1][y];
+#if DIMENSION == 3
+        const uint z = row / WINDOW;
+        gap += gaps[2][z];
+        of_row += bricks[2][z];
+        cells_of_row |= in_brick[2][z];
+#endif
+        if (gap >= squared_min_distance) continue;
+        UNROLLED(int x = 0; x < WINDOW; ++x)
+        {
+            const uint brick = around[of_row + bricks[0][x]];
+            if (brick == NO_BRICK || gap + gaps[0][x] >= squared_min_distance) continue;
+            const uint cell = brick * BRICK_CELLS + (cells_of_row | in_brick[0][x]);
+            const uint seen_from_there = MAX_NEAR - 1 - (row * WINDOW + x);
+            masks[cell * MASK_WORDS + seen_from_there / 32] |= 1u << seen_from_there % 32;
+        }
+    }
+}
+
 /// One work-item owns one slab. Of the rest, `slabs.is_rest`, there is one slab, and its darts are undecided.
 kernel void settle_darts(struct Slabs slabs, global const uint* darts, global uint* states, global uint* buckets,
                          global ulong* keys, global uint* next, global uint* heads, global ulong* accepted,
                          global ulong* waiting_bits, global uint* positions, global uint* points, global uint* counters,
-                         struct GridPart part, ulong step, global volatile uint* masks CELLS_PARAMETERS)
+                         struct GridPart part, ulong step, global uint* masks CELLS_PARAMETERS)
 {
     CELLS_OF_PARAMETERS(0, part)
     const uint id = get_global_id(0);
@@ -174,7 +240,7 @@ kernel void settle_darts(struct Slabs slabs, global const uint* darts, global ui
                 const uint point = atomic_inc(&counters[POINTS]);
                 FOR_EACH_AXIS(k) positions[cell * DIMENSION + k] = points[point * POINT_WORDS + k] = position.c[k];
                 points[point * POINT_WORDS + TIME_WORD] = (uint)(keys[at] >> 32);
-                mark_disk(&position, cell, &cells, part.torus_size, step, slabs.squared_min_distance, masks);
+                mark_disk(&position, &spot, &cells, part.torus_size, step, slabs.squared_min_distance, masks);
             }
         }
         states[dart] = state;

@@ -13,7 +13,6 @@
 // Needs what common/darts/dart_grid.clh needs.
 
 #include "kernels/common/darts/dart_grid.clh"
-#include "kernels/common/darts/mark_disk.clh"
 
 /// One work-item owns one dart. `first` is the number of the batch's first dart. Also clears the counters of the batch,
 /// which the host has read.
@@ -110,6 +109,39 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
         if (state == UNDECIDED) counters[WAITING_ROUND] = round + 1;
     }
     next_states[id] = state;
+}
+
+/// Sets the mask bits that stand for the point in a cell, in all cells that its disk reaches.
+ALWAYS_INLINE void mark_disk(const Position* point, uint index, const Cells* cells, uint torus_size, ulong step,
+                             ulong squared_min_distance, global volatile uint* masks)
+{
+    const Spot spot = spot_of(cells, index);
+    // Squared distances to the columns, rows and slices of the window.
+    ulong squared_gap[DIMENSION][WINDOW];
+    FOR_EACH_AXIS(k)
+    {
+        for (int i = 0; i < WINDOW; ++i) {
+            const uint other = wrapped(torus_coordinate(cells, &spot, k), i - REACH, torus_size);
+            const uint low = (uint)lower_bound(other, 0, step);
+            const uint extent = (uint)(lower_bound((ulong)other + 1, 0, step) - low - 1);
+            squared_gap[k][i] = square(axis_nearest(point->c[k], low, extent));
+        }
+    }
+    for (uint b = 0; b < MAX_NEAR; ++b) {
+        ulong gap = squared_gap[0][b % WINDOW] + squared_gap[1][b / WINDOW % WINDOW];
+#if DIMENSION == 3
+        gap += squared_gap[2][b / WINDOW / WINDOW];
+#endif
+        if (gap >= squared_min_distance) continue;
+#if BRICKS
+        const uint cell = cell_of_window(cells, &spot, b);
+        if (cell == NO_CELL) continue;
+#else
+        const uint cell = window_cell(&spot, b, cells->size);
+#endif
+        const uint seen_from_there = MAX_NEAR - 1 - b;
+        atomic_or(&masks[cell * MASK_WORDS + seen_from_there / 32], 1u << seen_from_there % 32);
+    }
 }
 
 /// One work-item owns `run` darts in a row. Accepted darts become points: in the grid, and appended to `points`

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <ranges>
 
 namespace poissonlab {
 
@@ -228,6 +229,26 @@ void FixedRegion::divide_cells()
     fine_bits_ = bits;
 }
 
+/// Along a row of corners of parts, edges that go through its height turn outside into inside from some column on.
+std::vector<bool> FixedRegion::corners_inside(std::span<const FixedEdge> of_cell, const TorusPoint<2>& first,
+                                              int part_shift, int bits) const
+{
+    std::vector<bool> turns(std::size_t{1} << bits);
+    turns[0] = contains_moved(first);
+    for (const FixedEdge& e : of_cell) {
+        if (!is_of_boundary(e) || !spans_height(e, first[1])) continue;
+        const auto is_crossed_at = [&](std::uint32_t column) {
+            return is_left(e, line_side(e, whole(first[0]) + (whole(column) << part_shift), whole(first[1])));
+        };
+        if (is_crossed_at(0)) continue;
+        const auto columns = std::views::iota(1u, 1u << bits);
+        const auto crossed = std::ranges::partition_point(columns, [&](std::uint32_t c) { return !is_crossed_at(c); });
+        if (crossed != columns.end()) turns[*crossed] = !turns[*crossed];
+    }
+    for (std::size_t column = 1; column < turns.size(); ++column) turns[column] = turns[column] != turns[column - 1];
+    return turns;
+}
+
 /// Appends the parts of a cell.
 void FixedRegion::divide(std::size_t cell, int bits)
 {
@@ -235,16 +256,22 @@ void FixedRegion::divide(std::size_t cell, int bits)
     const TorusPoint<2> low{static_cast<std::uint32_t>(cell & (size() - 1)) << shift(),
                             static_cast<std::uint32_t>(cell >> bits_) << shift()};
     const std::uint32_t last = (1u << shift()) - 1, mask = (1u << bits) - 1;
-    std::vector<std::vector<std::uint32_t>> numbers(std::size_t{1} << 2 * bits);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // part, edge
     for (std::uint32_t i = cells_[cell] / 2; i < cells_[cell + 1] / 2; ++i)
         find_cells(listed_numbers_[i], {low, {low[0] + last, low[1] + last}}, part_shift,
                    [&](std::uint32_t column, std::uint32_t row) {
-                       numbers[(row & mask) << bits | (column & mask)].push_back(listed_numbers_[i]);
+                       found.emplace_back((row & mask) << bits | (column & mask), listed_numbers_[i]);
                    });
-    for (std::uint32_t part = 0; part < numbers.size(); ++part) {
-        const TorusPoint<2> corner{low[0] + ((part & mask) << part_shift), low[1] + ((part >> bits) << part_shift)};
-        cells_.push_back(static_cast<std::uint32_t>(2 * listed_.size() + contains_moved(corner)));
-        for (const std::uint32_t number : numbers[part]) listed_.push_back(edges_[number]);
+    std::ranges::sort(found);
+    const std::span<const FixedEdge> edges = std::span(listed_).subspan(cells_[cell] / 2, edges_of(cell).size());
+    const std::vector<FixedEdge> of_cell(edges.begin(), edges.end());
+    std::vector<bool> are_inside;
+    auto next = found.begin();
+    for (std::uint32_t part = 0; part < 1u << 2 * bits; ++part) {
+        if ((part & mask) == 0)
+            are_inside = corners_inside(of_cell, {low[0], low[1] + ((part >> bits) << part_shift)}, part_shift, bits);
+        cells_.push_back(static_cast<std::uint32_t>(2 * listed_.size() + are_inside[part & mask]));
+        for (; next != found.end() && next->first == part; ++next) listed_.push_back(edges_[next->second]);
     }
     cells_.push_back(static_cast<std::uint32_t>(2 * listed_.size()));
 }

@@ -150,6 +150,8 @@ private:
     void count_filled();
     void divide_cells();
     void divide(std::size_t cell, int bits);
+    std::vector<bool> corners_inside(std::span<const FixedEdge> of_cell, const TorusPoint<2>& first, int part_shift,
+                                     int bits) const;
 
     std::uint32_t size() const { return 1u << bits_; }
     int shift() const { return coordinate_bits - bits_; }

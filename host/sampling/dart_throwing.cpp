@@ -131,7 +131,7 @@ private:
             buffers_.counters.read({&total, 1}, POINTS);
             batch_ends_.push_back(total);
             if (total < target) settler_->prepare_batch(buffers_);
-            if (batch == 0) continue; // all cells stay open, and the kernel lists none
+            if (batch == 0 && !torus_.bricks) continue; // all cells stay open, and the kernel lists none
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
         }

@@ -99,7 +99,7 @@ void in_polygon(DartThrowingRequest& request)
 {
     request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
     request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
-    // The region lies in a quarter of the torus, as programs place it: see block_of_regions().
+    // The region lies in a quarter of the torus, as programs place it: see choose_cells().
     request.block = DartBlock{{}, cell_hierarchy(request.min_distance, 2).cell_of(0x7fffffff) + 1};
 }
 

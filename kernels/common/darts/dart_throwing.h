@@ -12,7 +12,8 @@ DERIVED(DART_WORDS, (size_t DIMENSION), DIMENSION + 2)
 /// An accepted dart as words: position, time.
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
 
-/// An open cell as words: its coordinates on the torus and, with bricks, the number of the level 0 cell that it lies in.
+/// An open cell as words: its coordinates on the torus and, with bricks, the number of the level 0 cell that it lies in,
+/// with the uppermost bit where it lies inside the region.
 DERIVED(PARENT_WORDS, (size_t DIMENSION, size_t BRICKS), DIMENSION + BRICKS)
 
 /// Bricks have so many cells of level 0, 2^BRICK_BITS along each axis.

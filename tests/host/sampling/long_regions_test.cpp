@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DartsInLongRegions, LeaveRenyisShareOfARoad)
 {
     constexpr double length = 100'000, parking = 0.7475979202, variance = 0.0381564;
-    const DartThrowingRequest request = brick_request({"rectangle 0 0 100000 0.001", 1 / (length * 2)});
+    const DartThrowingRequest request = brick_request({"rectangle 0 0 100000 0.01", 1 / (length * 2)});
     const PointSet points = DartThrower(Device::open()).throw_darts(request);
     EXPECT_EQ(reference::throw_darts(request), points);
     // Middles of cars on a road of that length park on one that is a car longer; Rényi 1958 has the mean there.
@@ -103,8 +103,8 @@ TEST(DartsInLongRegions, LeaveRenyisShareOfARoad)
     for (std::size_t i = 0; i < points.size(); ++i) along.push_back(points[i][0] * 2 * length);
     std::ranges::sort(along);
     for (std::size_t i = 1; i < along.size(); ++i) {
-        ASSERT_GE(along[i] - along[i - 1], 1 - 1e-5);
-        ASSERT_LT(along[i] - along[i - 1], 2 + 1e-5); // no further one fits
+        ASSERT_GE(along[i] - along[i - 1], 1 - 1e-4);
+        ASSERT_LT(along[i] - along[i - 1], 2 + 1e-4); // no further one fits
     }
 }
 
@@ -266,24 +266,32 @@ TEST(LloydInLongRegions, SpacesPointsEvenlyOnARoad)
     for (const TorusPoint<2>& site : moved) EXPECT_NEAR(site[1] / 0x1p31 * 100'000, 0.5, 0.02);
 }
 
-/// Bridson's points on a narrow road are in order: all gaps are known.
+/// Bridson's points on a road keep their distance, and leave no place on its middle line that is far from all of them.
 TEST(BridsonInLongRegions, KeepsDistancesAndFillsTheRoad)
 {
-    const FixedRegion region(read_region("rectangle 0 0 100000 0.01"));
-    const PointSet points = throw_bridson_darts(region, {.min_distance = 1 / 200'000.0,
-                                                         .attempts = 300,
+    const FixedRegion region(read_region("rectangle 0 0 20000 2"));
+    const PointSet points = throw_bridson_darts(region, {.min_distance = 1 / 40'000.0,
+                                                         .attempts = 30,
                                                          .stream = stream_key(1, Purpose::bridson, 0),
                                                          .area = CandidateArea::squares});
-    std::vector<double> along;
-    for (std::size_t i = 0; i < points.size(); ++i) along.push_back(points[i][0] * 200'000);
-    std::ranges::sort(along);
-    ASSERT_GT(along.size(), 50'000U);
-    std::size_t wide = 0;
-    for (std::size_t i = 1; i < along.size(); ++i) {
-        ASSERT_GE(along[i] - along[i - 1], 1 - 1e-4);
-        wide += along[i] - along[i - 1] > 2.001;
+    std::vector<std::array<double, 2>> places;
+    for (std::size_t i = 0; i < points.size(); ++i) places.push_back({points[i][0] * 40'000, points[i][1] * 40'000});
+    std::ranges::sort(places);
+    const auto gap = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+        return std::hypot(a[0] - b[0], a[1] - b[1]);
+    };
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = i; j-- > 0 && places[i][0] - places[j][0] < 1;)
+            ASSERT_GE(gap(places[i], places[j]), 1 - 1e-4);
+    std::size_t far = 0, next = 0;
+    for (double x = 0.5; x < 20'000; x += 0.5) {
+        while (places[next][0] < x - 1.5) ++next;
+        double nearest = 10;
+        for (std::size_t i = next; i < places.size() && places[i][0] < x + 1.5; ++i)
+            nearest = std::min(nearest, gap(places[i], {x, 1}));
+        far += nearest > 1.1;
     }
-    EXPECT_LT(wide, along.size() / 100);
+    EXPECT_LT(far, 100U); // of 40,000
 }
 
 class FoldedGrids : public testing::TestWithParam<int>
