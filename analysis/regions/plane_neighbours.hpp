@@ -1,7 +1,7 @@
 // Points of the unit square in a grid of cells, without torus: nearest ones, and all within reach.
 //
-// Cells are as wide as points are far apart where there are some. Where these are few in the square, because a region is
-// long, most cells are empty: those that are not are listed row by row then, and looked for in their rows.
+// Cells are as wide as points are far apart where there are some. Where these are few in the square, because a region
+// is long, most cells are empty: those that are not are listed row by row then, and looked for in their rows.
 #pragma once
 
 #include "base/geometry/point_set.hpp"

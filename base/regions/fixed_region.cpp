@@ -214,8 +214,7 @@ void FixedRegion::divide_cells()
     }
     if (divided.empty()) return;
     int bits = std::min({most_fine_bits, static_cast<int>(std::bit_width(most / edges_a_part)), shift()});
-    while (bits > 0 &&
-           (divided.size() << 2 * bits > most_parts || std::ranges::max(margins_) >> (shift() - bits) != 0))
+    while (bits > 0 && (divided.size() << 2 * bits > most_parts || std::ranges::max(margins_) >> (shift() - bits) != 0))
         --bits;
     if (bits == 0) return;
     const std::size_t parts = (std::size_t{1} << 2 * bits) + 1, first = 2 * cell_count() + 1;

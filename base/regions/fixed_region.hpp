@@ -6,9 +6,9 @@
 //
 // A grid of 2^bits cells along each axis covers these positions. A cell has the edges that touch it, and says whether
 // its lowest corner is inside. Cells with many edges, as regions have that fill little of their square, are divided by
-// another 2^fine_bits along each axis. From there to a position one goes along y, then along x, and counts the edges that are
-// crossed. Corner and position are moved by (e^2, e) for that, with an e smaller than any number, so that no edge is
-// touched. kernels/common/regions/inside_region.clh does the same.
+// another 2^fine_bits along each axis. From there to a position one goes along y, then along x, and counts the edges
+// that are crossed. Corner and position are moved by (e^2, e) for that, with an e smaller than any number, so that no
+// edge is touched. kernels/common/regions/inside_region.clh does the same.
 //
 // With a margin positions that are nearer than it to an edge are outside as well, and cells have all edges that are so
 // near to them. Lines and points to keep away from are edges with margins of their own, which nothing is inside of.
@@ -100,7 +100,7 @@ public:
 
     // What the grid consists of.
     int bits() const { return bits_; }
-    int fine_bits() const { return fine_bits_; } ///< 0: no cell is divided
+    int fine_bits() const { return fine_bits_; }                             ///< 0: no cell is divided
     const std::array<std::uint32_t, 3>& margins() const { return margins_; } ///< in positions, rounded up
     /// The squares of the margins, in units of 2^-64, rounded up.
     const std::array<std::uint64_t, 3>& squared_margins() const { return squared_margins_; }
@@ -109,8 +109,8 @@ public:
     /// inside; then the end of the last.
     std::span<const std::uint32_t> cells() const { return std::span(cells_).first(cell_count() + 1); }
 
-    /// The cells and, where some are divided, a value for each cell: where in this list its parts begin, or 0. Parts are
-    /// as cells are, x fastest, with the end of the last.
+    /// The cells and, where some are divided, a value for each cell: where in this list its parts begin, or 0. Parts
+    /// are as cells are, x fastest, with the end of the last.
     std::span<const std::uint32_t> all_cells() const { return cells_; }
     std::span<const FixedEdge> edges() const { return listed_; }
 

@@ -50,7 +50,10 @@ RegionSquares<Region> found_squares(const Region& region, std::size_t most)
 
 }
 
-RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t most) { return found_squares(region, most); }
+RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t most)
+{
+    return found_squares(region, most);
+}
 RegionSquares<FixedSpace> squares_of(const FixedSpace& space, std::size_t most) { return found_squares(space, most); }
 
 }

@@ -33,8 +33,8 @@ struct RegionSquares
 /// So many squares at most are worth their time.
 inline constexpr std::size_t most_region_squares = std::size_t{1} << 18;
 
-/// The squares that are left where the least square around all positions is halved, and those outside are dropped, until
-/// half of what is left is the region's, margins aside, or there would be more than `most`.
+/// The squares that are left where the least square around all positions is halved, and those outside are dropped,
+/// until half of what is left is the region's, margins aside, or there would be more than `most`.
 RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t most);
 RegionSquares<FixedSpace> squares_of(const FixedSpace& space, std::size_t most);
 

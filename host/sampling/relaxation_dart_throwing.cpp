@@ -174,9 +174,10 @@ public:
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request)),
           is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
     {
-        const KernelProgram program =
-            kernel_program("relaxation_dart_throwing.cl",
-                           {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", request.is_in_squares() ? 2 : int{has_land(request)}}});
+        const KernelProgram program = kernel_program(
+            "relaxation_dart_throwing.cl", {{"DIMENSION", D},
+                                            {"COVER_BITS", limits_.cover_bits},
+                                            {"REGION", request.is_in_squares() ? 2 : int{has_land(request)}}});
         throw_ = device.kernel(program, "throw_darts");
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");

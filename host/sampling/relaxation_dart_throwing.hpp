@@ -16,8 +16,8 @@
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
-#include "host/sampling/device_method.hpp"
 #include "base/regions/region_squares.hpp"
+#include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>

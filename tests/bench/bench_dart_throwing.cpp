@@ -151,8 +151,8 @@ void saturated_polygon(benchmark::State& state)
     throw_sets(state, request, 1'000'000);
 }
 
-/// Asks for points at 0.7 in a region, by what programs take for it: bricks of cells where a cube of them around it would
-/// be nearly empty.
+/// Asks for points at 0.7 in a region, by what programs take for it: bricks of cells where a cube of them around it
+/// would be nearly empty.
 void in_region(DartThrowingRequest& request, const PlaneRegion& region, std::size_t points, bool has_bricks)
 {
     request.points = points;

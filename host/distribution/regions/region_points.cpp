@@ -236,9 +236,10 @@ private:
     void check_gaussian() const
     {
         if (settings_.method != RegionMethod::gaussian || !is_in_squares()) return;
-        throw InputError("Gaussian blue noise knows a region by 2,048 cells along its longest side, which are too few for "
-                         "one that is some 5,780 minimum distances long: make the points of its parts one by one, or by "
-                         "Lloyd's method");
+        throw InputError(
+            "Gaussian blue noise knows a region by 2,048 cells along its longest side, which are too few for "
+            "one that is some 5,780 minimum distances long: make the points of its parts one by one, or by "
+            "Lloyd's method");
     }
 
     /// Makes Gaussian blue noise from darts, which are even at long distances already.

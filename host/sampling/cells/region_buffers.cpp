@@ -21,12 +21,11 @@ void RegionBuffers::write(const FixedRegion& region)
 
 contract::regions::RegionGrid region_grid(const FixedRegion& region)
 {
-    contract::regions::RegionGrid grid{
-        .squared_margins = {},
-        .margins = {},
-        .bits = static_cast<unsigned>(region.bits()),
-        .fine_bits = static_cast<unsigned>(region.fine_bits()),
-        .unused = 0};
+    contract::regions::RegionGrid grid{.squared_margins = {},
+                                       .margins = {},
+                                       .bits = static_cast<unsigned>(region.bits()),
+                                       .fine_bits = static_cast<unsigned>(region.fine_bits()),
+                                       .unused = 0};
     std::ranges::copy(region.squared_margins(), std::begin(grid.squared_margins));
     std::ranges::copy(region.margins(), std::begin(grid.margins));
     return grid;

@@ -75,8 +75,9 @@ public:
         return static_cast<std::size_t>(((dimension_ == 3 ? along(2) * size_ : 0) + along(1)) * size_ + along(0));
     }
 
-    /// Calls what(first, end), numbers of cells beside each other, until it is true; folded ones may come twice. The cells are those of places up
-    /// to `reach`, at most half the torus, away from a position along each axis. True if it was.
+    /// Calls what(first, end), numbers of cells beside each other, until it is true; folded ones may come twice. The
+    /// cells are those of places up to `reach`, at most half the torus, away from a position along each axis. True if
+    /// it was.
     template <typename What>
     bool any_row_around(const TorusPosition& position, std::uint64_t reach, const What& what) const
     {
@@ -86,8 +87,7 @@ public:
         const std::int64_t before_end = std::min(width, size_ - x);
         const auto numbers = static_cast<std::int64_t>(numbers_);
         // Rows of more cells could have some in common.
-        if (numbers > 0 && 4.0 * static_cast<double>(width) * static_cast<double>(rows) *
-                                   static_cast<double>(layers) >=
+        if (numbers > 0 && 4.0 * static_cast<double>(width) * static_cast<double>(rows) * static_cast<double>(layers) >=
                                static_cast<double>(numbers))
             return what(0, numbers);
         for (std::int64_t z = 0; z < layers; ++z)
@@ -95,8 +95,7 @@ public:
                 if (numbers > 0) {
                     const std::int64_t from_z = dimension_ == 3 ? wrapped(first_z + z) : 0;
                     if (any_folded(x, wrapped(first_y + y), from_z, before_end, what)) return true;
-                    if (before_end < width &&
-                        any_folded(0, wrapped(first_y + y), from_z, width - before_end, what))
+                    if (before_end < width && any_folded(0, wrapped(first_y + y), from_z, width - before_end, what))
                         return true;
                     continue;
                 }

@@ -25,8 +25,9 @@ std::size_t most_open_cells(std::size_t cells, int dimension)
     return dimension == 2 ? cells : six_deviations_above(1.605 * static_cast<double>(cells));
 }
 
-/// No packing has more points in the grid, and no cell has two: disks of those in a cube of cells lie in a cube that is larger by the
-/// distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less than the whole.)
+/// No packing has more points in the grid, and no cell has two: disks of those in a cube of cells lie in a cube that is
+/// larger by the distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less
+/// than the whole.)
 std::size_t most_points_in(const DartTorus& torus, double min_distance)
 {
     if (torus.bricks) return torus.cells();

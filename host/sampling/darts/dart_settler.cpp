@@ -265,12 +265,10 @@ std::size_t DartTorus::cells() const { return bricks ? bricks->cells() : lattice
 
 KernelProgram dart_program(const std::string& file, const DartTorus& torus)
 {
-    return kernel_program(
-        file,
-        {{"DIMENSION", torus.dimension},
-         {"REACH", torus.hierarchy.reach},
-         {"LARGE_DISKS", torus.has_large_disks},
-         {"BRICKS", torus.bricks != nullptr}});
+    return kernel_program(file, {{"DIMENSION", torus.dimension},
+                                 {"REACH", torus.hierarchy.reach},
+                                 {"LARGE_DISKS", torus.has_large_disks},
+                                 {"BRICKS", torus.bricks != nullptr}});
 }
 
 std::unique_ptr<DartSettler> make_dart_settler(Device& device, DartSettling settling, const DartTorus& torus,

@@ -18,7 +18,8 @@ namespace poissonlab {
 /// The ways to do it, whose results are the same.
 enum class DartSettling
 {
-    in_order,  ///< by kernels/darts_in_order.cl or, in bricks, kernels/darts_in_bricks.cl: a few work-items, one dart after the other
+    in_order,  ///< by kernels/darts_in_order.cl or, in bricks, kernels/darts_in_bricks.cl: a few work-items, one dart
+               ///< after the other
     in_rounds, ///< by kernels/darts_in_rounds.cl: a work-item a dart, again and again
 };
 
@@ -46,10 +47,10 @@ struct DartTorus
 
     int dimension;
     CellHierarchy hierarchy;
-    contract::dart_throwing::GridPart part; ///< that the grid holds
-    std::uint32_t grid_size;                ///< cells of level 0 along each axis of the grid; 0 with bricks
-    std::uint64_t squared_min_distance;     ///< units of 2^-64
-    bool has_large_disks;                   ///< so large that they wrap around
+    contract::dart_throwing::GridPart part;   ///< that the grid holds
+    std::uint32_t grid_size;                  ///< cells of level 0 along each axis of the grid; 0 with bricks
+    std::uint64_t squared_min_distance;       ///< units of 2^-64
+    bool has_large_disks;                     ///< so large that they wrap around
     std::shared_ptr<const DartBricks> bricks; ///< that the grid consists of; empty: it is a cube
 };
 

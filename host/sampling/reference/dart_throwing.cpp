@@ -57,8 +57,8 @@ private:
             Cell<D> cell;
             std::size_t digits = i;
             for (int k = 0; k < D; ++k, digits /= side)
-                cell[k] = bricks.corners[brick * D + static_cast<std::size_t>(k)] +
-                          static_cast<std::uint32_t>(digits % side);
+                cell[k] =
+                    bricks.corners[brick * D + static_cast<std::size_t>(k)] + static_cast<std::uint32_t>(digits % side);
             cells.push_back(cell);
         }
         return cells;

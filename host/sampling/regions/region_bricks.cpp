@@ -101,7 +101,7 @@ private:
     const Region& region_;
     const CellHierarchy& cells_;
     std::size_t most_;
-    std::uint32_t side_; ///< cells of a brick along each axis
+    std::uint32_t side_;        ///< cells of a brick along each axis
     std::vector<Corner> found_; ///< in bricks
 };
 

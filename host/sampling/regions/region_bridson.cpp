@@ -21,8 +21,8 @@ constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
 double share_of_torus(const FixedRegion& region) { return region.area() / std::pow(region.unit() * 0x1p32, 2); }
 double share_of_torus(const FixedSpace& space) { return space.volume() / std::pow(space.unit() * 0x1p32, 3); }
 
-/// A grid with about as many cells as the torus has room for points or, where that would be more than some for each point
-/// of the region, a folded one.
+/// A grid with about as many cells as the torus has room for points or, where that would be more than some for each
+/// point of the region, a folded one.
 template <typename Region>
 TorusGrid grid_for(const Region& region, double min_distance)
 {

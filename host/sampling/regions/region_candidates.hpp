@@ -32,8 +32,8 @@ enum class CandidateArea
 };
 
 /// Independent uniform points: darts, of which those outside the region are left out. The next one: nothing where not
-/// one of ten million lies inside. Of a FixedRegion or a FixedSpace. With a least share next(count) ends as well where a
-/// million darts have found less of them inside.
+/// one of ten million lies inside. Of a FixedRegion or a FixedSpace. With a least share next(count) ends as well where
+/// a million darts have found less of them inside.
 template <typename Region>
 class RegionCandidates
 {

@@ -1,5 +1,5 @@
-// Windows that are very long: neighbours in grids of which only cells with points are listed, random points and places by
-// squares, and transforms of long boundaries.
+// Windows that are very long: neighbours in grids of which only cells with points are listed, random points and places
+// by squares, and transforms of long boundaries.
 #include "analysis/regions/plane_neighbours.hpp"
 #include "analysis/regions/random_in_region.hpp"
 #include "analysis/regions/region_distances.hpp"
@@ -42,7 +42,9 @@ TEST(NeighboursInLongWindows, AreThoseOfAllPoints)
         ASSERT_EQ(at, (std::array{points[i][0], points[i][1]}));
         double nearest = 10;
         for (std::size_t j = 0; j < points.size(); ++j)
-            if (j != i) nearest = std::min(nearest, std::sqrt(std::pow(points[j][0] - at[0], 2) + std::pow(points[j][1] - at[1], 2)));
+            if (j != i)
+                nearest =
+                    std::min(nearest, std::sqrt(std::pow(points[j][0] - at[0], 2) + std::pow(points[j][1] - at[1], 2)));
         EXPECT_EQ(sorted.nearest(at, sorted.number_of(i)), nearest);
         if (i % 20 != 0) continue;
         for (const double reach : {1e-4, 1e-2, 0.5}) {

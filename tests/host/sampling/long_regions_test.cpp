@@ -1,8 +1,8 @@
 // Methods in regions that are very long: dart throwing in bricks of cells against that in cubes of them, relaxation by
 // darts into squares, Lloyd's method with listed cells, and grids that are folded.
 //
-// Oracles are dense grids, sets in which all pairs are looked at, and Rényi's parking constant: cars of length 1 that park
-// at random on a road leave it, when no further one fits, with 0.7475979 cars a unit of length.
+// Oracles are dense grids, sets in which all pairs are looked at, and Rényi's parking constant: cars of length 1 that
+// park at random on a road leave it, when no further one fits, with 0.7475979 cars a unit of length.
 #include "base/regions/region_text.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
@@ -81,8 +81,9 @@ INSTANTIATE_TEST_SUITE_P(Small, DartsInBricks,
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, DartsInBricks,
-    testing::Values(BrickCase{"rectangle 0 0 3 2", 0.01}, BrickCase{"star60", 0.006}, BrickCase{"star4000", 0.004, 2000},
-                    BrickCase{"rectangle 0 0 1000 1", 0.0007}, BrickCase{"disk 5 5 2", 0.02},
+    testing::Values(BrickCase{"rectangle 0 0 3 2", 0.01}, BrickCase{"star60", 0.006},
+                    BrickCase{"star4000", 0.004, 2000}, BrickCase{"rectangle 0 0 1000 1", 0.0007},
+                    BrickCase{"disk 5 5 2", 0.02},
                     BrickCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((90 90,91 90,91 91,90 90)))", 0.0009},
                     BrickCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 0.001},
                     BrickCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 0.001, 500},
@@ -233,12 +234,12 @@ TEST_P(ListedCells, HaveTheMomentsOfAllCells)
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, ListedCells, testing::Values(ListedCase{"star24", 9}));
 
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, ListedCells,
-    testing::Values(ListedCase{"rectangle 0 0 3 2", 500}, ListedCase{"star60", 700}, ListedCase{"star4000", 200},
-                    ListedCase{"rectangle 0 0 1000 1", 800},
-                    ListedCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 1500},
-                    ListedCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((90 90,91 90,91 91,90 90)))", 40}));
+INSTANTIATE_TEST_SUITE_P(Shapes, ListedCells,
+                         testing::Values(ListedCase{"rectangle 0 0 3 2", 500}, ListedCase{"star60", 700},
+                                         ListedCase{"star4000", 200}, ListedCase{"rectangle 0 0 1000 1", 800},
+                                         ListedCase{"POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))", 1500},
+                                         ListedCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((90 90,91 90,91 91,90 90)))",
+                                                    40}));
 
 /// Lloyd's method on a narrow road ends where points are evenly spaced.
 TEST(LloydInLongRegions, SpacesPointsEvenlyOnARoad)
