@@ -190,13 +190,14 @@ double SiteGrid::half_box_of_listed() const
     for (std::int64_t row = 0; row < rows; ++row) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::size_t cell = number_of_cell(y, 0); cell < number_of_cell(y, grid_.columns); ++cell) {
-            if (is_filled_[cell] == 0) continue;
+            if (is_filled_[cell] == 0 || starts_[cell + 1] > starts_[cell]) continue;
             const std::int64_t column = column_of(cell, y);
             // Cells nearer than what is known already need not be looked at one by one.
             std::int64_t steps = most;
             const auto is_near = [&] {
-                for (std::int64_t other = row - steps; other <= row + steps; ++other)
-                    if (has_site(other, column - steps, column + steps)) return true;
+                for (std::int64_t away = 0; away <= steps; ++away)
+                    for (const std::int64_t other : {row - away, row + away})
+                        if (has_site(other, column - steps, column + steps)) return true;
                 return false;
             };
             while (!is_near()) {

@@ -142,8 +142,8 @@ TEST(RegionTexts, InDegreesAreRefusedUnlessTheyAreSaidToBeLengths)
 /// Islands are as wide as they are, however far apart they lie; what is refused is narrower everywhere.
 TEST(RegionTexts, MayHaveIslandsFarApart)
 {
-    const PlaneRegion region =
-        read_region("MULTIPOLYGON (((0 0,9 0,0 9,0 0)),((9000000 9000000,9000009 9000000,9000000 9000009,9000000 9000000)))");
+    const PlaneRegion region = read_region(
+        "MULTIPOLYGON (((0 0,9 0,0 9,0 0)),((9000000 9000000,9000009 9000000,9000000 9000009,9000000 9000000)))");
     EXPECT_EQ(area_of(region), 81);
 }
 

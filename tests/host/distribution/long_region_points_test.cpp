@@ -1,5 +1,5 @@
-// Points by all methods in a road of 30,000 minimum distances: kernels against the plain algorithms, what is inside, what is
-// promised, and what is refused.
+// Points by all methods in a road of 30,000 minimum distances: kernels against the plain algorithms, what is inside,
+// what is promised, and what is refused.
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/regions/space_points.hpp"
