@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -142,8 +143,8 @@ private:
     std::uint64_t squared_margin_of(const FixedEdge& edge) const;
 
     /// Calls found(column, row) for the cells 2^shift positions wide in a block that an edge is near.
-    template <typename Found>
-    void find_cells(std::size_t edge, const FixedBox& block, int shift, const Found& found) const;
+    void find_cells(std::size_t edge, const FixedBox& block, int shift,
+                    const std::function<void(std::uint32_t, std::uint32_t)>& found) const;
 
     void list_edges();
     void find_corners();
