@@ -31,7 +31,9 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const KernelConstant reach{"REACH", {"2", "3"}};
     static const KernelConstant large_disks{"LARGE_DISKS", {"0", "1"}};
+    static const KernelConstant bricks{"BRICKS", {"0", "1"}};
     static const std::vector<KernelFile> files{
+<<<<<<< HEAD
         {"averaged_tiles.cl", "averaged-tiles", doubles, {}},
         {"beatty_tiling.cl", "aperiodic tile", {}, {}},
         {"class_darts.cl", "distribute classes", {}, {dimension}},
@@ -63,6 +65,37 @@ const std::vector<KernelFile>& kernel_files()
         {"self_similar.cl", "distribute rank", {}, {}},
         {"surfaces/surface_darts.cl", "distribute surface", {}, {}},
         {"surfaces/surface_elimination.cl", "distribute surface", doubles, {}},
+=======
+        {"averaged_tiles.cl", doubles, {}},
+        {"beatty_tiling.cl", {}, {}},
+        {"class_darts.cl", {}, {dimension}},
+        {"class_tiles.cl", doubles_in_tiles, {dimension}},
+        {"dart_throwing.cl", staging, {dimension, reach, large_disks, bricks, {"REGION", {"0", "1"}}}},
+        {"darts_in_bricks.cl", {}, {dimension, reach, large_disks, {"BRICKS", {"1"}}}},
+        {"darts_in_order.cl", {}, {dimension, reach, large_disks, {"BRICKS", {"0"}}}},
+        {"darts_in_rounds.cl", {}, {dimension, reach, large_disks, bricks}},
+        {"farthest_point.cl", doubles, {}},
+        {"gaussian_blue_noise.cl", doubles, {dimension, {"ADAPTIVE", {"0", "1"}}}},
+        {"gradient_domain.cl", doubles, {}},
+        {"instances.cl", doubles, {}},
+        {"joint_nulling.cl", doubles, {dimension}},
+        {"masked_squares.cl", {}, {}},
+        {"objects.cl", {}, {}},
+        {"penrose.cl", {}, {}},
+        {"point_grid.cl", doubles, {dimension}},
+        {"polyominoes.cl", {}, {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
+        {"power_cells.cl", doubles, {}},
+        {"recursive_tiles.cl", doubles, {}},
+        {"region_lloyd.cl", doubles, {}},
+        {"relaxation.cl", doubles, {dimension}},
+        {"relaxation_dart_throwing.cl", {}, {dimension, {"COVER_BITS", {"2", "3"}}, {"REGION", {"0", "1", "2"}}}},
+        {"repulsion.cl", doubles, {dimension}},
+        {"sample_elimination.cl", doubles, {dimension, {"FACTORS", {"0", "1"}}}},
+        {"sector_darts.cl", doubles, {}},
+        {"self_similar.cl", {}, {}},
+        {"surfaces/surface_darts.cl", {}, {}},
+        {"surfaces/surface_elimination.cl", doubles, {}},
+>>>>>>> 4cf66228780df08acffa84aee142a9d5a3036d4e
         {"textures/endless_map.cl",
          "texture map",
          doubles,
