@@ -22,7 +22,13 @@ typedef struct
 void begin_cell(Cell* cell)
 {
     const double r = CELL_REACH;
-    cell->polygon = (Polygon){{-r, r, r, -r}, {-r, -r, r, r}, {NO_NEIGHBOUR}, 4};
+    // Compilers put a literal of constant arrays outside of the function, where SPIR-V allows no such variable.
+    for (uint i = 0; i < 4; ++i) {
+        cell->polygon.x[i] = i == 1 || i == 2 ? r : -r;
+        cell->polygon.y[i] = i < 2 ? -r : r;
+        cell->polygon.neighbour[i] = NO_NEIGHBOUR;
+    }
+    cell->polygon.count = 4;
     cell->squared_radius = squared_radius_of(&cell->polygon);
     cell->is_known = true;
 }

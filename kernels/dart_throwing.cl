@@ -10,6 +10,8 @@
 // With REGION darts fall into a region of the plane or of space, whose coordinates are below half of the torus' along
 // each axis: cells outside are closed, and darts outside are dropped.
 //
+// Cells of the grid are those of the torus, of a cube, or of bricks: see common/darts/dart_grid.clh.
+//
 // Needs what common/darts/dart_grid.clh needs, and REGION (1 or 0; see common/regions/region.clh).
 
 #include "kernels/common/darts/dart_grid.clh"
@@ -17,6 +19,10 @@
 #include "kernels/common/regions/region.clh"
 
 #define CHILDREN (1 << DIMENSION)
+
+#if BRICKS
+#define IS_INSIDE (1u << 31) // of the last word of an open cell
+#endif
 
 // Points that can matter to a cell, padded so that they fill vectors of eight.
 #define NEAR_ROOM ((MAX_NEAR + 7) / 8 * 8)
@@ -36,6 +42,7 @@ typedef struct
     uint near_begin, near_end; // the points that can matter to it
     uint open;                 // children, as bits
     uint crossed;              // children that lie partly outside the region, as bits
+    bool is_inside;            // is known to be, and so its children
 } Parent;
 
 /// The box of a parent in two halves along each axis, or in one, number 0.
@@ -135,6 +142,7 @@ bool has_room(const Parent* parent, const Halves* halves, const Near* near, cons
 ALWAYS_INLINE void close_outside(Parent* parent, const Halves* halves, const Region* region)
 {
     parent->crossed = 0;
+    if (parent->is_inside) return;
     for (uint open = parent->open; open != 0; open &= open - 1) {
         const uint c = 31 - clz(open & (0u - open));
         Position low, extent;
@@ -155,23 +163,74 @@ ALWAYS_INLINE ulong mask_part(global const uint* mask, uint w)
     return w + 1 < MASK_WORDS ? mask[w] | (ulong)mask[w + 1] << 32 : mask[w];
 }
 
+#if BRICKS
+
+/// The cells of the window around a cell, for look_around(): each is looked for among the bricks.
+typedef struct
+{
+    Spot spot;
+} Window;
+
+ALWAYS_INLINE Window window_around(Parent* parent, const struct Batch* batch, const Cells* cells)
+{
+    Window window;
+    window.spot = spot_of(cells, parent->base);
+    return window;
+}
+
+ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint b)
+{
+    return cell_of_window(cells, &window->spot, b);
+}
+
+#else
+
+/// The cells of the window around a cell, for look_around(): numbers follow from that of the window's first one where the
+/// window does not leave the grid.
+typedef struct
+{
+    Cell base;
+    bool is_inside;
+    uint corner;
+} Window;
+
+/// Finds the parent's level 0 cell as well.
+ALWAYS_INLINE Window window_around(Parent* parent, const struct Batch* batch, const Cells* cells)
+{
+    const uint size = cells->size;
+    Window window;
+    window.is_inside = size > 2 * REACH;
+    FOR_EACH_AXIS(k)
+    {
+        window.base.c[k] = cell_in_grid(parent->cell.c[k] >> (batch->level - (int)batch->is_split), k, &batch->part);
+        window.is_inside &= window.base.c[k] - REACH < size - 2 * REACH;
+    }
+    parent->base = cell_index(&window.base, size);
+    window.corner = parent->base - REACH * (DIMENSION == 2 ? size + 1 : (size + 1) * size + 1);
+    return window;
+}
+
+ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint b)
+{
+    const uint row = b / WINDOW;
+    const uint slice = DIMENSION == 2 ? 0 : row / WINDOW * (cells->size - WINDOW); // rows before it
+    return window->is_inside ? window->corner + (slice + row) * cells->size + b % WINDOW
+                             : window_cell(&window->base, b, cells->size);
+}
+
+#endif
+
 /// Lists the points that can matter to the parent from number `begin` on, a multiple of eight. To fill the last eight,
 /// the last point comes again.
-ALWAYS_INLINE void look_around(Parent* parent, const Cell* base, uint grid_size, global const uint* masks,
-                               global const uint* positions, uint begin, Near* near)
+ALWAYS_INLINE void look_around(Parent* parent, const struct Batch* batch, const Cells* cells,
+                               global const uint* masks, global const uint* positions, uint begin, Near* near)
 {
-    bool is_inside = grid_size > 2 * REACH; // the window does not leave the grid
-    FOR_EACH_AXIS(k) is_inside &= base->c[k] - REACH < grid_size - 2 * REACH;
-    const uint corner = parent->base - REACH * (DIMENSION == 2 ? grid_size + 1 : (grid_size + 1) * grid_size + 1);
+    const Window window = window_around(parent, batch, cells);
     uint end = begin;
     UNROLLED(uint w = 0; w < MASK_WORDS; w += 2)
     {
         for (ulong mask = mask_part(&masks[parent->base * MASK_WORDS], w); mask != 0; mask &= mask - 1) {
-            const uint b = 32 * w + (63 - (uint)clz(mask & (0ul - mask)));
-            const uint row = b / WINDOW;
-            const uint slice = DIMENSION == 2 ? 0 : row / WINDOW * (grid_size - WINDOW); // rows before it
-            const uint cell =
-                is_inside ? corner + (slice + row) * grid_size + b % WINDOW : window_cell(base, b, grid_size);
+            const uint cell = cell_in_window(cells, &window, 32 * w + (63 - (uint)clz(mask & (0ul - mask))));
             FOR_EACH_AXIS(k) near->c[k][end] = positions[cell * DIMENSION + k];
             ++end;
         }
@@ -223,6 +282,20 @@ void put(const List* list, const Place* place, uint number, const uint* entry)
     const uint direct = place->direct + (at - max(place->staged, list->staged_capacity));
     if (direct >= list->target_capacity) return;
     for (uint w = 0; w < list->words; ++w) list->target[direct * list->words + w] = entry[w];
+}
+
+/// Writes the cell that is a child of a parent.
+ALWAYS_INLINE void put_cell(const List* list, const Place* place, uint number, const Cell* cell, const Parent* parent,
+                            uint child)
+{
+#if BRICKS
+    uint entry[PARENT_WORDS];
+    FOR_EACH_AXIS(k) entry[k] = cell->c[k];
+    entry[DIMENSION] = parent->base | (parent->crossed >> child & 1 ? 0 : IS_INSIDE);
+    put(list, place, number, entry);
+#else
+    put(list, place, number, cell->c);
+#endif
 }
 
 /// One word of the work-group's staged entries after the other, by all its work-items.
@@ -315,19 +388,24 @@ typedef struct
     global const uint* masks;
     global const uint* positions;
     Region region;
+    Cells cells;
 } Grid;
+
+/// Takes open cell number `number` of the list. Bricks have the level 0 cell that it lies in there as well.
+ALWAYS_INLINE void take_listed(Parent* parent, global const uint* listed, uint number)
+{
+    FOR_EACH_AXIS(k) parent->cell.c[k] = listed[number * PARENT_WORDS + k];
+#if BRICKS
+    parent->base = listed[number * PARENT_WORDS + DIMENSION] & ~IS_INSIDE;
+    parent->is_inside = (listed[number * PARENT_WORDS + DIMENSION] & IS_INSIDE) != 0;
+#endif
+}
 
 /// Finds the points around the parent, and which of its children are open.
 ALWAYS_INLINE void look_at(Parent* parent, const struct Batch* batch, const Grid* grid, uint near_begin, Near* near)
 {
-    Cell base;
-    FOR_EACH_AXIS(k)
-    {
-        base.c[k] = cell_in_grid(parent->cell.c[k] >> (batch->level - (int)batch->is_split), k, &batch->part);
-    }
-    parent->base = cell_index(&base, batch->grid_size);
     parent->open = batch->is_split ? (1u << CHILDREN) - 1 : 1u;
-    look_around(parent, &base, batch->grid_size, grid->masks, grid->positions, near_begin, near);
+    look_around(parent, batch, &grid->cells, grid->masks, grid->positions, near_begin, near);
     Halves halves;
     halve(&parent->cell, batch, &halves);
     close_covered(parent, &halves, near, batch->is_split, batch->squared_min_distance);
@@ -350,7 +428,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                               const Region* region, const struct Batch* batch, constant const uint* thresholds,
                               const Lists* lists)
 {
-    const bool lists_cells = batch->number > 0;
+    const bool lists_cells = BRICKS || batch->number > 0;
     const Place place = reserve(&lists->cells, lists_cells ? open_count : 0);
     uint listed = 0;
     Pending pending;
@@ -370,7 +448,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                     const uint child = 4 * block + in_block;
                     Cell cell;
                     FOR_EACH_AXIS(k) cell.c[k] = (parents[p + q].cell.c[k] << batch->is_split) + (child >> k & 1);
-                    if (lists_cells) put(&lists->cells, &place, listed++, cell.c);
+                    if (lists_cells) put_cell(&lists->cells, &place, listed++, &cell, &parents[p + q], child);
                     for (uint number = 0; number < counts[in_block][q]; ++number) {
                         pending.parent[pending.count] = p + q;
                         pending.number[pending.count] = number;
@@ -387,39 +465,41 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 /// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
 /// batches; counters OPEN_CELLS and DARTS zero.
 ///
-/// `parent_cells` DIMENSION words each, of the torus; in batches 0 and 1 not used: all cells of the grid. Batch 0 also clears their
-/// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
+/// `parent_cells` PARENT_WORDS words each, of the torus; in batch 0, and in batch 1 without bricks, not used: all cells of
+/// the grid. Batch 0 also clears their slots and masks, and lists none as open, but for bricks, of which many are outside. Local memory: staged_cells for PARENT_WORDS words each, staged_darts
 /// for DART_WORDS each, group for GROUP_WORDS.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
                         global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
-                        local uint* group REGION_PARAMETERS)
+                        local uint* group REGION_PARAMETERS CELLS_PARAMETERS)
 {
     REGION_OF_PARAMETERS
+    CELLS_OF_PARAMETERS(batch.grid_size, batch.part)
     const Lists lists = {
         {staged_cells, batch.staged_capacity, &group[0], open_cells, batch.open_capacity, &counters[OPEN_CELLS],
-         DIMENSION},
+         PARENT_WORDS},
         {staged_darts, batch.staged_capacity, &group[1], darts, batch.dart_capacity, &counters[DARTS], DART_WORDS}};
     if (get_local_id(0) == 0) group[0] = group[1] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 
     const uint first = min((uint)get_global_id(0) * THROW_RUN, batch.parents);
     const uint count = min((uint)THROW_RUN, batch.parents - first);
-    const Grid grid = {masks, positions, region};
+    const Grid grid = {masks, positions, region, cells};
     Parent parents[THROW_RUN];
     Near near;
     uint near_end = 0;
     uint open_count = 0;
     for (uint p = 0; p < count; ++p) {
         Parent* parent = &parents[p];
-        if (batch.number <= 1) {
-            parent->cell = cell_at(first + p, batch.grid_size);
-            FOR_EACH_AXIS(k) parent->cell.c[k] = torus_cell(parent->cell.c[k], k, &batch.part);
+        parent->is_inside = false;
+        if (batch.number < (BRICKS ? 1 : 2)) {
+            parent->base = first + p;
+            const Spot spot = spot_of(&grid.cells, first + p);
+            FOR_EACH_AXIS(k) parent->cell.c[k] = torus_coordinate(&grid.cells, &spot, k);
         } else {
-            FOR_EACH_AXIS(k) parent->cell.c[k] = parent_cells[(first + p) * DIMENSION + k];
+            take_listed(parent, parent_cells, first + p);
         }
         if (batch.number == 0) {
-            parent->base = first + p;
             parent->near_begin = parent->near_end = 0;
             parent->open = 1;
             Halves halves;

@@ -188,48 +188,10 @@ void let_wait(const Seen* dart, const Slab* slab, Waiting* waiting, uint at)
     }
 }
 
-/// Does dart `a` come before dart `b`? Keys have times in their upper halves.
-bool comes_before(ulong a, ulong b, global const uint* darts)
-{
-    return a >> 32 != b >> 32 ? a < b : is_earlier_twin(darts, (uint)a, (uint)b);
-}
+/// Does the slab look at darts in this cell?
+ALWAYS_INLINE bool sees(const Slab* slab, uint cell) { return number_in(slab, cell) < slab_cells(slab); }
 
-/// Lists the slab's darts by time and returns how many there are: by buckets of time first, then by insertion. Their
-/// keys begin at `begin`.
-uint sort_darts(const Slab* slab, struct Slabs slabs, global const uint* darts, global const uint* states,
-                global uint* buckets, global ulong* keys, global uint* counters, uint* begin)
-{
-    const uint cells = slab_cells(slab);
-    const uint shift = 32 - slabs.bucket_bits;
-    for (uint b = 0; b < 1u << slabs.bucket_bits; ++b) buckets[b] = 0;
-    uint count = 0;
-    for (uint id = 0; id < slabs.darts; ++id) {
-        if (slabs.is_rest && states[id] != UNDECIDED) continue;
-        if (number_in(slab, darts[id * DART_WORDS + CELL_WORD]) >= cells) continue;
-        ++buckets[darts[id * DART_WORDS + TIME_WORD] >> shift];
-        ++count;
-    }
-    *begin = slabs.slabs == 1 ? 0 : atomic_add(&counters[KEYS], count);
-    uint at = *begin;
-    for (uint b = 0; b < 1u << slabs.bucket_bits; ++b) {
-        const uint in_bucket = buckets[b];
-        buckets[b] = at;
-        at += in_bucket;
-    }
-    for (uint id = 0; id < slabs.darts; ++id) {
-        if (slabs.is_rest && states[id] != UNDECIDED) continue;
-        if (number_in(slab, darts[id * DART_WORDS + CELL_WORD]) >= cells) continue;
-        const uint time = darts[id * DART_WORDS + TIME_WORD];
-        keys[buckets[time >> shift]++] = (ulong)time << 32 | id;
-    }
-    for (uint i = *begin + 1; i < *begin + count; ++i) {
-        const ulong key = keys[i];
-        uint to = i;
-        for (; to > *begin && comes_before(key, keys[to - 1], darts); --to) keys[to] = keys[to - 1];
-        keys[to] = key;
-    }
-    return count;
-}
+#include "kernels/common/darts/dart_order.clh"
 
 /// One work-item owns one slab. Of the rest, `slabs.is_rest`, there is one slab, and its darts are undecided.
 kernel void settle_darts(struct Slabs slabs, global const uint* darts, global uint* states, global uint* buckets,

@@ -26,28 +26,43 @@ kernel void link_darts(global const uint* darts, uint dart_count, uint first, gl
     states[id] = UNDECIDED;
 }
 
+/// Lists the chains of this batch in the window around a cell, and returns how many there are.
+ALWAYS_INLINE uint list_chains(const Cells* cells, uint cell, uint first, global const uint* slots, uint* chains)
+{
+    const Spot spot = spot_of(cells, cell);
+    uint count = 0;
+#if BRICKS
+    for (uint b = 0; b < MAX_NEAR; ++b) {
+        const uint other = cell_of_window(cells, &spot, b);
+        if (other == NO_CELL) continue;
+        chains[count] = slots[other];
+        count += chains[count] > first;
+    }
+#else
+    uint column[WINDOW];
+    for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(spot.c[0], i - REACH, cells->size);
+    // Without branches: which cells have one is hard to predict.
+    for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
+        const uint row = window_row(&spot, j, cells->size);
+        for (int i = 0; i < WINDOW; ++i) {
+            chains[count] = slots[row + column[i]];
+            count += chains[count] > first;
+        }
+    }
+#endif
+    return count;
+}
+
 /// Lists the rivals of dart `id` that are not rejected, as far as there is room, and returns how many there are. In
 /// small grids a chain is met more than once; a rival that is listed twice does no harm.
 ALWAYS_INLINE uint list_rivals(uint id, global const uint* darts, uint first, global const uint* slots,
-                               global const uint* next, uint grid_size, ulong squared_min_distance,
+                               global const uint* next, const Cells* cells, ulong squared_min_distance,
                                global const uint* states, global uint* list)
 {
     const Position position = position_of(darts, id);
     const uint time = darts[id * DART_WORDS + TIME_WORD];
-    const Cell cell = cell_at(darts[id * DART_WORDS + CELL_WORD], grid_size);
-    uint column[WINDOW];
-    for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(cell.c[0], i - REACH, grid_size);
-
-    // The chains around, without branches: which cells have one is hard to predict.
     uint chains[MAX_NEAR];
-    uint chain_count = 0;
-    for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
-        const uint row = window_row(&cell, j, grid_size);
-        for (int i = 0; i < WINDOW; ++i) {
-            chains[chain_count] = slots[row + column[i]];
-            chain_count += chains[chain_count] > first;
-        }
-    }
+    const uint chain_count = list_chains(cells, darts[id * DART_WORDS + CELL_WORD], first, slots, chains);
 
     uint count = 0;
     for (uint c = 0; c < chain_count; ++c) {
@@ -71,8 +86,9 @@ ALWAYS_INLINE uint list_rivals(uint id, global const uint* darts, uint first, gl
 kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint first, uint round,
                               global const uint* slots, global const uint* next, uint grid_size,
                               ulong squared_min_distance, global uint* rivals, global const uint* states,
-                              global uint* next_states, global uint* counters)
+                              global uint* next_states, global uint* counters, struct GridPart part CELLS_PARAMETERS)
 {
+    CELLS_OF_PARAMETERS(grid_size, part)
     const uint id = get_global_id(0);
     if (id >= dart_count) return;
     uint state = states[id];
@@ -80,7 +96,7 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
         global uint* list = &rivals[id * RIVAL_WORDS + 1];
         uint count = round == 0 ? MAX_RIVALS + 1 : rivals[id * RIVAL_WORDS];
         if (count > MAX_RIVALS) {
-            count = list_rivals(id, darts, first, slots, next, grid_size, squared_min_distance, states, list);
+            count = list_rivals(id, darts, first, slots, next, &cells, squared_min_distance, states, list);
             rivals[id * RIVAL_WORDS] = count;
         }
         bool waits = count > MAX_RIVALS;
@@ -95,35 +111,36 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
     next_states[id] = state;
 }
 
-/// Sets the mask bits that stand for the point in `cell`, in all cells that its disk reaches.
-ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, const struct GridPart* part, uint grid_size,
-                             ulong step, ulong squared_min_distance, global volatile uint* masks)
+/// Sets the mask bits that stand for the point in a cell, in all cells that its disk reaches.
+ALWAYS_INLINE void mark_disk(const Position* point, uint index, const Cells* cells, uint torus_size, ulong step,
+                             ulong squared_min_distance, global volatile uint* masks)
 {
+    const Spot spot = spot_of(cells, index);
     // Squared distances to the columns, rows and slices of the window.
-    uint column[WINDOW];
-    for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(cell->c[0], i - REACH, grid_size);
     ulong squared_gap[DIMENSION][WINDOW];
     FOR_EACH_AXIS(k)
     {
         for (int i = 0; i < WINDOW; ++i) {
-            const uint other = wrapped(torus_cell(cell->c[k], k, part), i - REACH, part->torus_size);
+            const uint other = wrapped(torus_coordinate(cells, &spot, k), i - REACH, torus_size);
             const uint low = (uint)lower_bound(other, 0, step);
             const uint extent = (uint)(lower_bound((ulong)other + 1, 0, step) - low - 1);
             squared_gap[k][i] = square(axis_nearest(point->c[k], low, extent));
         }
     }
-    for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
-        const uint row = window_row(cell, j, grid_size);
-        ulong row_gap = squared_gap[1][j % WINDOW];
+    for (uint b = 0; b < MAX_NEAR; ++b) {
+        ulong gap = squared_gap[0][b % WINDOW] + squared_gap[1][b / WINDOW % WINDOW];
 #if DIMENSION == 3
-        row_gap += squared_gap[2][j / WINDOW];
+        gap += squared_gap[2][b / WINDOW / WINDOW];
 #endif
-        for (uint i = 0; i < WINDOW; ++i) {
-            if (row_gap + squared_gap[0][i] >= squared_min_distance) continue;
-            const uint seen_from_there = MAX_NEAR - 1 - (j * WINDOW + i);
-            global volatile uint* mask = &masks[(row + column[i]) * MASK_WORDS];
-            atomic_or(&mask[seen_from_there / 32], 1u << seen_from_there % 32);
-        }
+        if (gap >= squared_min_distance) continue;
+#if BRICKS
+        const uint cell = cell_of_window(cells, &spot, b);
+        if (cell == NO_CELL) continue;
+#else
+        const uint cell = window_cell(&spot, b, cells->size);
+#endif
+        const uint seen_from_there = MAX_NEAR - 1 - b;
+        atomic_or(&masks[cell * MASK_WORDS + seen_from_there / 32], 1u << seen_from_there % 32);
     }
 }
 
@@ -132,8 +149,9 @@ ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, const stru
 kernel void insert_points(global const uint* darts, uint dart_count, uint run, global const uint* states,
                           struct GridPart part, uint grid_size, ulong step, ulong squared_min_distance,
                           global volatile uint* masks, global uint* positions, global uint* points,
-                          global uint* counters)
+                          global uint* counters CELLS_PARAMETERS)
 {
+    CELLS_OF_PARAMETERS(grid_size, part)
     const uint begin = min((uint)get_global_id(0) * run, dart_count);
     const uint end = min(begin + run, dart_count);
     uint count = 0;
@@ -146,8 +164,7 @@ kernel void insert_points(global const uint* darts, uint dart_count, uint run, g
         const Position position = position_of(darts, i);
         const uint index = darts[i * DART_WORDS + CELL_WORD];
         FOR_EACH_AXIS(k) positions[index * DIMENSION + k] = position.c[k];
-        const Cell cell = cell_at(index, grid_size);
-        mark_disk(&position, &cell, &part, grid_size, step, squared_min_distance, masks);
+        mark_disk(&position, index, &cells, part.torus_size, step, squared_min_distance, masks);
         FOR_EACH_AXIS(k) points[at * POINT_WORDS + k] = position.c[k];
         points[at * POINT_WORDS + TIME_WORD] = darts[i * DART_WORDS + TIME_WORD];
         ++at;

@@ -99,7 +99,8 @@ bool is_kept(struct Tile t, struct Request request, global const struct Scale* s
     const ulong importance = importance_of(weights[(ulong)pixel.y * request.width + pixel.x], request);
     if (t.value >= importance) return false;
     uint level = t.level, row = 0;
-    while (scales[level + 1].ones[0] < importance) ++level;
+    // The second condition is for idle lanes of llvmpipe's vectors, which read zeros.
+    while (scales[level + 1].ones[0] < importance && level + 2 < SCALES) ++level;
     while (row + 1 < ROWS && scales[level].rows[row + 1] <= importance) ++row;
     const uint older = level - t.level;
     const uint index = structural_index(older < 3 ? t.digits << 2 * older & 63 : 0);

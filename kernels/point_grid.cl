@@ -5,6 +5,7 @@
 //   scan_counts    numbers to starts, chunk by chunk; scan_totals and add_totals join the chunks
 //   place_points   the points' order by cells
 //   gather_points  the points of each cell in order of their ids, which makes the result independent of the schedule
+// Of few points, sort_few does all of that in one work-item: launches would take longer.
 //
 // Needs DIMENSION (2 or 3).
 
@@ -14,20 +15,39 @@
 
 #define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
 
+/// The place of the cell that a point is in.
+uint cell_of_point(global const double* positions, uint id, const struct GridPart* part)
+{
+    uint cell = 0;
+    for (int k = DIMENSION - 1; k >= 0; --k) {
+        const uint c = (uint)(positions[id * DIMENSION + k] * part->grid_size);
+        cell = cell * part->grid_size + min(c, part->grid_size - 1); // just below 1, the product rounds up
+    }
+    return place_of_cell(part, cell);
+}
+
 /// One work-item owns one point. `counts` is clear before; all points are in cells that are held.
 kernel void count_points(global const double* positions, uint point_count, struct GridPart part, global uint* counts,
                          global uint* cells, global uint* places)
 {
     const uint id = get_global_id(0);
     if (id >= point_count) return;
-    uint cell = 0;
-    for (int k = DIMENSION - 1; k >= 0; --k) {
-        const uint c = (uint)(positions[id * DIMENSION + k] * part.grid_size);
-        cell = cell * part.grid_size + min(c, part.grid_size - 1); // just below 1, the product rounds up
-    }
-    cell = place_of_cell(&part, cell);
+    const uint cell = cell_of_point(positions, id, &part);
     cells[id] = cell;
     places[id] = atomic_inc(&counts[cell]);
+}
+
+/// Turns the numbers of points in `count` cells into starts, from 0 on, and clears them. Returns their sum.
+uint scan_cells(uint count, global uint* counts, global uint* starts)
+{
+    uint sum = 0;
+    for (uint cell = 0; cell < count; ++cell) {
+        const uint points = counts[cell];
+        counts[cell] = 0;
+        starts[cell] = sum;
+        sum += points;
+    }
+    return sum;
 }
 
 /// One work-item owns `chunk` cells: turns their numbers into starts relative to the chunk's, clears the numbers, and
@@ -37,13 +57,7 @@ kernel void scan_counts(global uint* counts, uint cell_count, uint chunk, global
     const uint begin = get_global_id(0) * chunk;
     if (begin >= cell_count) return;
     const uint end = min(begin + chunk, cell_count);
-    uint sum = 0;
-    for (uint cell = begin; cell < end; ++cell) {
-        const uint count = counts[cell];
-        counts[cell] = 0;
-        starts[cell] = sum;
-        sum += count;
-    }
+    const uint sum = scan_cells(end - begin, counts + begin, starts + begin);
     totals[get_global_id(0)] = sum;
     if (end == cell_count) starts[cell_count] = sum;
 }
@@ -75,17 +89,11 @@ kernel void place_points(global const uint* cells, global const uint* places, ui
     if (id < point_count) order[starts[cells[id]] + places[id]] = id;
 }
 
-/// One work-item owns one cell: sorts its points by their ids and writes them in that order: position, id, and the
-/// position in fixed point (units of 2^-32, rounded down), an array of `stride` words for each axis.
-kernel void gather_points(global const double* positions, global const uint* ids, uint cell_count,
-                          global const uint* starts, global uint* order, global double* sorted_positions,
-                          global uint* sorted_ids, global uint* fixed_point, uint stride)
+/// Sorts the points of a cell by their ids and writes them in that order: position, id, and the position in fixed point
+/// (units of 2^-32, rounded down), an array of `stride` words for each axis.
+void gather_cell(uint begin, uint end, global const double* positions, global const uint* ids, global uint* order,
+                 global double* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
 {
-    const uint cell = get_global_id(0);
-    if (cell >= cell_count) return;
-    const uint begin = starts[cell];
-    const uint end = starts[cell + 1];
-
     // Shell sort: cells hold a few points, unless all points crowd in one.
     uint gap = 1;
     while (gap < (end - begin) / 3) gap = 3 * gap + 1;
@@ -106,5 +114,35 @@ kernel void gather_points(global const double* positions, global const uint* ids
             sorted_positions[i * DIMENSION + k] = position;
             fixed_point[k * stride + i] = (uint)(position * 4294967296.0);
         }
+    }
+}
+
+/// One work-item owns one cell.
+kernel void gather_points(global const double* positions, global const uint* ids, uint cell_count,
+                          global const uint* starts, global uint* order, global double* sorted_positions,
+                          global uint* sorted_ids, global uint* fixed_point, uint stride)
+{
+    const uint cell = get_global_id(0);
+    if (cell < cell_count)
+        gather_cell(starts[cell], starts[cell + 1], positions, ids, order, sorted_positions, sorted_ids, fixed_point,
+                    stride);
+}
+
+/// The first work-item owns everything.
+kernel void sort_few(global const double* positions, global const uint* ids, uint point_count, struct GridPart part,
+                     global uint* counts, global uint* cells, global uint* starts, global uint* order,
+                     global double* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
+{
+    if (get_global_id(0) > 0) return;
+    for (uint id = 0; id < point_count; ++id) {
+        cells[id] = cell_of_point(positions, id, &part);
+        ++counts[cells[id]];
+    }
+    starts[part.held] = scan_cells(part.held, counts, starts);
+    for (uint id = 0; id < point_count; ++id) order[starts[cells[id]] + counts[cells[id]]++] = id;
+    for (uint cell = 0; cell < part.held; ++cell) {
+        counts[cell] = 0;
+        gather_cell(starts[cell], starts[cell + 1], positions, ids, order, sorted_positions, sorted_ids, fixed_point,
+                    stride);
     }
 }

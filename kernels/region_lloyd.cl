@@ -19,7 +19,18 @@
 
 #include "kernels/common/regions/region_lloyd.h"
 
-typedef struct SiteGrid SiteGrid;
+/// The grid, and which of its cells are listed: a row's columns ascend from `row_starts` on.
+typedef struct
+{
+    double half_box;
+    uint low_x, low_y;
+    uint columns, rows;
+    uint shift;
+    bool is_listed;
+    global const uint* row_starts;
+    global const uint* listed_columns;
+} SiteCells;
+
 typedef struct CellMoments CellMoments;
 
 /// Positions x with normal . x <= bound; the line's own are middle + t * (-normal.y, normal.x), low <= t <= high.
@@ -107,22 +118,37 @@ ALWAYS_INLINE double2 relative(uint2 position, uint2 site)
     return (double2)((double)((long)position.x - (long)site.x), (double)((long)position.y - (long)site.y));
 }
 
+/// The number of the first cell of a row that is not before a column, up to the end of the row.
+ALWAYS_INLINE uint number_of_cell(const SiteCells* grid, uint row, uint column)
+{
+    if (!grid->is_listed) return row * grid->columns + column;
+    uint low = grid->row_starts[row], high = grid->row_starts[row + 1];
+    while (low < high) {
+        const uint middle = low + (high - low) / 2;
+        if (grid->listed_columns[middle] < column)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 /// Cuts the cell by the sites of the grid's cells in a row, from one column to another.
-bool cut_by_row(Cell* cell, const SiteGrid* grid, global const uint* sites, global const uint* starts, uint2 site,
+bool cut_by_row(Cell* cell, const SiteCells* grid, global const uint* sites, global const uint* starts, uint2 site,
                 long row, long first, long last)
 {
     if (row < 0 || row >= grid->rows) return true;
     first = max(first, 0l);
     last = min(last, (long)grid->columns - 1);
     if (first > last) return true;
-    const uint end = starts[row * grid->columns + last + 1];
-    for (uint i = starts[row * grid->columns + first]; i < end; ++i)
+    const uint end = starts[number_of_cell(grid, (uint)row, (uint)last + 1)];
+    for (uint i = starts[number_of_cell(grid, (uint)row, (uint)first)]; i < end; ++i)
         if (!cut_off(cell, relative(vload2(i, sites), site))) return false;
     return true;
 }
 
 /// The cell within its box: sites are looked at in rings of the grid's cells, until no farther one matters.
-bool find_cell(Cell* cell, const SiteGrid* grid, global const uint* sites, global const uint* starts, uint2 site)
+bool find_cell(Cell* cell, const SiteCells* grid, global const uint* sites, global const uint* starts, uint2 site)
 {
     begin_box(cell, grid->half_box);
     const uint2 from = site - (uint2)(grid->low_x, grid->low_y);
@@ -157,7 +183,7 @@ ALWAYS_INLINE void add_triangle(CellMoments* sum, double2 a, double2 b, double f
 }
 
 /// The grid's columns that an edge is in, and a little more, within a row. Positions count from the grid's lowest one.
-ALWAYS_INLINE void find_columns(const SiteGrid* grid, uint4 edge, uint row, uint* first, uint* last)
+ALWAYS_INLINE void find_columns(const SiteCells* grid, uint4 edge, uint row, uint* first, uint* last)
 {
     const bool goes_up = edge.y <= edge.w;
     const double x0 = goes_up ? edge.x : edge.z, y0 = goes_up ? edge.y : edge.w;
@@ -189,7 +215,7 @@ ALWAYS_INLINE uint bounded_cell(double position, uint shift, uint count)
 }
 
 /// The grid's cells that a cell touches.
-void find_block(const Cell* cell, const SiteGrid* grid, uint2 site, Block* block)
+void find_block(const Cell* cell, const SiteCells* grid, uint2 site, Block* block)
 {
     double2 low = DBL_MAX, high = -DBL_MAX;
     for (uint i = 0; i < cell->count; ++i) {
@@ -206,7 +232,7 @@ void find_block(const Cell* cell, const SiteGrid* grid, uint2 site, Block* block
 }
 
 /// Is this the first of the block's cells that list the edge? Each edge is looked at there alone.
-bool is_first_listed(const SiteGrid* grid, uint4 edge, const Block* block, uint column, uint row)
+bool is_first_listed(const SiteCells* grid, uint4 edge, const Block* block, uint column, uint row)
 {
     for (uint y = max(block->first_row, min(edge.y, edge.w) >> grid->shift); y <= row; ++y) {
         uint first, last;
@@ -259,13 +285,16 @@ void look_behind(CellMoments* sum, const Cell* cell, uint4 edge, uint2 site)
 
 /// One work-item owns one site. `sites` are sorted by the grid's cells, which begin at `starts`; `is_inside` tells of
 /// each site, moved as above; `edges` count from the grid's lowest position, and the cells' lists of their numbers begin
-/// at `edge_starts`.
-kernel void integrate_cells(SiteGrid grid, global const uint* sites, global const uint* starts,
+/// at `edge_starts`; `row_starts` and `listed_columns` are those of listed cells.
+kernel void integrate_cells(struct SiteGrid sites_grid, global const uint* sites, global const uint* starts,
                             global const uchar* is_inside, global const uint* edges, global const uint* edge_starts,
-                            global const uint* edge_numbers, global CellMoments* moments)
+                            global const uint* edge_numbers, global const uint* row_starts,
+                            global const uint* listed_columns, global CellMoments* moments)
 {
     const uint id = get_global_id(0);
-    if (id >= grid.sites) return;
+    if (id >= sites_grid.sites) return;
+    const SiteCells grid = {sites_grid.half_box, sites_grid.low_x, sites_grid.low_y, sites_grid.columns,
+                            sites_grid.rows, sites_grid.shift, sites_grid.is_listed != 0, row_starts, listed_columns};
     const uint2 site = vload2(id, sites);
     const uint2 lowest = (uint2)(grid.low_x, grid.low_y);
     Cell cell;
@@ -278,15 +307,17 @@ kernel void integrate_cells(SiteGrid grid, global const uint* sites, global cons
                              place_on(&cell.lines[i], cell.lines[i].high), 1);
         Block block;
         find_block(&cell, &grid, site, &block);
-        for (uint row = block.first_row; row <= block.last_row; ++row)
-            for (uint column = block.first_column; column <= block.last_column; ++column) {
-                const uint number = row * grid.columns + column;
+        for (uint row = block.first_row; row <= block.last_row; ++row) {
+            const uint end = number_of_cell(&grid, row, block.last_column + 1);
+            for (uint number = number_of_cell(&grid, row, block.first_column); number < end; ++number) {
+                const uint column = grid.is_listed ? listed_columns[number] : number - row * grid.columns;
                 for (uint i = edge_starts[number]; i < edge_starts[number + 1]; ++i) {
                     const uint4 edge = vload4(edge_numbers[i], edges);
                     if (is_first_listed(&grid, edge, &block, column, row))
                         look_behind(&sum, &cell, edge, site - lowest);
                 }
             }
+        }
     }
     moments[id] = sum;
 }

@@ -30,9 +30,10 @@ kernel void move_points(global double* positions, global const uint* ids, global
     }
 }
 
-/// One work-item owns `run` points in a row: the sum of their energies, and their smallest squared distance.
+/// One work-item owns `run` points in a row: the sum of their energies, and their smallest squared distance. Results are
+/// those from number `first` on.
 kernel void summarize_points(global const double* energies, global const double* squared_near, uint point_count,
-                             uint run, global double* energy_sums, global double* smallest)
+                             uint run, uint first, global double* energy_sums, global double* smallest)
 {
     const uint begin = get_global_id(0) * run;
     if (begin >= point_count) return;
@@ -43,6 +44,6 @@ kernel void summarize_points(global const double* energies, global const double*
         sum += energies[i];
         minimum = fmin(minimum, squared_near[i]);
     }
-    energy_sums[get_global_id(0)] = sum;
-    smallest[get_global_id(0)] = minimum;
+    energy_sums[first + get_global_id(0)] = sum;
+    smallest[first + get_global_id(0)] = minimum;
 }

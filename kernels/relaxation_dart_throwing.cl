@@ -25,9 +25,11 @@
 // table holds until the host makes its grid finer.
 //
 // With REGION darts fall into the least box around a region of the plane or of space, whose coordinates are below half of
-// the torus' along each axis: parts of the table outside count as covered, and darts outside fail.
+// the torus' along each axis: parts of the table outside count as covered, and darts outside fail. Where the region is
+// long, REGION 2, they fall into squares that cover it (host/sampling/regions/region_candidates.hpp), and no table is
+// looked into: its parts would be too large.
 //
-// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (1 or 0; see common/regions/region.clh).
+// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (2, 1 or 0; see common/regions/region.clh).
 
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/relaxing_grid.clh"
@@ -35,7 +37,10 @@
 #include "kernels/common/regions/region.clh"
 
 // Arguments of kernels, and what becomes of them.
-#if REGION
+#if REGION == 2
+#define BOX_PARAMETER , struct DartSquares squares, global const uint *corners
+#define PLACE_IN_BOX(position) place_in_square(&(position), squares, corners)
+#elif REGION
 #define BOX_PARAMETER , struct DartBox box
 // The coordinate that a random word stands for; of lanes of 64 bits as well.
 #define PLACED(k, word) (box.low[k] + (((word)&0xffffffffu) * box.size[k] >> 32))
@@ -45,6 +50,15 @@
 #define PLACED(k, word) (word)
 #define PLACE_IN_BOX(position)
 #endif
+
+/// Turns random words into a position in a square: the first says which, and where along x.
+ALWAYS_INLINE void place_in_square(Position* position, struct DartSquares squares, global const uint* corners)
+{
+    const ulong place = (ulong)position->c[0] * squares.count;
+    global const uint* corner = &corners[(uint)(place >> 32) * DIMENSION];
+    position->c[0] = (uint)place;
+    FOR_EACH_AXIS(k) position->c[k] = corner[k] + (uint)((ulong)position->c[k] << squares.shift >> 32);
+}
 
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
 
@@ -103,6 +117,9 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
                         uint key_x, uint key_y, global uchar* restrict flags BOX_PARAMETER)
 {
     const uint id = get_global_id(0);
+#if REGION == 2
+    vstore8((uchar8)((1 << DARTS_A_BLOCK) - 1), id, flags);
+#else
     const uint bits = grid_bits + COVER_BITS;
     const ushort8 low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const ulong8 block = state[NEXT_DART] / DARTS_A_BLOCK + 8 * (ulong)id + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
@@ -131,6 +148,7 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     result |= (low - vload8(1, farthest)) >> (ushort8)15 << (ushort8)1;
 #endif
     vstore8(convert_uchar8(result), id, flags);
+#endif
 }
 
 /// The number of the lowest bit that is set.
@@ -138,8 +156,8 @@ uint lowest_bit(ulong bits) { return 63 - (uint)clz(bits & (0ul - bits)); }
 
 /// One work-item owns one word of candidates and its darts' flags: bytes of blocks, eight at a time.
 kernel void find_candidates(global const ulong* state, global const ulong* flags, uint word_count,
-                            global const uint* cells, global const uint* points, uint grid_size, uint key_x, uint key_y,
-                            global ulong* candidates BOX_PARAMETER REGION_PARAMETERS)
+                            global const uint* cells, global const uint* points, struct PointCells grid, uint key_x,
+                            uint key_y, global ulong* candidates BOX_PARAMETER REGION_PARAMETERS)
 {
     REGION_OF_PARAMETERS
     const uint id = get_global_id(0);
@@ -153,7 +171,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, cells, points, grid_size, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
+            if (is_free(&position, cells, points, &grid, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
         }
     }
     candidates[id] = word;
@@ -193,7 +211,7 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
 {
     if (get_global_id(0) != 0) return;
     const ulong attempts = settling.attempts;
-    const uint grid_size = settling.grid_size;
+    const struct PointCells grid = settling.cells;
     const ulong low_level = state[LOW_LEVEL];
     const ulong skipped = state[NEXT_DART] % DARTS_A_BLOCK;
     const ulong first = state[NEXT_DART] - skipped;
@@ -213,8 +231,8 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
             ++looked_at;
             Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, cells, points, grid_size, thresholds[progress.level - settling.first_level])) {
-                insert_point(&position, count, cells, points, grid_size);
+            if (is_free(&position, cells, points, &grid, thresholds[progress.level - settling.first_level])) {
+                insert_point(&position, count, cells, points, &grid);
                 ++count;
                 ++progress.dart;
                 progress.failures = 0;
@@ -243,6 +261,7 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
 {
     if (get_global_id(0) != 0) return;
     REGION_OF_PARAMETERS
+    const struct PointCells grid = settling.cells;
     ulong dart = state[NEXT_DART];
     ulong level = state[LEVEL];
     ulong failures = state[FAILURES];
@@ -265,8 +284,8 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
             PLACE_IN_BOX(position);
-            if (is_free(&position, cells, points, settling.grid_size, threshold) && is_allowed_position(&region, &position)) {
-                insert_point(&position, count, cells, points, settling.grid_size);
+            if (is_free(&position, cells, points, &grid, threshold) && is_allowed_position(&region, &position)) {
+                insert_point(&position, count, cells, points, &grid);
                 ++count;
                 failures = 0;
                 goes_on = count < settling.target;
@@ -404,13 +423,13 @@ kernel void clear_cells(global uint* cells, uint cell_count)
 }
 
 /// One work-item owns one point, and chains it to its cell.
-kernel void link_points(global const ulong* state, global uint* cells, global uint* points, uint grid_size)
+kernel void link_points(global const ulong* state, global uint* cells, global uint* points, struct PointCells grid)
 {
     const uint id = get_global_id(0);
     if (id >= state[POINTS]) return;
     Position position;
     FOR_EACH_AXIS(k) position.c[k] = points[id * POINT_WORDS + k];
-    global uint* link = &cells[cell_of(&position, grid_size) * CELL_WORDS + LINK_WORD];
+    global uint* link = &cells[cell_of(&position, &grid) * CELL_WORDS + LINK_WORD];
     points[id * POINT_WORDS + NEXT_WORD] = atomic_xchg(link, id + 1);
 }
 

@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr double points_a_row = 0.7; ///< to the root of all: rows of squares with half a point each
+constexpr double points_a_row = 0.7; ///< to the root of all in a square: rows of squares with half a point each
 
 /// The points whose distances have a number of bits in common, in rows, by x.
 class DistanceClass
@@ -24,14 +24,18 @@ public:
     DistanceClass(std::span<const TorusPoint<2>> points, std::span<const std::uint32_t> distances,
                   const std::vector<std::uint32_t>& members)
     {
-        std::uint32_t highest = 0;
+        std::uint32_t highest = 0, left = std::numeric_limits<std::uint32_t>::max(), right = 0;
         lowest_ = std::numeric_limits<std::uint32_t>::max();
         for (const std::uint32_t i : members) {
             highest = std::max(highest, points[i][1]);
             lowest_ = std::min(lowest_, points[i][1]);
+            left = std::min(left, points[i][0]);
+            right = std::max(right, points[i][0]);
             most_ = std::max(most_, distances[i]);
         }
-        const double rows = std::max(1.0, points_a_row * std::sqrt(static_cast<double>(members.size())));
+        const auto count = static_cast<double>(members.size());
+        const double upright = (highest - lowest_ + 1.0) / (right - left + 1.0);
+        const double rows = std::clamp(points_a_row * std::sqrt(count * upright), 1.0, count);
         height_ = static_cast<std::uint32_t>((highest - lowest_) / rows) + 1;
         rows_.resize((highest - lowest_) / height_ + 1);
         for (const std::uint32_t i : members) rows_[(points[i][1] - lowest_) / height_].push_back(i);

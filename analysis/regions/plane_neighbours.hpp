@@ -1,9 +1,12 @@
 // Points of the unit square in a grid of cells, without torus: nearest ones, and all within reach.
+//
+// Cells are as wide as points are far apart where there are some. Where these are few in the square, because a region
+// is long, most cells are empty: those that are not are listed row by row then, and looked for in their rows.
 #pragma once
 
-#include "analysis/measures/cell_grid.hpp"
 #include "base/geometry/point_set.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,14 +19,11 @@ class PlaneNeighbours
 {
 public:
     /// `share` is the part of the square that has points: cells hold some two of them there.
-    PlaneNeighbours(const PointSet& points, double share)
-        : grid_(points, CellGrid<2>::cells_of(static_cast<std::size_t>(static_cast<double>(points.size()) / share))),
-          numbers_(numbers_in(points))
-    {}
+    PlaneNeighbours(const PointSet& points, double share);
 
-    /// The number of points; their order here is that of their cells.
-    std::size_t size() const { return grid_.position[0].size(); }
-    std::array<double, 2> place(std::size_t i) const { return {grid_.position[0][i], grid_.position[1][i]}; }
+    /// The number of points; their order here is that of their cells, x fastest, and in a cell that of the set.
+    std::size_t size() const { return places_.size(); }
+    const std::array<double, 2>& place(std::size_t i) const { return places_[i]; }
 
     /// The number here of the point that is number i of the set.
     std::size_t number_of(std::size_t i) const { return numbers_[i]; }
@@ -35,48 +35,49 @@ public:
     template <class What>
     void for_each_near(const std::array<double, 2>& place, double reach, What&& what) const
     {
-        for (int row = cell_along(place[1] - reach); row <= cell_along(place[1] + reach); ++row)
-            for (int column = cell_along(place[0] - reach); column <= cell_along(place[0] + reach); ++column)
-                visit(column, row, [&](std::size_t i) {
-                    const double squared = squared_distance(place, i);
-                    if (squared <= reach * reach) what(i, squared);
-                });
+        const int first = cell_along(place[0] - reach), last = cell_along(place[0] + reach);
+        for (int row = cell_along(place[1] - reach); row <= cell_along(place[1] + reach); ++row) {
+            const std::size_t end = first_point(last + 1, row);
+            for (std::size_t i = first_point(first, row); i < end; ++i) {
+                const double squared = squared_distance(place, i);
+                if (squared <= reach * reach) what(i, squared);
+            }
+        }
     }
 
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:
-    /// The grid keeps the order of the set within cells.
-    std::vector<std::size_t> numbers_in(const PointSet& points) const
-    {
-        std::vector<std::size_t> next(grid_.starts.begin(), grid_.starts.end() - 1), numbers;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto column = static_cast<std::size_t>(cell_along(points[i][0]));
-            const auto row = static_cast<std::size_t>(cell_along(points[i][1]));
-            numbers.push_back(next[row * static_cast<std::size_t>(grid_.cells) + column]++);
-        }
-        return numbers;
-    }
-
     int cell_along(double coordinate) const
     {
-        return std::clamp(static_cast<int>(std::floor(coordinate * grid_.cells)), 0, grid_.cells - 1);
-    }
-    double squared_distance(const std::array<double, 2>& place, std::size_t i) const
-    {
-        const double x = grid_.position[0][i] - place[0], y = grid_.position[1][i] - place[1];
-        return x * x + y * y;
-    }
-    template <class What>
-    void visit(int column, int row, What&& what) const
-    {
-        const auto cell =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.cells) + static_cast<std::size_t>(column);
-        for (std::size_t i = grid_.starts[cell]; i < grid_.starts[cell + 1]; ++i) what(i);
+        return std::clamp(static_cast<int>(std::floor(coordinate * cells_)), 0, cells_ - 1);
     }
 
-    CellGrid<2> grid_;
+    /// The first point in a cell or, if it has none, after it; a row has `cells_` of them.
+    std::size_t first_point(int column, int row) const
+    {
+        const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_);
+        if (filled_.empty()) return starts_[cell + static_cast<std::size_t>(column)];
+        const auto begin = filled_.begin() + static_cast<std::ptrdiff_t>(rows_[static_cast<std::size_t>(row)]);
+        const auto end = filled_.begin() + static_cast<std::ptrdiff_t>(rows_[static_cast<std::size_t>(row) + 1]);
+        return starts_[static_cast<std::size_t>(std::lower_bound(begin, end, column) - filled_.begin())];
+    }
+
+    double squared_distance(const std::array<double, 2>& place, std::size_t i) const
+    {
+        const double x = places_[i][0] - place[0], y = places_[i][1] - place[1];
+        return x * x + y * y;
+    }
+
+    void number_cells(const std::vector<std::size_t>& cell_of_point);
+    void list_filled(const std::vector<std::size_t>& cell_of_point);
+
+    int cells_ = 1; ///< along each axis
+    std::vector<std::array<double, 2>> places_;
     std::vector<std::size_t> numbers_;
+    std::vector<int> filled_;         ///< the columns of cells that have points; none: all cells count
+    std::vector<std::size_t> rows_;   ///< the first such cell of each row, and the end of the last
+    std::vector<std::size_t> starts_; ///< the first point of each cell that counts, and the end of the last
 };
 
 }

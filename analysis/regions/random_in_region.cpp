@@ -7,11 +7,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
 
 constexpr std::size_t places_for_mean = 1 << 16;
+/// Squares are made for regions of which random positions in cells would find less than this.
+constexpr double least_share_of_squares = 1.0 / 64;
+
 constexpr std::uint64_t envelope_seed = 0; ///< one seed for every series, so that envelopes compare
 
 }
@@ -50,22 +54,29 @@ std::vector<double> RegionDensity::intensities(const PointSet& points, const Fra
 RandomInRegion::RandomInRegion(const FramedRegion& region, const RegionDensity* density)
     : region_(region), density_(density)
 {
-    const auto cells = region.fixed().cells();
+    const FixedRegion& fixed = region.fixed();
+    const auto cells = fixed.cells();
+    const int bits = fixed.bits();
+    squares_.shift = FixedRegion::coordinate_bits - bits;
+    // Those of the exact region that are not outside altogether.
     for (std::uint32_t cell = 0; cell + 1 < cells.size(); ++cell)
-        if (cells[cell] % 2 == 1 || cells[cell + 1] / 2 != cells[cell] / 2) cells_.push_back(cell);
+        if (cells[cell] % 2 == 1 || cells[cell + 1] / 2 != cells[cell] / 2)
+            squares_.corners.push_back({(cell & ((1u << bits) - 1)) << squares_.shift, cell >> bits << squares_.shift});
+    const double squares = static_cast<double>(squares_.corners.size()) * std::pow(4.0, -bits);
+    if (region.area() < least_share_of_squares * squares) squares_ = squares_of(fixed, most_region_squares);
 }
 
-/// A cell, a place in it, and again where that is outside or the density says so.
+/// A square, a place in it, and again where that is outside or the density says so.
 PointSet RandomInRegion::points(std::size_t count, std::uint32_t realization) const
 {
     RandomWords words(stream_key(envelope_seed, Purpose::region_envelope, realization), 0);
-    const int bits = region_.fixed().bits(), shift = FixedRegion::coordinate_bits - bits;
-    const auto within = [&] { return shift == 0 ? 0 : words.next() >> (32 - shift); };
+    const auto within = [&] { return squares_.shift == 0 ? 0 : words.next() >> (32 - squares_.shift); };
     PointSet points{2, {}};
     while (points.size() < count) {
-        const std::uint32_t cell = cells_[words.below(static_cast<std::uint32_t>(cells_.size()))];
-        const std::uint32_t column = cell & ((1u << bits) - 1), row = cell >> bits;
-        const TorusPoint<2> position{column << shift | within(), row << shift | within()};
+        const TorusPoint<2>& corner =
+            squares_.corners[words.below(static_cast<std::uint32_t>(squares_.corners.size()))];
+        TorusPoint<2> position;
+        for (std::size_t k = 0; k < 2; ++k) position[k] = corner[k] | within();
         if (!region_.fixed().contains(position)) continue;
         const std::array place{position[0] * 0x1p-31, position[1] * 0x1p-31};
         if (density_) {

@@ -3,6 +3,7 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/densities/density.hpp"
+#include "base/regions/region_squares.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -44,7 +45,7 @@ public:
 private:
     const FramedRegion& region_;
     const RegionDensity* density_;
-    std::vector<std::uint32_t> cells_; ///< those of the exact region that are not outside altogether
+    RegionSquares<FixedRegion> squares_; ///< that points fall into
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/regions/plane_neighbours.hpp"
 #include "analysis/regions/product_limit.hpp"
+#include "base/regions/region_squares.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -13,6 +14,12 @@ namespace poissonlab {
 namespace {
 
 constexpr double golden = 0.6180339887498949;
+
+/// One over the plastic number, and over its square: multiples of both spread evenly over a square.
+constexpr std::array<double, 2> plastic{0.7548776662466927, 0.5698402909980532};
+
+/// Squares are made for regions of which places in their box would find less than this.
+constexpr double least_share_of_box = 1.0 / 64;
 
 /// Fewer places than this are left where F is taken to be known: J is a quotient of what is left.
 constexpr double least_left = 1e-3;
@@ -33,6 +40,34 @@ NearestInPlane nearest_in_plane(const PointSet& points, const FramedRegion& regi
 RegionPlaces::RegionPlaces(const FramedRegion& region, std::size_t count, double reach)
 {
     const RegionBox box = box_of(region.polygons());
+    if (region.area() < least_share_of_box * box.width() * box.height())
+        find_in_squares(region, count);
+    else
+        find_in_box(region, box, count);
+    boundary_.resize(places_.size());
+    tbb::parallel_for(std::size_t{0}, places_.size(),
+                      [&](std::size_t i) { boundary_[i] = region.boundary().distance(places_[i], reach); });
+}
+
+void RegionPlaces::find_in_squares(const FramedRegion& region, std::size_t count)
+{
+    const RegionSquares<FixedRegion> squares = squares_of(region.fixed(), most_region_squares);
+    const auto corners = static_cast<double>(squares.corners.size());
+    const double side = std::exp2(squares.shift - FixedRegion::coordinate_bits);
+    const double total = std::ceil(static_cast<double>(count) * corners * side * side / region.area());
+    for (double i = 0; i < total; ++i) {
+        const auto& corner = squares.corners[static_cast<std::size_t>((i + 0.5) / total * corners)];
+        std::array<double, 2> place{};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double along = i * plastic[k];
+            place[k] = corner[k] * 0x1p-31 + (along - std::floor(along)) * side;
+        }
+        if (region.contains(place)) places_.push_back(place);
+    }
+}
+
+void RegionPlaces::find_in_box(const FramedRegion& region, const RegionBox& box, std::size_t count)
+{
     const auto total =
         static_cast<std::size_t>(std::ceil(static_cast<double>(count) * box.width() * box.height() / region.area()));
     for (std::size_t i = 0; i < total; ++i) {
@@ -41,9 +76,6 @@ RegionPlaces::RegionPlaces(const FramedRegion& region, std::size_t count, double
         const std::array place{box.low[0] + x * box.width(), box.low[1] + (y - std::floor(y)) * box.height()};
         if (region.contains(place)) places_.push_back(place);
     }
-    boundary_.resize(places_.size());
-    tbb::parallel_for(std::size_t{0}, places_.size(),
-                      [&](std::size_t i) { boundary_[i] = region.boundary().distance(places_[i], reach); });
 }
 
 DistanceCurves region_distances(const PointSet& points, const FramedRegion& region, const RegionPlaces& places,

@@ -33,6 +33,10 @@ public:
     const std::vector<double>& boundary() const { return boundary_; }
 
 private:
+    /// Kronecker sequences in the region's box and, where that would be nearly empty, in squares that cover it.
+    void find_in_box(const FramedRegion& region, const RegionBox& box, std::size_t count);
+    void find_in_squares(const FramedRegion& region, std::size_t count);
+
     std::vector<std::array<double, 2>> places_;
     std::vector<double> boundary_;
 };

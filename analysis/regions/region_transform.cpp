@@ -6,11 +6,17 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// Places on the boundary that are transformed at once: more would take a GiB. Where there are more, the sum over edges
+/// is taken where it has fewer waves than so many for each place.
+constexpr std::size_t most_places_at_once = std::size_t{1} << 22;
+constexpr double waves_a_place = 2;
 
 /// Gauss's rule of eight places on [-1, 1], those above 0: exact to 1e-14 for waves that turn once.
 constexpr std::array<double, 4> gauss_places{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -29,7 +35,23 @@ struct BoundaryPlaces
     std::vector<double> along_x, along_y; ///< the parts of d that each stands for
 };
 
-BoundaryPlaces boundary_places(const FramedRegion& region, int reach)
+std::size_t pieces_of(const RegionEdge& e, double unit, int reach)
+{
+    const double turns = std::numbers::sqrt2 * reach * std::hypot(e.to[0] - e.from[0], e.to[1] - e.from[1]) / unit;
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(turns)));
+}
+
+double count_places(const FramedRegion& region, int reach)
+{
+    double places = 0;
+    for (const RegionEdge& e : region.boundary().edges())
+        places += 8 * static_cast<double>(pieces_of(e, region.unit_length(), reach));
+    return places;
+}
+
+/// Calls take() with some of the places after the other, about `most` at once.
+template <typename Take>
+void for_boundary_places(const FramedRegion& region, int reach, std::size_t most, const Take& take)
 {
     BoundaryPlaces result;
     const auto add = [&](double x, double y, double dx, double dy) {
@@ -41,17 +63,20 @@ BoundaryPlaces boundary_places(const FramedRegion& region, int reach)
     const double unit = region.unit_length();
     for (const RegionEdge& e : region.boundary().edges()) {
         const double dx = (e.to[0] - e.from[0]) / unit, dy = (e.to[1] - e.from[1]) / unit;
-        const double turns = std::numbers::sqrt2 * reach * std::hypot(dx, dy);
-        const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(turns)));
-        for (std::size_t k = 0; k < pieces; ++k)
+        const std::size_t pieces = pieces_of(e, unit, reach);
+        for (std::size_t k = 0; k < pieces; ++k) {
             for (std::size_t g = 0; g < 8; ++g) {
                 const double place = g < 4 ? gauss_places[g] : -gauss_places[g - 4];
                 const double t = (static_cast<double>(k) + (1 + place) / 2) / static_cast<double>(pieces);
                 const double share = gauss_weights[g % 4] / 2 / static_cast<double>(pieces);
                 add(e.from[0] / unit + t * dx, e.from[1] / unit + t * dy, share * dx, share * dy);
             }
+            if (result.along_x.size() < most) continue;
+            take(result);
+            result = {};
+        }
     }
-    return result;
+    if (!result.along_x.empty()) take(result);
 }
 
 /// Points of the frame on the torus whose side is the root of the region's area.
@@ -80,6 +105,16 @@ HalfPlane exact_sums(const PointSet& points, std::span<const double> weights, do
     return sums;
 }
 
+/// Adds a part to a sum, which has no values before the first.
+void add_to(HalfPlane& sum, HalfPlane part)
+{
+    if (sum.values.empty()) {
+        sum = std::move(part);
+        return;
+    }
+    for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += part.values[i];
+}
+
 HalfPlane exact_window(const FramedRegion& region, int reach)
 {
     HalfPlane window(reach);
@@ -106,9 +141,16 @@ std::complex<double> region_transform(const FramedRegion& region, double x, doub
 
 HalfPlane region_transforms(const FramedRegion& region, int reach, NonuniformTransform& transform)
 {
-    const BoundaryPlaces boundary = boundary_places(region, reach);
-    HalfPlane window = transform.forward(boundary.places, boundary.along_y);
-    const HalfPlane along_x = transform.forward(boundary.places, boundary.along_x);
+    const double places = count_places(region, reach);
+    const double waves = static_cast<double>(region.boundary().edges().size()) * (reach + 1.0) * (2.0 * reach + 1);
+    if (places > most_places_at_once && waves < waves_a_place * places) return exact_window(region, reach);
+    HalfPlane window(reach), along_x(reach);
+    window.values.clear();
+    along_x.values.clear();
+    for_boundary_places(region, reach, most_places_at_once, [&](const BoundaryPlaces& boundary) {
+        add_to(window, transform.forward(boundary.places, boundary.along_y));
+        add_to(along_x, transform.forward(boundary.places, boundary.along_x));
+    });
     for (int v = -reach; v <= reach; ++v)
         for (int u = 0; u <= reach; ++u) {
             const double squared = double{1} * u * u + double{1} * v * v;

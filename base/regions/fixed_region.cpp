@@ -47,6 +47,7 @@ FixedRegion::FixedRegion(const PlaneRegion& region, double margin, const KeptAwa
     list_edges();
     find_corners();
     count_filled();
+    divide_cells();
 }
 
 TorusPoint<2> FixedRegion::rounded(const std::array<double, 2>& corner) const
@@ -106,39 +107,49 @@ bool FixedRegion::is_too_near(const FixedEdge& edge, const TorusPoint<2>& positi
     return squared != 0 && is_near(ends_of(edge), position, squared);
 }
 
-/// The cells that an edge is near are found row by row, nearly, and then exactly.
-void FixedRegion::list_edges()
+/// Cells that an edge is near are found row by row, nearly, and then exactly.
+void FixedRegion::find_cells(std::size_t edge, const FixedBox& block, int shift,
+                             const std::function<void(std::uint32_t, std::uint32_t)>& found) const
 {
-    const std::uint32_t width = 1u << shift();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
-    for (std::uint32_t number = 0; number < edges_.size(); ++number) {
-        const FixedEdge e = ends_of(edges_[number]);
-        const std::uint32_t margin = margin_of(edges_[number]);
-        const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin);
-        const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
-        for (std::uint32_t row = box.low[1] >> shift(); row <= box.high[1] >> shift(); ++row) {
-            const std::uint32_t bottom = row << shift(), top = bottom + width - 1;
-            double first = box.low[0], last = box.high[0];
-            if (e[1] != e[3]) {
-                // Heights of the edge that are near the row, from its lower end.
-                const double below = std::clamp(double{1} * bottom - margin, double{1} * e[1], double{1} * e[3]) - e[1];
-                const double above = std::clamp(double{1} * top + margin, double{1} * e[1], double{1} * e[3]) - e[1];
-                const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
-                first = std::max(first, least - margin - 2);
-                last = std::min(last, most + margin + 2);
-            }
-            const auto last_column = static_cast<std::uint32_t>(last) >> shift();
-            for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift(); c <= last_column; ++c) {
-                const std::uint32_t left = c << shift();
-                if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin)))
-                    found.emplace_back(static_cast<std::uint32_t>(cell_at(c, row)), number);
-            }
+    const std::uint32_t width = 1u << shift;
+    const FixedEdge e = ends_of(edges_[edge]);
+    const std::uint32_t margin = margin_of(edges_[edge]);
+    const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin);
+    const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
+    const std::uint32_t last_row = std::min(box.high[1], block.high[1]) >> shift;
+    for (std::uint32_t row = std::max(box.low[1], block.low[1]) >> shift; row <= last_row; ++row) {
+        const std::uint32_t bottom = row << shift, top = bottom + width - 1;
+        double first = std::max(box.low[0], block.low[0]), last = std::min(box.high[0], block.high[0]);
+        if (e[1] != e[3]) {
+            // Heights of the edge that are near the row, from its lower end.
+            const double below = std::clamp(double{1} * bottom - margin, double{1} * e[1], double{1} * e[3]) - e[1];
+            const double above = std::clamp(double{1} * top + margin, double{1} * e[1], double{1} * e[3]) - e[1];
+            const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
+            first = std::max(first, least - margin - 2);
+            last = std::min(last, most + margin + 2);
+        }
+        if (last < first) continue;
+        const auto last_column = static_cast<std::uint32_t>(last) >> shift;
+        for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift; c <= last_column; ++c) {
+            const std::uint32_t left = c << shift;
+            if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin))) found(c, row);
         }
     }
+}
+
+void FixedRegion::list_edges()
+{
+    const FixedBox all{{0, 0}, {most_coordinate, most_coordinate}};
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
+    for (std::uint32_t number = 0; number < edges_.size(); ++number)
+        find_cells(number, all, shift(), [&](std::uint32_t column, std::uint32_t row) {
+            found.emplace_back(static_cast<std::uint32_t>(cell_at(column, row)), number);
+        });
     std::ranges::sort(found);
-    cells_.assign((std::size_t{1} << 2 * bits_) + 1, 0);
+    cells_.assign(cell_count() + 1, 0);
     for (const auto& [cell, edge] : found) {
         listed_.push_back(edges_[edge]);
+        listed_numbers_.push_back(edge);
         cells_[cell + 1] += 2;
     }
     for (std::size_t i = 1; i < cells_.size(); ++i) cells_[i] += cells_[i - 1];
@@ -189,8 +200,8 @@ FixedRegion::Inside FixedRegion::look_at(const TorusPoint<2>& p, bool has_margin
 {
     Inside inside;
     if ((p[0] | p[1]) >> coordinate_bits != 0) return inside;
-    const TorusPoint<2> corner{p[0] >> shift() << shift(), p[1] >> shift() << shift()};
-    const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
+    const auto [cell, shift] = cell_with(p);
+    const TorusPoint<2> corner{p[0] >> shift << shift, p[1] >> shift << shift};
     inside.moved = cells_[cell] % 2 == 1;
     for (const FixedEdge& e : edges_of(cell)) {
         if (has_margins && is_too_near(e, p)) {
@@ -252,16 +263,24 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
                                  filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
     if (filled == 0) return RegionSide::outside;
     if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
+    // Of small boxes, only the parts of divided cells that they lie in.
+    const int fine_shift = shift() - fine_bits_;
+    const bool is_fine = cut.high[0] >> fine_shift <= (cut.low[0] >> fine_shift) + 1 &&
+                         cut.high[1] >> fine_shift <= (cut.low[1] >> fine_shift) + 1;
+    const int looked_at = is_fine ? fine_shift : shift();
     bool is_crossed = false, is_near_edge = false;
-    for (std::uint32_t row = bottom; row <= top; ++row)
-        for (std::uint32_t column = left; column <= right; ++column)
-            for (const FixedEdge& e : edges_of(cell_at(column, row))) {
+    for (std::uint32_t row = cut.low[1] >> looked_at; row <= cut.high[1] >> looked_at; ++row)
+        for (std::uint32_t column = cut.low[0] >> looked_at; column <= cut.high[0] >> looked_at; ++column) {
+            const std::size_t cell =
+                is_fine ? cell_with({column << looked_at, row << looked_at}).number : cell_at(column, row);
+            for (const FixedEdge& e : edges_of(cell)) {
                 const FixedEdge ends = ends_of(e);
                 const std::uint64_t squared = squared_margin_of(e);
                 if (squared != 0 && is_all_near(ends, cut, squared)) return RegionSide::outside;
                 is_crossed |= is_of_boundary(e) && touches(ends, cut);
                 is_near_edge |= touches(ends, enlarged(cut, margin_of(e)));
             }
+        }
     if (is_crossed) return RegionSide::crossed;
     if (!contains(box.low, false)) return RegionSide::outside;
     return cut.high == box.high && !is_near_edge ? RegionSide::inside : RegionSide::crossed;

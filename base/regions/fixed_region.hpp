@@ -5,9 +5,10 @@
 // cross product of two of them fits into 64. What lies on an edge is inside.
 //
 // A grid of 2^bits cells along each axis covers these positions. A cell has the edges that touch it, and says whether
-// its lowest corner is inside. From there to a position one goes along y, then along x, and counts the edges that are
-// crossed. Corner and position are moved by (e^2, e) for that, with an e smaller than any number, so that no edge is
-// touched. kernels/common/regions/inside_region.clh does the same.
+// its lowest corner is inside. Cells with many edges, as regions have that fill little of their square, are divided by
+// another 2^fine_bits along each axis. From there to a position one goes along y, then along x, and counts the edges
+// that are crossed. Corner and position are moved by (e^2, e) for that, with an e smaller than any number, so that no
+// edge is touched. kernels/common/regions/inside_region.clh does the same.
 //
 // With a margin positions that are nearer than it to an edge are outside as well, and cells have all edges that are so
 // near to them. Lines and points to keep away from are edges with margins of their own, which nothing is inside of.
@@ -18,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -99,13 +101,18 @@ public:
 
     // What the grid consists of.
     int bits() const { return bits_; }
+    int fine_bits() const { return fine_bits_; }                             ///< 0: no cell is divided
     const std::array<std::uint32_t, 3>& margins() const { return margins_; } ///< in positions, rounded up
     /// The squares of the margins, in units of 2^-64, rounded up.
     const std::array<std::uint64_t, 3>& squared_margins() const { return squared_margins_; }
 
     /// For each cell, x fastest, twice the number of its first edge in edges(), plus 1 where its lowest corner is
     /// inside; then the end of the last.
-    std::span<const std::uint32_t> cells() const { return cells_; }
+    std::span<const std::uint32_t> cells() const { return std::span(cells_).first(cell_count() + 1); }
+
+    /// The cells and, where some are divided, a value for each cell: where in this list its parts begin, or 0. Parts
+    /// are as cells are, x fastest, with the end of the last.
+    std::span<const std::uint32_t> all_cells() const { return cells_; }
     std::span<const FixedEdge> edges() const { return listed_; }
 
     /// Each edge of the boundary once, from x, y to x, y, with the region on its left.
@@ -135,13 +142,30 @@ private:
     std::uint32_t margin_of(const FixedEdge& edge) const;
     std::uint64_t squared_margin_of(const FixedEdge& edge) const;
 
+    /// Calls found(column, row) for the cells 2^shift positions wide in a block that an edge is near.
+    void find_cells(std::size_t edge, const FixedBox& block, int shift,
+                    const std::function<void(std::uint32_t, std::uint32_t)>& found) const;
+
     void list_edges();
     void find_corners();
     void count_filled();
+    void divide_cells();
+    void divide(std::size_t cell, int bits);
+    std::vector<bool> corners_inside(std::span<const FixedEdge> of_cell, const TorusPoint<2>& first, int part_shift,
+                                     int bits) const;
 
     std::uint32_t size() const { return 1u << bits_; }
     int shift() const { return coordinate_bits - bits_; }
+    std::size_t cell_count() const { return std::size_t{1} << 2 * bits_; }
     std::size_t cell_at(std::uint32_t column, std::uint32_t row) const { return std::size_t{row} << bits_ | column; }
+
+    /// A cell of the list, or a part of one, and its width.
+    struct FoundCell
+    {
+        std::size_t number;
+        int shift;
+    };
+    FoundCell cell_with(const TorusPoint<2>& position) const;
     std::span<const FixedEdge> edges_of(std::size_t cell) const
     {
         return std::span(listed_).subspan(cells_[cell] / 2, cells_[cell + 1] / 2 - cells_[cell] / 2);
@@ -149,13 +173,14 @@ private:
 
     RegionBox box_;
     double unit_ = 1, area_ = 0;
-    int bits_ = 0;
+    int bits_ = 0, fine_bits_ = 0;
     std::array<std::uint32_t, 3> margins_{};         ///< rounded up
     std::array<std::uint64_t, 3> squared_margins_{}; ///< of margins that are not rounded
     FixedBox extent_{};
     std::vector<FixedEdge> edges_; ///< each once
     std::vector<bool> lies_right_; ///< for each of them, of the region, on the way up
     std::vector<FixedEdge> listed_;
+    std::vector<std::uint32_t> listed_numbers_; ///< in `edges_`, of those of whole cells
     std::vector<std::uint32_t> cells_, filled_;
 };
 

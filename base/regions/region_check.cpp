@@ -223,6 +223,33 @@ private:
 
 }
 
+namespace {
+
+double perimeter_of(const PlaneRegion& region)
+{
+    double perimeter = 0;
+    const auto add = [&](const RegionRing& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const auto &from = ring[i], &to = ring[(i + 1) % ring.size()];
+            perimeter += std::hypot(to[0] - from[0], to[1] - from[1]);
+        }
+    };
+    for (const RegionPolygon& polygon : region.polygons) {
+        add(polygon.outline);
+        for (const RegionRing& hole : polygon.holes) add(hole);
+    }
+    return perimeter;
+}
+
+/// Strips are about as wide as twice their area over their perimeter, and so are islands, however far apart.
+bool has_area(const PlaneRegion& region, double longest)
+{
+    const double area = area_of(region);
+    return area > least_area * longest * longest || 2 * area > least_area * longest * perimeter_of(region);
+}
+
+}
+
 void check_region(const PlaneRegion& region, const std::string& name)
 {
     if (region.polygons.empty()) throw InputError(name + ": has no polygon: the region is empty");
@@ -234,7 +261,7 @@ void check_region(const PlaneRegion& region, const std::string& name)
         throw InputError(fmt::format("{}: is {:.3g} large at coordinates of {:.3g}, which doubles cannot resolve", name,
                                      box.longest(), largest));
     checks.check();
-    if (!(area_of(region) > least_area * box.longest() * box.longest()))
+    if (!has_area(region, box.longest()))
         throw InputError(fmt::format("{}: its area, {:.3g}, is nothing beside its extent, {:.3g}", name,
                                      area_of(region), box.longest()));
 }

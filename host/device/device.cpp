@@ -2,6 +2,7 @@
 
 #include "host/device/device_needs.hpp"
 #include "host/device/kernel_source.hpp"
+#include "host/device/loop_limit.hpp"
 #include "host/device/opencl.hpp"
 #include "host/device/pocl_needs.hpp"
 
@@ -24,7 +25,7 @@ std::string type_name(cl_device_type type)
 }
 
 /// Names the first thing that kernels need and the device lacks: a compiler for OpenCL C 1.2, 64-bit integers
-/// (missing only in the embedded profile), or the byte order of the host.
+/// (missing only in the embedded profile), the byte order of the host, or loops that end when they should.
 std::string why_unusable(const cl::Device& device)
 {
     if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the device is not available";
@@ -39,7 +40,7 @@ std::string why_unusable(const cl::Device& device)
     if (group_size < default_work_group_size)
         return fmt::format("work-groups have at most {} work-items there; kernels take {}", group_size,
                            default_work_group_size);
-    return {};
+    return why_loops_are_unreliable(device.getInfo<CL_DEVICE_NAME>());
 }
 
 /// Drivers of OpenCL 1.1 may know the question as that of an extension only, and refuse it without that.
@@ -224,7 +225,7 @@ double Device::build_seconds() const { return impl_->build_seconds; }
 
 Kernel Device::kernel(const KernelProgram& program, const std::string& name)
 {
-    check_needs("kernels/" + program.file, program.needs, impl_->info);
+    check_needs(program.work, program.needs, impl_->info);
     return kernel_from_text(kernel_source("kernels/" + program.file), program.file, name, program.options);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 
 namespace poissonlab {
 namespace {
@@ -73,7 +74,10 @@ std::size_t device_of_number(const std::vector<DeviceInfo>& devices, const std::
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector, const KernelNeeds& needs)
 {
     if (devices.empty()) throw DeviceError(no_device);
-    if (selector.empty()) return default_device(devices, needs);
+    if (selector.empty()) {
+        const char* named = std::getenv("POISSONLAB_DEVICE");
+        return named && *named ? choose_device(devices, named, needs) : default_device(devices, needs);
+    }
     if (is_number(selector)) return device_of_number(devices, selector);
 
     std::vector<std::size_t> found = all_of(devices);

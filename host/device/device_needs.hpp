@@ -18,7 +18,7 @@ std::string lacking(const KernelNeeds& needs, const DeviceInfo& device);
 /// Returns true if a device can do work with these needs.
 bool can_run(const KernelNeeds& needs, const DeviceInfo& device);
 
-/// The error for `what`, a method or a file, that needs what a device lacks. It names one of `devices` that lacks
+/// The error for `what`, a method or a command, that needs what a device lacks. It names one of `devices` that lacks
 /// nothing: "lloyd needs double precision, which Arc A770 has not; --device 1 (pthread-EPYC) has it".
 DeviceError lack_error(const std::string& what, const KernelNeeds& needs, const DeviceInfo& device,
                        const std::vector<DeviceInfo>& devices);

@@ -34,6 +34,7 @@ struct KernelNeeds
 struct KernelFile
 {
     std::string name; ///< below kernels/
+    std::string work; ///< what it is for, as users call it: a method or a command
     KernelNeeds needs;
     std::vector<KernelConstant> constants;
 };
@@ -51,6 +52,7 @@ KernelNeeds all_kernel_needs();
 struct KernelProgram
 {
     std::string file;
+    std::string work;    ///< what it is for, as users call it
     std::string options; ///< for the compiler
     KernelNeeds needs;
 };

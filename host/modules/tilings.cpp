@@ -6,13 +6,16 @@
 
 namespace poissonlab {
 
+Kind substitution_kind(); Kind periodic_kind(); Kind brick_kind(); // LOCAL
+
 void add_tilings(Laboratory& laboratory)
 {
     for (Kind& kind : construction_kinds()) laboratory.kinds.push_back(std::move(kind));
     for (Kind (*const kind)() :
          {tile_set_picture_kind, tiling_kind, printed_tiling_kind, corner_problem_kind, scanline_steps_kind,
           direct_scheme_kind, noise_kind, tiling_cost_kind, lattice_construction_kind, aperiodic_table_kind,
-          diffraction_kind, isohedral_kind, surface_kind, packing_kind, printed_packing_kind})
+          diffraction_kind, isohedral_kind, substitution_kind, periodic_kind, brick_kind, surface_kind, packing_kind,
+          printed_packing_kind})
         laboratory.kinds.push_back(kind());
 }
 

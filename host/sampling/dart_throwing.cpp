@@ -36,6 +36,7 @@ KernelProgram throwing_program(const DartTorus& torus, bool has_region)
     return kernel_program("dart_throwing.cl", {{"DIMENSION", torus.dimension},
                                                {"REACH", torus.hierarchy.reach},
                                                {"LARGE_DISKS", torus.has_large_disks},
+                                               {"BRICKS", torus.bricks != nullptr},
                                                {"REGION", has_region}});
 }
 
@@ -60,13 +61,17 @@ public:
     Throwing(Device& device, DartBuffers& buffers, const DartThrowingRequest& request, std::size_t group_size,
              DartSettling settling)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          torus_(request.min_distance, D, request.block),
+          torus_(request.min_distance, D, request.block, request.bricks),
           throw_(device.kernel(throwing_program(torus_, has_land(request)), "throw_darts")),
           settler_(make_dart_settler(device, settling, torus_, group_size))
     {
         reserve(device, dart_buffers(buffers, request, settling, device.info().compute_units));
         buffers_.counters.write(std::array<std::uint32_t, COUNTERS>{});
         buffers_.land.write(request);
+        if (torus_.bricks) {
+            buffers_.brick_corners.write(torus_.bricks->corners);
+            buffers_.bricks_around.write(torus_.bricks->around);
+        }
     }
 
     PointSet run()
@@ -99,10 +104,21 @@ private:
     using enum contract::dart_throwing::Counter;
     static constexpr std::size_t dart_words = contract::dart_throwing::DART_WORDS(D);
 
+    std::size_t parent_words() const { return contract::dart_throwing::PARENT_WORDS(D, torus_.bricks != nullptr); }
+
+    /// Runs a kernel with the region and the bricks, if there are any.
+    template <typename Run>
+    void run_with_place(const Run& run) const
+    {
+        buffers_.land.run_with(request_, [&](const auto&... region) {
+            torus_.run_with_bricks(buffers_, [&](const auto&... bricks) { run(region..., bricks...); });
+        });
+    }
+
     void throw_all()
     {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::size_t parent_count = lattice_cells(torus_.grid_size, D);
+        std::size_t parent_count = torus_.cells();
         int level = 0;
         for (std::uint32_t batch = 0; batch < request_.most_batches && point_count() < target && parent_count > 0;
              ++batch) {
@@ -115,7 +131,7 @@ private:
             buffers_.counters.read({&total, 1}, POINTS);
             batch_ends_.push_back(total);
             if (total < target) settler_->prepare_batch(buffers_);
-            if (batch == 0) continue; // all cells stay open, and the kernel lists none
+            if (batch == 0 && !torus_.bricks) continue; // all cells stay open, and the kernel lists none
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
         }
@@ -156,19 +172,19 @@ private:
                                                        .key_x = request_.stream[0],
                                                        .key_y = request_.stream[1],
                                                        .thresholds = threshold_count_,
-                                                       .open_capacity = u32(b.open.size() / D),
+                                                       .open_capacity = u32(b.open.size() / parent_words()),
                                                        .dart_capacity = u32(b.darts.size() / dart_words),
                                                        .staged_capacity = u32(staged)};
-            b.land.run_with(request_, [&](const auto&... region) {
+            run_with_place([&](const auto&... place) {
                 throw_.run(items, group_size, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
-                           b.darts, b.counters, local_words(staged * D), local_words(staged * dart_words),
-                           local_words(contract::dart_throwing::GROUP_WORDS), region...);
+                           b.darts, b.counters, local_words(staged * parent_words()), local_words(staged * dart_words),
+                           local_words(contract::dart_throwing::GROUP_WORDS), place...);
             });
             std::array<std::uint32_t, 2> counts;
             b.counters.read(counts, OPEN_CELLS);
             if (counts[0] <= batch.open_capacity && counts[1] <= batch.dart_capacity) return {counts[0], counts[1]};
             b.counters.write(std::array<std::uint32_t, 2>{}, OPEN_CELLS);
-            reserve(device_, b.open, counts[0] * D);
+            reserve(device_, b.open, counts[0] * parent_words());
             reserve(device_, b.darts, counts[1] * dart_words);
         }
     }
@@ -194,7 +210,7 @@ private:
     /// Each list in local memory holds all that a work-group can make, or as many as there is room for.
     std::size_t staged_entries() const
     {
-        constexpr std::size_t entry_bytes = (D + dart_words) * sizeof(std::uint32_t);
+        const std::size_t entry_bytes = (parent_words() + dart_words) * sizeof(std::uint32_t);
         constexpr std::size_t group_bytes = contract::dart_throwing::GROUP_WORDS * sizeof(std::uint32_t);
         return std::min(group_size_ * (std::size_t{1} << D),
                         (device_.info().local_memory_bytes - group_bytes) / entry_bytes);

@@ -5,6 +5,7 @@
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -65,6 +66,59 @@ private:
     double best_ = -1;
     std::size_t kept_ = 0;
 };
+
+/// Iterations that are enqueued before the host looks at their measures: many where one takes less than waiting for it.
+inline std::size_t iterations_of_batch(std::size_t points)
+{
+    constexpr std::size_t points_of_batch = std::size_t{1} << 18, most = 64;
+    return std::clamp<std::size_t>(points_of_batch / std::max<std::size_t>(points, 1), 1, most);
+}
+
+/// Runs the iterations of `State` by batches. The state has: void measure_later(), which enqueues the measures of the
+/// points as they are; void move(), which enqueues their movement after that; std::vector<IterateMeasure> measures(),
+/// which waits for those that were enqueued; PointSet points(); and void load(points), after which iterations go as
+/// from the start.
+///
+/// Where an iterate within a batch turns out to be the one to keep, its points are made once more, from those that the
+/// batch began with. Such batches are short in the beginning, so that what is made in vain is a part of all.
+template <typename State>
+LloydResult run_batches(State& state, std::size_t points, int dimension, const LloydRequest& request)
+{
+    IterationCourse course(points, dimension, request);
+    const bool may_go_back = request.keep_best || request.until_relative_radius <= 1;
+    PointSet kept;
+    std::size_t moves_to_kept = 0;
+    for (bool is_last = false; !is_last;) {
+        stop_if_interrupted();
+        const std::size_t made = course.iterations().size();
+        if (made > 0) state.move();
+        std::size_t count = std::min(iterations_of_batch(points), request.iterations + 1 - made);
+        if (may_go_back) count = std::min(count, 1 + made / 4);
+        const PointSet before = may_go_back && count > 1 ? state.points() : PointSet{};
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i > 0) state.move();
+            state.measure_later();
+        }
+        const std::vector<IterateMeasure> measures = state.measures();
+        for (std::size_t i = 0; i < count && !is_last; ++i) {
+            const IterationCourse::Verdict now = course.add(measures[i]);
+            is_last = now.is_last;
+            if (!now.is_kept) continue;
+            moves_to_kept = i + 1 < count ? i : 0;
+            kept = i + 1 < count ? before : state.points();
+        }
+    }
+    if (moves_to_kept > 0) {
+        state.load(kept);
+        for (std::size_t i = 0; i < moves_to_kept; ++i) {
+            state.measure_later();
+            state.move();
+        }
+        state.measures();
+        kept = state.points();
+    }
+    return {std::move(kept), std::move(course.iterations()), course.kept()};
+}
 
 /// Runs the iterations of `State`, which has: IterateMeasure measure(), for example of the Voronoi cells; void move(),
 /// which moves the points after that; void keep(), which remembers the points as they are; and PointSet kept(), those

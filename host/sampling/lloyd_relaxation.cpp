@@ -18,23 +18,30 @@ public:
           grid_(device, points.dimension, points.size(),
                 VoronoiKernels::cells_per_axis(points.dimension, points.size()), group_size),
           voronoi_(device, points.dimension, points.size(), group_size),
-          mover_(device, domain, points.dimension, group_size), summary_(device, points.dimension, points.size())
+          mover_(device, domain, points.dimension, group_size),
+          summary_(device, points.dimension, points.size(), iterations_of_batch(points.size()))
     {
-        grid_.load(points);
+        load(points);
     }
 
-    IterateMeasure measure()
+    void measure_later()
     {
         grid_.sort();
         voronoi_.find_cells(grid_);
-        IterateMeasure measure = summary_.summarize(voronoi_.energies(), voronoi_.squared_near());
-        measure.energy = lloyd_energy(measure.energy, grid_.size(), dimension_);
-        return measure;
+        summary_.add(voronoi_.energies(), voronoi_.squared_near());
+    }
+
+    std::vector<IterateMeasure> measures()
+    {
+        std::vector<IterateMeasure> measures = summary_.take();
+        for (IterateMeasure& measure : measures)
+            measure.energy = lloyd_energy(measure.energy, grid_.size(), dimension_);
+        return measures;
     }
 
     void move() { mover_.move(grid_, voronoi_.displacements(), false); }
-    void keep() { kept_ = grid_.points(); }
-    PointSet kept() { return std::move(kept_); }
+    void load(const PointSet& points) { grid_.load(points); }
+    PointSet points() const { return grid_.points(); }
 
 private:
     int dimension_;
@@ -42,7 +49,6 @@ private:
     VoronoiKernels voronoi_;
     PointMover mover_;
     PointSummary summary_;
-    PointSet kept_;
 };
 
 }
@@ -54,12 +60,13 @@ LloydRelaxation::LloydRelaxation(Device device, std::size_t work_group_size)
 LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain, const LloydRequest& request)
 {
     DeviceState state(device_, points, domain, work_group_size_);
-    return run_iterations(state, points.size(), points.dimension, request);
+    return run_batches(state, points.size(), points.dimension, request);
 }
 
 DeviceMemory LloydRelaxation::memory(int dimension, std::size_t points)
 {
-    return voronoi_memory(dimension, points) + DomainBuffers::memory_of_torus() + PointSummary::memory(points);
+    return voronoi_memory(dimension, points) + DomainBuffers::memory_of_torus() +
+           PointSummary::memory(points, iterations_of_batch(points));
 }
 
 }

@@ -13,28 +13,39 @@ std::size_t items_of(std::size_t points) { return (points + points_of_item - 1) 
 
 }
 
-NeededBuffers PointSummary::Buffers::needed(std::size_t points)
+NeededBuffers PointSummary::Buffers::needed(std::size_t points, std::size_t iterates)
 {
-    return {{sums, items_of(points)}, {smallest, items_of(points)}};
+    return {{sums, items_of(points) * iterates}, {smallest, items_of(points) * iterates}};
 }
 
-PointSummary::PointSummary(Device device, int dimension, std::size_t points)
+PointSummary::PointSummary(Device device, int dimension, std::size_t points, std::size_t iterates)
     : points_(points),
       summarize_(device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "summarize_points"))
 {
-    reserve(device, buffers_.needed(points));
+    reserve(device, buffers_.needed(points, iterates));
 }
 
-IterateMeasure PointSummary::summarize(const Buffer<double>& energies, const Buffer<double>& squared_near)
+void PointSummary::add(const Buffer<double>& energies, const Buffer<double>& squared_near)
 {
     const std::size_t items = items_of(points_);
-    summarize_.run(items, 1, energies, squared_near, static_cast<std::uint32_t>(points_), points_of_item, buffers_.sums,
-                   buffers_.smallest);
-    IterateMeasure measure{0, std::numeric_limits<double>::infinity()};
-    for (const double sum : buffers_.sums.read(0, items)) measure.energy += sum;
-    for (const double near : buffers_.smallest.read(0, items))
-        measure.squared_near = std::min(measure.squared_near, near);
-    return measure;
+    summarize_.run(items, 1, energies, squared_near, static_cast<std::uint32_t>(points_), points_of_item,
+                   static_cast<std::uint32_t>(items * added_), buffers_.sums, buffers_.smallest);
+    ++added_;
+}
+
+std::vector<IterateMeasure> PointSummary::take()
+{
+    const std::size_t items = items_of(points_);
+    const std::vector<double> sums = buffers_.sums.read(0, items * added_);
+    const std::vector<double> smallest = buffers_.smallest.read(0, items * added_);
+    std::vector<IterateMeasure> measures(added_, {0, std::numeric_limits<double>::infinity()});
+    for (std::size_t i = 0; i < items * added_; ++i) {
+        IterateMeasure& measure = measures[i / items];
+        measure.energy += sums[i];
+        measure.squared_near = std::min(measure.squared_near, smallest[i]);
+    }
+    added_ = 0;
+    return measures;
 }
 
 }

@@ -5,28 +5,44 @@
 #include "host/sampling/lloyd_iteration.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace poissonlab {
 
 class PointSummary
 {
 public:
-    PointSummary(Device device, int dimension, std::size_t points);
+    /// Room for the summaries of so many iterates.
+    PointSummary(Device device, int dimension, std::size_t points, std::size_t iterates = 1);
 
-    static DeviceMemory memory(std::size_t points) { return memory_of(Buffers{}.needed(points)); }
+    static DeviceMemory memory(std::size_t points, std::size_t iterates = 1)
+    {
+        return memory_of(Buffers{}.needed(points, iterates));
+    }
 
-    /// The summary of a value for each point. Sums are taken in the same order on every device.
-    IterateMeasure summarize(const Buffer<double>& energies, const Buffer<double>& squared_near);
+    /// Enqueues the summary of a value for each point. Sums are taken in the same order on every device.
+    void add(const Buffer<double>& energies, const Buffer<double>& squared_near);
+
+    /// Waits for the summaries that were added since the last call.
+    std::vector<IterateMeasure> take();
+
+    /// One summary, at once.
+    IterateMeasure summarize(const Buffer<double>& energies, const Buffer<double>& squared_near)
+    {
+        add(energies, squared_near);
+        return take().front();
+    }
 
 private:
     struct Buffers
     {
         Buffer<double> sums, smallest;
 
-        NeededBuffers needed(std::size_t points);
+        NeededBuffers needed(std::size_t points, std::size_t iterates);
     };
 
     std::size_t points_;
+    std::size_t added_ = 0;
     Buffers buffers_;
     Kernel summarize_;
 };

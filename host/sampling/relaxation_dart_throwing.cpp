@@ -52,7 +52,15 @@ struct GridLimits
     int most_grid_bits;
     int cover_bits;
     std::uint32_t most_cells;
+    std::uint32_t number_bits; ///< of folded cells of points; 0: they are not folded
 };
+
+/// Folded cells along each axis at most: they are at least as wide as distances, which have more positions than this
+/// leaves.
+constexpr std::uint32_t most_folded_cells = 1u << 28;
+
+/// Folded cells have twice as many numbers as there are points, or some more.
+std::uint32_t folded_bits(std::size_t points) { return static_cast<std::uint32_t>(std::bit_width(points)) + 1; }
 
 /// Cells of points are made narrower when so many times as many along each axis are wide enough: they have some two
 /// points at most, however many points there are.
@@ -65,15 +73,24 @@ constexpr double table_cells_a_point = 1.5;
 /// Parts of the table: more leave fewer darts undecided, and fit the caches less.
 constexpr int most_table_bits = 29;
 
-GridLimits grid_limits(std::size_t points, int dimension)
+GridLimits grid_limits(const RelaxationDartThrowingRequest& request)
 {
+    const std::size_t points = request.points;
+    const int dimension = request.dimension;
+    if (request.is_in_squares()) return {0, dimension == 2 ? 3 : 2, most_folded_cells, folded_bits(points)};
     const auto most_cells_of_table = static_cast<std::uint64_t>(table_cells_a_point * static_cast<double>(points));
     const int for_points = (static_cast<int>(std::bit_width(most_cells_of_table)) - 1) / dimension;
     const int most_grid_bits = std::clamp(for_points, 0, most_table_bits / dimension - 2);
     const int cover_bits = dimension == 2 ? 3 : 2;
     const double most_cells = std::pow(static_cast<double>(points), 1.0 / dimension);
     return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits),
-            std::max(1u, static_cast<std::uint32_t>(most_cells))};
+            std::max(1u, static_cast<std::uint32_t>(most_cells)), 0};
+}
+
+/// Numbers of cells of points.
+std::size_t cell_numbers(const GridLimits& limits, std::uint32_t grid_size, int dimension)
+{
+    return limits.number_bits > 0 ? std::size_t{1} << limits.number_bits : lattice_cells(grid_size, dimension);
 }
 
 /// Sizes of what the kernels work on, in elements.
@@ -85,7 +102,7 @@ struct GridSizes
 
 GridSizes grid_sizes(const GridLimits& limits, int dimension)
 {
-    return {lattice_cells(limits.most_cells, dimension),
+    return {cell_numbers(limits, limits.most_cells, dimension),
             std::size_t{1} << dimension * (limits.most_grid_bits + limits.cover_bits)};
 }
 
@@ -125,12 +142,13 @@ struct RelaxationDartBuffers
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
     Buffer<std::uint32_t> cells;
     Buffer<std::uint32_t> points;
+    Buffer<std::uint32_t> corners; ///< of squares
     LandBuffers land;
 
     NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
     {
         const int d = request.dimension;
-        const auto [cell_count, parts] = grid_sizes(grid_limits(request.points, d), d);
+        const auto [cell_count, parts] = grid_sizes(grid_limits(request), d);
         NeededBuffers buffers{{state, contract::relaxation_dart_throwing::STATE_WORDS},
                               {thresholds, levels_of_table(request)},
                               {flags, most_blocks(d, group_size)},
@@ -138,6 +156,8 @@ struct RelaxationDartBuffers
                               {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
                               {cells, cell_count * contract::relaxation_dart_throwing::CELL_WORDS},
                               {table, parts}};
+        if (request.squares) buffers.push_back({corners, 2 * request.squares->corners.size()});
+        if (request.cubes) buffers.push_back({corners, 3 * request.cubes->corners.size()});
         for (const NeededBuffer& buffer : land.needed(request)) buffers.push_back(buffer);
         return buffers;
     }
@@ -151,12 +171,13 @@ class RelaxationThrowing
 public:
     RelaxationThrowing(Device& device, RelaxationDartBuffers& buffers, const RelaxationDartThrowingRequest& request,
                        std::size_t group_size)
-        : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
+        : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request)),
           is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
     {
-        const KernelProgram program =
-            kernel_program("relaxation_dart_throwing.cl",
-                           {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", has_land(request)}});
+        const KernelProgram program = kernel_program(
+            "relaxation_dart_throwing.cl", {{"DIMENSION", D},
+                                            {"COVER_BITS", limits_.cover_bits},
+                                            {"REGION", request.is_in_squares() ? 2 : int{has_land(request)}}});
         throw_ = device.kernel(program, "throw_darts");
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");
@@ -171,6 +192,8 @@ public:
         ask_for_large_pages(buffers_.table.impl());
         ask_for_large_pages(buffers_.cells.impl());
         buffers_.land.write(request);
+        if (request.squares) write_corners(*request.squares);
+        if (request.cubes) write_corners(*request.cubes);
     }
 
     RelaxationDarts run()
@@ -215,13 +238,34 @@ private:
                 .key_y = request_.stream[1],
                 .target = u32(request_.points),
                 .levels_ahead = u32(levels_ahead_),
-                .grid_size = grid_size_};
+                .cells = point_cells(),
+                .unused = 0};
     }
 
-    /// Runs a kernel with the box that darts fall into, if there is one.
+    contract::relaxation_dart_throwing::PointCells point_cells() const { return {grid_size_, limits_.number_bits}; }
+
+    template <typename Squares>
+    void write_corners(const Squares& squares)
+    {
+        std::vector<std::uint32_t> words;
+        for (const auto& corner : squares.corners) words.insert(words.end(), corner.begin(), corner.end());
+        buffers_.corners.write(words);
+    }
+
+    template <typename Run, typename Squares>
+    void run_in_squares(const Run& run, const Squares& squares) const
+    {
+        run(contract::relaxation_dart_throwing::DartSquares{u32(squares.corners.size()),
+                                                            static_cast<std::uint32_t>(squares.shift)},
+            buffers_.corners);
+    }
+
+    /// Runs a kernel with the box or the squares that darts fall into, if there are any.
     template <typename Run>
     void with_box(const Run& run) const
     {
+        if (request_.squares) return run_in_squares(run, *request_.squares);
+        if (request_.cubes) return run_in_squares(run, *request_.cubes);
         const auto run_in = [&](const auto& box) {
             contract::relaxation_dart_throwing::DartBox darts{};
             for (std::size_t k = 0; k < box.low.size(); ++k) {
@@ -281,7 +325,7 @@ private:
         });
         with_region([&](const auto&... region) {
             find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.cells, b.points,
-                      grid_size_, key_x, key_y, b.candidates, region...);
+                      point_cells(), key_x, key_y, b.candidates, region...);
         });
         with_box([&](const auto&... box) {
             settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.cells, b.points, box...);
@@ -326,10 +370,10 @@ private:
         if (!needs_finer_cells(present_threshold())) return;
         grid_size_ = cells_for(present_threshold());
         RelaxationDartBuffers& b = buffers_;
-        const std::size_t cells = lattice_cells(grid_size_, D);
+        const std::size_t cells = cell_numbers(limits_, grid_size_, D);
         clear_cells_.run(cells, group_size_, b.cells, u32(cells));
         if (state_[POINTS] == 0) return;
-        link_.run(state_[POINTS], group_size_, b.state, b.cells, b.points, grid_size_);
+        link_.run(state_[POINTS], group_size_, b.state, b.cells, b.points, point_cells());
         fill_.run(cells, group_size_, b.cells, u32(cells), b.points);
     }
 

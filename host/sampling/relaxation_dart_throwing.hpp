@@ -16,6 +16,7 @@
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
+#include "base/regions/region_squares.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
@@ -40,6 +41,12 @@ struct RelaxationDartThrowingRequest
 
     /// In 3D: the points lie in this part of space, of which all holds that is said of `region`.
     std::shared_ptr<const FixedSpace> space{};
+
+    /// Darts fall into these squares of the region, or cubes of the space; empty: into the box around it.
+    std::shared_ptr<const RegionSquares<FixedRegion>> squares{};
+    std::shared_ptr<const RegionSquares<FixedSpace>> cubes{};
+
+    bool is_in_squares() const { return squares || cubes; }
 };
 
 /// Keeps counts of failures far from the end of 64 bits.

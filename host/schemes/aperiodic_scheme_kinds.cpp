@@ -3,6 +3,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 8.
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
+#include "host/schemes/scheme_values.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>
@@ -12,24 +13,6 @@
 
 namespace poissonlab {
 namespace {
-
-constexpr double most_listed = 100; ///< sides of isohedral tiles are about 1
-
-/// The numbers of a list, from -100 to 100; nothing for any other value.
-std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list)
-{
-    const auto* items = list.get_if<ConfigList>();
-    if (!items) return {};
-    std::vector<double> numbers;
-    for (const ConfigNode& item : *items) {
-        const auto* whole = item.get_if<std::int64_t>();
-        const auto* real = item.get_if<double>();
-        if (!whole && !real) return {};
-        numbers.push_back(whole ? static_cast<double>(*whole) : *real);
-        if (!(std::abs(numbers.back()) <= most_listed)) return {};
-    }
-    return numbers;
-}
 
 constexpr auto curves_allowed = "a list of curves, each a list of points [x, y] from -100 to 100";
 
@@ -41,15 +24,9 @@ std::vector<PlaneCurve> curves_of(const Keys& keys, const ConfigNode& node)
     if (!curves) throw refused();
     std::vector<PlaneCurve> all;
     for (const ConfigNode& curve : *curves) {
-        const auto* points = curve.get_if<ConfigList>();
-        if (!points) throw refused();
-        all.push_back({{0, 0}});
-        for (const ConfigNode& point : *points) {
-            const auto numbers = numbers_of_list(point);
-            if (!numbers || numbers->size() != 2) throw refused();
-            all.back().push_back({(*numbers)[0], (*numbers)[1]});
-        }
-        all.back().push_back({1, 0});
+        const auto read = curve_of_node(curve);
+        if (!read) throw refused();
+        all.push_back(*read);
     }
     return all;
 }

@@ -5,6 +5,7 @@
 
 #include "host/schemes/scheme_settings.hpp"
 #include "results/pictures/distribution_files.hpp"
+#include "tiles/prototiles/polygon_tiling.hpp"
 
 #include <cstdint>
 
@@ -12,6 +13,9 @@ namespace poissonlab {
 
 /// The tile that the settings say. Throws InputError for parameters that it cannot have.
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);
+
+/// The tiling that the settings name. Throws InputError for a file that is none.
+PolygonTiling tiling_of(const PolygonTilingChoice& choice);
 
 // One function a kind, each in a file of its own, which makes it and writes its files. Each throws InputError where
 // that cannot be done, StorageError, and Interrupted.
@@ -27,6 +31,9 @@ DistributionResult make_construction(const ConstructionSettings& settings, std::
 DistributionResult make_aperiodic_tables(const AperiodicTableSettings& settings, DistributionFiles& files);
 DistributionResult make_diffraction(const DiffractionSettings& settings, DistributionFiles& files);
 DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64_t seed, DistributionFiles& files);
+DistributionResult make_substitution(const SubstitutionSettings& settings, DistributionFiles& files);
+DistributionResult make_periodic(const PeriodicSettings& settings, DistributionFiles& files);
+DistributionResult make_bricks(const BrickSettings& settings, DistributionFiles& files);
 DistributionResult make_surface(const SurfaceSettings& settings, std::uint64_t seed, DistributionFiles& files);
 
 }

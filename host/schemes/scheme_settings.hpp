@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +82,50 @@ struct IsohedralSettings
     bool is_random = false;
     std::optional<TileColoring> coloring; ///< none: the fewest colours
     double columns = 10, rows = 10;       ///< of the window, in sides of a square as large as the tile
+};
+
+/// A tiling by polygons that the program brings, or one of a user.
+struct PolygonTilingChoice
+{
+    std::string word;
+    std::filesystem::path file; ///< empty: that of the word
+};
+
+/// How polygons are drawn.
+struct PolygonStyle
+{
+    std::string colors = "tiles";                     ///< or "directions"
+    std::string edges = "straight";                   ///< or "puzzle"
+    std::map<char, PlaneCurve> curves = {};           ///< by small letters of edges; for others `edges` holds
+    std::optional<std::array<double, 4>> shifts = {}; ///< length and degrees of p and of q, for outlines that have them
+    bool has_arcs = false;
+    bool has_letters = false;
+};
+
+/// kind = "substitution": a tiling by substitution.
+struct SubstitutionSettings
+{
+    PolygonTilingChoice tiling{"penrose-kite-dart", {}};
+    std::string start; ///< empty: the first tile
+    int depth = 5;
+    std::vector<std::int64_t> address;           ///< of the tile in the middle of the window
+    std::optional<std::array<double, 2>> window; ///< none: all tiles
+    PolygonStyle style;
+};
+
+/// kind = "periodic": a periodic tiling by polygons.
+struct PeriodicSettings
+{
+    PolygonTilingChoice tiling{"3.4.6.4", {}};
+    std::array<double, 2> window{16, 12};
+    bool shows_unit = true;
+    PolygonStyle style;
+};
+
+/// kind = "bricks": pairs of bricks by the binary digits of pi.
+struct BrickSettings
+{
+    std::uint32_t digits = 441;
 };
 
 /// kind = "surface": corner tiles on the faces of a polycube.

@@ -52,12 +52,13 @@ bool has_conflict(const Spot* spot, global const struct Triangle* triangles, con
     return false;
 }
 
-/// The first piece whose weights, with all before it, are more than `target`.
+/// The first piece whose weights, with all before it, are more than `target`. There always is one; the last piece is
+/// asked for all the same, because llvmpipe lets idle lanes of its vectors run, which read zeros and would never end.
 uint find_piece(ulong random, struct SurfaceBatch batch, global const ulong* ends, global const uint* guide)
 {
     const ulong target = mul_hi(random, batch.total);
     uint piece = guide[random >> (64 - batch.guide_bits)];
-    while (ends[piece] <= target) ++piece;
+    while (piece + 1 < batch.pieces && ends[piece] <= target) ++piece;
     return piece;
 }
 

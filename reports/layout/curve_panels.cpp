@@ -32,11 +32,12 @@ Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots&
             .picture = power_alone(plots.power, index, series.curve),
             .title = "Radially averaged power",
             .caption = power_caption(series.curve),
-            .guide =
-                fmt::format("The spectrum's mean over {} of one frequency; the band is one standard error. The lower "
-                            "its left part, the less coarse noise; a single gentle peak at the principal frequency "
-                            "1/d<sub>min</sub> (dotted), then 1, is a Poisson disk set. More peaks mean more order.",
-                            rings),
+            .guide = fmt::format(
+                "The mean of the spectrum over {} of equal frequency; the band shows one standard error. Low "
+                "power on the left means little coarse noise. A Poisson disk set has a single gentle peak "
+                "near the principal frequency 1/d<sub>min</sub> (dotted), and power 1 beyond. Further peaks "
+                "reveal more order.",
+                rings),
             .stored = {{"csv", series.run->folder / series.stored->radial_file}},
             .thumbnail = Thumbnail{"radial", "Radial power"}};
 }
@@ -65,9 +66,10 @@ std::string slope_caption(const ReportSeries& series)
         return "The region's boundary decides the lowest frequencies: they have no slope of the set's own.";
     const auto law = lowest_power_law(series);
     if (!law) return "Too little power, or too few rings at low frequencies, for a slope.";
-    auto text = fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {}.",
-                            format_exact(law->begin), format_exact(law->end),
-                            format_estimate(law->exponent, law->exponent_standard_error, 3).text());
+    auto text =
+        fmt::format("Dashed: from frequency {} to {} the power is proportional to the frequency to the power of {}.",
+                    format_exact(law->begin), format_exact(law->end),
+                    format_estimate(law->exponent, law->exponent_standard_error, 3).text());
     const auto& numbers = series.stored->measures.numbers;
     if (const auto p = numbers.find("hyperuniformity_p_value"); p != numbers.end())
         text += fmt::format(" Test for hyperuniformity: p = {}.", format_significant(p->second.value, 2));
@@ -76,21 +78,21 @@ std::string slope_caption(const ReportSeries& series)
 
 Panel structure_factor_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
 {
-    return {.stem = "structure-factor",
-            .picture = structure_factor_alone(plots.structure, index, series.curve, lowest_power_law(series)),
-            .title = "Structure factor",
-            .caption = slope_caption(series),
-            .guide =
-                "The same power with both axes logarithmic, where power laws are straight lines. A set is "
-                "<b>hyperuniform</b> where the power vanishes towards frequency 0: a slope that goes on falling to "
-                "the left; the steeper, the faster errors of integrals fall with <i>N</i>. A level that it reaches "
-                "instead, however low, is noise that stays at all scales, as random points (1) and dart throwing "
-                "(0.06) have it. <b>Stealthy</b> sets have no power at all up to a frequency: a cliff instead of a "
-                "slope, to which no exponent belongs; in practice one of 10<sup>−3</sup> or less. The slope's "
-                "error is that of a straight line: where the curve bends, the slope is only its mean. The test "
-                "asks whether some power is left at frequency 0: a <i>p</i> below 0.05 says that the set is not "
-                "hyperuniform, however small that power may be.",
-            .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
+    return {
+        .stem = "structure-factor",
+        .picture = structure_factor_alone(plots.structure, index, series.curve, lowest_power_law(series)),
+        .title = "Structure factor",
+        .caption = slope_caption(series),
+        .guide =
+            "The radially averaged power with both axes logarithmic, so that power laws are straight lines. A set is "
+            "<b>hyperuniform</b> if its power vanishes towards frequency 0: the curve keeps falling to the left, "
+            "and the steeper it falls, the faster the errors of integrals decrease with <i>N</i>. A constant level "
+            "instead, however low, is noise that remains at all scales, as in random points (1) and dart throwing "
+            "(0.06). <b>Stealthy</b> sets have no power at all below some frequency, in practice at most "
+            "10<sup>−3</sup>: their curve has a cliff, which no exponent describes. The error of the slope assumes "
+            "a straight line; where the curve bends, the slope is only a mean. The test asks whether power remains "
+            "at frequency 0: if <i>p</i> is below 0.05, the set is not hyperuniform, however small that power is.",
+        .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
 }
 
 Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
@@ -101,11 +103,11 @@ Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunP
             .title = "Anisotropy",
             .caption = fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
                                    format_fixed(series.curve.background_db, 1), series.curve.periodograms),
-            .guide =
-                fmt::format("How much power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
-                            "On the line: no direction is preferred. Far above it: a grid, tiles, or rows. The "
-                            "first few {} hold few samples and scatter.",
-                            in_space ? "shell" : "ring", in_space ? "spherical shells" : "rings"),
+            .guide = fmt::format(
+                "How much the power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
+                "Where the curve follows that line, no direction is preferred; values far above it come "
+                "from a grid, from tiles, or from rows. The first few {} hold few samples and scatter.",
+                in_space ? "shell" : "ring", in_space ? "spherical shells" : "rings"),
             .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
 }
 
@@ -124,27 +126,28 @@ Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, cons
                                format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
                                format_significant(unit, 4)),
         .guide =
-            "How many points there are at each distance from a point, over how many random points would have there "
-            "(dashed). 0 up to the minimum distance (dotted); a peak says that many points have their neighbours at "
-            "that distance, waves after it that order reaches far. The band is one standard error.",
+            "The number of points at each distance from a point, divided by the number that random points would have "
+            "there (dashed). It is 0 up to the minimum distance (dotted). A peak marks a distance at which many points "
+            "have neighbours, and further waves show that order reaches far. The band shows one standard error.",
         .stored = {{"csv", series.run->folder / series.stored->pair_correlation_file}}};
 }
 
 Panel number_variance_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
 {
     const NumberVarianceBin& last = series.number_variance.back();
-    return {.stem = "number-variance",
-            .picture = alone(plots.variance, index),
-            .title = "Number variance",
-            .caption = fmt::format("{} within a radius of {}, where {} points are expected.",
-                                   format_significant(last.variance, 3), format_significant(last.radius, 3),
-                                   format_significant(last.points, 4)),
-            .guide = fmt::format(
-                "How much the number of points in a {} varies from place to place, over how much that of "
-                "random points does (dashed). A set is <b>hyperuniform</b> where this goes on falling: as "
-                "one over the radius at best, because points at the {} come and go.",
-                series.run->dimension == 3 ? "ball" : "disk", series.run->dimension == 3 ? "surface" : "rim"),
-            .stored = {{"csv", series.run->folder / series.stored->number_variance_file}}};
+    return {
+        .stem = "number-variance",
+        .picture = alone(plots.variance, index),
+        .title = "Number variance",
+        .caption =
+            fmt::format("{} within a radius of {}, where {} points are expected.", format_significant(last.variance, 3),
+                        format_significant(last.radius, 3), format_significant(last.points, 4)),
+        .guide = fmt::format(
+            "The variance of the number of points in a {} at a random place, divided by that of random points "
+            "(dashed). A set is <b>hyperuniform</b> if the curve keeps falling. It cannot fall faster than one over "
+            "the radius, because points enter and leave at the {}.",
+            series.run->dimension == 3 ? "ball" : "disk", series.run->dimension == 3 ? "surface" : "rim"),
+        .stored = {{"csv", series.run->folder / series.stored->number_variance_file}}};
 }
 
 /// "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
@@ -199,13 +202,13 @@ Panel plate_panel(const ReportRun& run, const ReportSeries& series)
             .caption =
                 fmt::format("{0} × {0} pixels, {1} samples{2}.", format_count(static_cast<std::uint64_t>(plate.size)),
                             format_count(series.stored->points_of_first()), first_of_several(series)),
-            .guide =
-                fmt::format("Rings that get finer with the distance from the lower left corner, as the set samples "
-                            "them. Good: rings that stay clear far out, then even grey noise. Rings around other "
-                            "places are false, the mark of regular points. Compare with <a href=\"{}\">what perfect "
-                            "sampling gives</a>. A picture that is shown smaller than it is invents rings, too: full "
-                            "size is one click away.",
-                            reference.generic_string()),
+            .guide = fmt::format(
+                "Rings that become finer with the distance from the lower left corner, sampled by the set. A "
+                "good set keeps the rings clear far out, and shows even grey noise beyond. Rings around "
+                "other places are aliases, which regular sets produce. Compare with <a href=\"{}\">what "
+                "perfect sampling gives</a>. A picture that is shown smaller than it is has false rings as "
+                "well; full size is one click away.",
+                reference.generic_string()),
             .stored = {{"exr", file}},
             .thumbnail = Thumbnail{"plate", "Zone plate"},
             .image_class = "plate framed",
@@ -222,24 +225,27 @@ Panel plate_error_panel(const ReportSeries& series, std::size_t index, const Run
             .picture = zone_plate_alone(*plots.plate, index, plate.size),
             .title = "Zone plate error",
             .caption = caption + ".",
-            .guide = "The root mean square difference from perfect sampling over the fineness of the rings. The curve "
-                     "leaves 0 where the set begins to fail; half a cycle per pixel (dotted) is the finest that pixels "
-                     "can show. Means over the <i>K</i> sets.",
+            .guide = "The root mean square difference from perfect sampling, against the fineness of the rings. The "
+                     "curve leaves 0 where the set begins to fail; half a cycle per pixel (dotted) is the finest that "
+                     "pixels can show. Values are means over the <i>K</i> sets.",
             .stored = {{"csv", series.run->folder / plate.error_file}}};
 }
 
 std::string energy_guide(const ReportSeries& series)
 {
     if (series.stored->sampler == "gaussian-blue-noise")
-        return "The Gaussians of all points at a point, on average, less those of points spread evenly: what the "
-               "method makes smaller. Random points have about 1, no set less than 0; where points follow a density, "
-               "its pull counts as well, and it may rise a little and end below 0.";
+        return "The mean sum of the Gaussians of all points at a point, less that of evenly spread points: the method "
+               "minimises it. Random points have about 1, and no set has less than 0. Where points follow a density, "
+               "its "
+               "attraction counts as well: the energy may rise a little, and end below 0.";
     if (series.stored->sampler == "target-spectrum")
-        return "The mean squared difference between the radially averaged power of a set and the curve that it is to "
-               "follow, over its rings: what the method makes smaller.";
-    return "The mean squared distance from anywhere to the nearest point, times <i>N</i><sup>2/<i>d</i></sup>: small "
-           "where points serve all places alike. The dashed line is the perfect lattice; random points have about 0.32 "
-           "in 2D and 0.35 in 3D.";
+        return "The mean squared difference between the radially averaged power of a set and its target curve, over "
+               "all "
+               "rings: the method minimises it.";
+    return "The mean squared distance from a place to the nearest point, times <i>N</i><sup>2/<i>d</i></sup>: it is "
+           "small "
+           "where the points serve all places equally well. The dashed line is the best lattice; random points have "
+           "about 0.32 in 2D and 0.35 in 3D.";
 }
 
 }
@@ -262,13 +268,14 @@ void add_iteration_panels(const ReportSeries& series, std::size_t index, const R
     const auto& iterations = *series.stored->iterations;
     const StoredFile csv{"csv", series.run->folder / iterations.file};
     std::string guide =
-        "How the smallest distance grows while the method moves its points; 0 is where it started. Level: nothing more "
-        "to gain. The line is the mean over the <i>K</i> sets that got so far, the band reaches from the least to the "
-        "largest.";
+        "How the minimum distance grows while the method moves the points; iteration 0 is the start. Where the curve "
+        "is "
+        "level, nothing more is gained. The line is the mean over those of the <i>K</i> sets that came so far, and the "
+        "band extends from the smallest to the largest.";
     if (iterations.relative_radius_within_tiles)
-        guide +=
-            " The line is of tilings, dots are of the nearest two points of one tile: what is between them is lost "
-            "where tiles meet.";
+        guide += " The line is for tilings, and dots are for the closest two points of one tile: the difference is "
+                 "lost where "
+                 "tiles meet.";
     panels.push_back({.stem = "relative-radius",
                       .picture = alone(*plots.radius, index),
                       .title = "Relative radius over iterations",

@@ -35,9 +35,11 @@ void add_autocorrelation_panel(const ReportSeries& series, std::vector<Panel>& p
          .caption = fmt::format("Pairs of points by the displacement between them, up to {} along each axis: black no "
                                 "pairs, mid-grey as many as random points have, white twice as many and more.",
                                 format_significant(reach, 2)),
-         .guide = "The pair correlation with its directions, the transform of the spectrum. Good: a black disk with "
-                  "rings that fade quickly into even grey, the same all around. Bright dots far from the middle are "
-                  "displacements at which the same points appear again: tiles that repeat.",
+         .guide =
+             "The pair correlation by direction as well as distance, which is the Fourier transform of the spectrum. "
+             "A good set has a black disk in the centre, and rings that fade quickly into even grey, equally in "
+             "all directions. Bright dots far from the centre are displacements at which points appear again: "
+             "tiles that repeat.",
          .image_class = "framed"});
 }
 
@@ -52,8 +54,9 @@ void add_folded_density_panel(const ReportSeries& series, std::vector<Panel>& pa
          .caption = fmt::format("The points of all tiles in one, in {0} × {0} bins: black none, mid-grey the mean "
                                 "density, white twice as many and more.",
                                 folded->size),
-         .guide = "Even grey up to noise is good: the place in a tile does not matter. Lines along the borders are "
-                  "seams; single light and dark bins are points that many tiles share.",
+         .guide =
+             "In a good set of tiles the grey is even but for noise: the density does not depend on the place in a "
+             "tile. Lines along the borders are seams; single light and dark bins are points that many tiles share.",
          .stored = {{"exr", series.run->folder / folded->file}},
          .image_class = "framed"});
 }

@@ -48,33 +48,36 @@ std::vector<Panel> region_curve_panels(const std::vector<RegionCurveRow>& rows, 
 {
     const PlaneRegionCurves curves{index, &rows, sets.intensity, !sets.has_density};
     const std::string expected =
-        sets.has_density ? "how many random points that follow the density" : "how many random points";
+        sets.has_density ? "the number that random points that follow the density" : "the number that random points";
     const std::string of_formula = curves.has_formula ? " Dashes: random points." : "";
     std::vector<Panel> panels;
     panels.push_back(curve_panel(sets, "region-pair-correlation", region_pair_correlation_plot(curves),
                                  "Pair correlation in the region", correction_words(sets),
-                                 "How many points there are at each distance from a point, over " + expected +
-                                     " would have there (dashed), by a kernel of 0.15 mean spacings to either side."));
+                                 "The number of points at each distance from a point, divided by " + expected +
+                                     " would have there (dashed), smoothed by a kernel of 0.15 mean spacings to either "
+                                     "side."));
     panels.push_back(curve_panel(
         sets, "region-l", region_l_plot(curves), "Ripley's L, less the distance",
         "Line: translation correction. Dashes: Ripley's isotropic one.",
-        "<i>L</i> is the root of <i>K</i>/π, <i>K</i> the mean number of further points no farther than that from a "
-        "point, over their density. Below 0 there are fewer than " +
+        "<i>L</i> is the square root of <i>K</i>/π, and <i>K</i> is the mean number of further points within that "
+        "distance "
+        "of a point, divided by their density. Below 0 there are fewer points than " +
             expected +
-            " would have: points keep apart. Above there are clusters. As it adds up, a minimum distance "
-            "stays visible at larger ones."));
+            " would have: points keep apart. Above 0 they cluster. The curve is cumulative, so that a minimum distance "
+            "still shows at larger distances."));
     panels.push_back(curve_panel(sets, "region-nearest", region_distance_plot(curves, RegionFunction::nearest),
                                  "Nearest neighbours, G", "Kaplan-Meier estimate." + of_formula,
-                                 "The share of points whose nearest neighbour is no farther than that. It is 0 up to "
-                                 "the minimum distance, and the steeper then, the more even the set."));
+                                 "The share of points whose nearest neighbour is within that distance. It is 0 up to "
+                                 "the minimum distance; the steeper it rises there, the more even is the set."));
     panels.push_back(curve_panel(sets, "region-empty-space", region_distance_plot(curves, RegionFunction::empty_space),
                                  "Empty space, F", "Kaplan-Meier estimate." + of_formula,
-                                 "The share of the region that has a point no farther than that. It reaches 1 at the "
-                                 "radius of the largest empty circle: the sooner, the fewer holes."));
+                                 "The share of the region that has a point within that distance. It reaches 1 at the "
+                                 "radius of the largest empty circle; the sooner it does, the smaller are the holes."));
     panels.push_back(
         curve_panel(sets, "region-j", region_j_plot(curves), "J",
                     "(1 − G) / (1 − F), up to where fewer than a thousandth of places are left.",
-                    "Above 1 (dashed) points keep apart, below it they cluster, at distances up to this."));
+                    "Where J is above 1 (dashed), points keep apart at distances up to this; where it is below 1, they "
+                    "cluster."));
     return panels;
 }
 
@@ -87,8 +90,9 @@ Panel region_points_panel(const ReportSeries& series)
             .caption = fmt::format("{} {} in {}, of area {}{}.", format_count(series.stored->points_of_first()),
                                    noun(series.stored->points_of_first(), "point"), region.name,
                                    format_significant(region.area, 4), first_of_several(series)),
-            .guide = "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
-                     "up in a picture as patterns that are not there.",
+            .guide =
+                "A good set looks even but not regular. Clumps and holes waste samples; rows and repetition appear in "
+                "sampled pictures as patterns that are not there.",
             .stored = {{"json", series.run->folder / region.picture_file}},
             .thumbnail = Thumbnail{"points", "Points"},
             .image_class = "framed"};

@@ -30,13 +30,13 @@ Panel points_panel(const ReportSeries& series, const PointSet& points)
                        ? fmt::format("All {} {}", format_count(view.total), noun(view.total, "point"))
                        : fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
     std::string guide =
-        "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
-        "up in a picture as patterns that are not there.";
+        "A good set looks even but not regular. Clumps and holes waste samples; rows and repetition appear in sampled "
+        "pictures as patterns that are not there.";
     if (points.dimension == 3) {
         caption += fmt::format(": a slab of the {}, z below {}, seen along z", series.stored->box ? "box" : "cube",
                                format_significant(view.depth, 2));
-        guide += " Of a cube, a slab is shown that is as thick as the smallest distance could be at most: points that "
-                 "lie over one another may touch.";
+        guide += " Of a cube a slab is shown, as thick as the largest possible minimum distance: points that lie above "
+                 "each other may touch.";
     }
     if (view.window < 1)
         caption += series.stored->box ? fmt::format(": {} of each side, at the lower left", side)
@@ -57,15 +57,17 @@ Panel cells_panel(const ReportSeries& series, const PointSet& points)
     if (view.window < 1)
         caption += fmt::format(" in the window of {0} × {0} at the lower left", format_significant(view.window, 2));
     caption += series.stored->measures.voronoi ? "; shares are of all cells of the set" : "; shares are of these cells";
-    return {.stem = "cells",
-            .picture = view,
-            .title = "Voronoi cells",
-            .caption = caption + first_of_several(series) + ".",
-            .guide =
-                "The cell of a point is what lies nearer to it than to any other. In a hexagonal lattice every cell "
-                "has 6 neighbours. Cells with 5 and 7 break rows up: a good set has many, mixed evenly and about as "
-                "many of either; long chains of them are borders between regions that lie in rows.",
-            .image_class = "framed"};
+    return {
+        .stem = "cells",
+        .picture = view,
+        .title = "Voronoi cells",
+        .caption = caption + first_of_several(series) + ".",
+        .guide =
+            "The Voronoi cell of a point consists of all places that are nearer to it than to any other point. In a "
+            "hexagonal lattice every cell has 6 neighbours. Cells with 5 and 7 neighbours break up rows: a good set "
+            "has many of them, evenly mixed and in about equal numbers. Long chains of them are boundaries between "
+            "parts in which points lie in rows.",
+        .image_class = "framed"};
 }
 
 }

@@ -59,12 +59,14 @@ std::string close_ups_caption(const Series& stored, int reach)
 std::string guide(bool in_space)
 {
     std::string text =
-        "Each place is a wave, slow in the middle and fast outside, and its grey is how strongly the points "
-        "answer to that wave. Good: a dark disk, one even ring, then even grey. Spikes are grids; rays are "
-        "preferred directions.";
+        "The grey at each frequency is the power of the set there; frequency 0 is in the centre. A good blue noise set "
+        "has a dark disk in the centre, an even ring around it, and even grey beyond. Spikes reveal a grid or a "
+        "period, "
+        "and rays reveal preferred directions.";
     if (in_space)
-        text += " In 3D these are slices through a dark ball and its even shell: the three planes through the middle, "
-                "named by their axes.";
+        text +=
+            " In 3D the pictures are the three planes through the centre, named by their axes: they cut a dark ball "
+            "and its shell.";
     return text;
 }
 

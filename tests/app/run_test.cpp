@@ -59,7 +59,7 @@ TEST_F(Run, SaysWhatWasLeftOutOfFiles)
 {
     folder_.write("flat.txt", "0.1 0.2 0\n0.3 0.7 0\n0.8 0.4 0\n");
     folder_.write("flat.toml", "[[method]]\nsampler = \"file\"\npath = \"flat.txt\"\n"
-                               "[[method]]\nsampler = \"file\"\npath = \"flat.t*\"\nlabel = \"Again\"\n");
+                               "[[method]]\nsampler = \"file\"\npath = \"flat.tx*\"\nlabel = \"Again\"\n");
     const Outcome outcome = run({"run", "flat.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const std::string sentence = "all points have the same third coordinate: they are taken as points of the plane";

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -54,24 +55,27 @@ std::multiset<int> dark_areas(const PngPixels& picture)
 class TextureDesignPage : public test::CommandTest
 {
 protected:
+    static void SetUpTestSuite() { browser_ = std::make_unique<test::Browser>(); }
+    static void TearDownTestSuite() { browser_.reset(); }
+
     TextureDesignPage() : CommandTest("texture") {}
 
     void open(const std::string& options)
     {
         printed("design " + options + " --out page.html");
         // What is drawn asks before it is left.
-        browser_.evaluate("typeof drawing === 'undefined' ? 0 : (drawing.clear(), 0)");
-        browser_.open(folder_.path() / "page.html");
-        EXPECT_THAT(browser_.messages(), IsEmpty());
-        EXPECT_THAT(browser_.requests(), IsEmpty());
+        browser_->evaluate("typeof drawing === 'undefined' ? 0 : (drawing.clear(), 0)");
+        browser_->open(folder_.path() / "page.html");
+        EXPECT_THAT(browser_->messages(), IsEmpty());
+        EXPECT_THAT(browser_->requests(), IsEmpty());
     }
 
     /// A mark on a tile of the page, in its pixels.
     void add(int tile, double x, double y, double radius, const std::string& shape = "disk")
     {
-        browser_.evaluate(fmt::format("drawing.beginStroke(), show(drawing.add({{tile: {}, x: {}, y: {}, radius: {}, "
-                                      "shape: '{}', color: [0, 0, 0], turn: 0.4}})), 0",
-                                      tile, x, y, radius, shape));
+        browser_->evaluate(fmt::format("drawing.beginStroke(), show(drawing.add({{tile: {}, x: {}, y: {}, radius: {}, "
+                                       "shape: '{}', color: [0, 0, 0], turn: 0.4}})), 0",
+                                       tile, x, y, radius, shape));
     }
 
     /// Saves the set, and unpacks it into the folder "drawn".
@@ -79,8 +83,8 @@ protected:
     {
         const std::string text =
             browser_
-                .evaluate("textureSet().then((bytes) => { let text = ''; for (const byte of bytes) "
-                          "text += String.fromCharCode(byte); return btoa(text); })")
+                ->evaluate("textureSet().then((bytes) => { let text = ''; for (const byte of bytes) "
+                           "text += String.fromCharCode(byte); return btoa(text); })")
                 .get<std::string>();
         folder_.write("drawn.zip", test::from_base64(text));
         const Outcome unpacked = run_in_shell(folder_.path(), "rm -rf drawn; python3 -m zipfile -e drawn.zip .");
@@ -93,7 +97,7 @@ protected:
         return read_png(folder_.path() / "plain.png");
     }
 
-    test::Browser browser_;
+    inline static std::unique_ptr<test::Browser> browser_;
 };
 
 /// Marks of all shapes and sizes anywhere on all tiles.
@@ -103,15 +107,15 @@ TEST_F(TextureDesignPage, SavesSetsThatFit)
          {"corner --size 32", "corner --colors 3 --size 32", "wang --size 64", "wang --colors 3 --size 32"}) {
         SCOPED_TRACE(options);
         open(options);
-        browser_.evaluate("let state = 5; const next = () => (state = mix(state + 1)) / 4294967296;"
-                          "for (let i = 0; i < 400; ++i) drawing.add({tile: Math.floor(next() * tileSet.tiles.length),"
-                          "x: next() * tileSet.size, y: next() * tileSet.size,"
-                          "radius: 0.5 + next() * (drawing.mostRadius - 0.5),"
-                          "shape: Object.keys(shapes)[Math.floor(4 * next())], turn: 6 * next(),"
-                          "color: [255 * next(), 255 * next(), 255 * next()]}); 0");
+        browser_->evaluate("let state = 5; const next = () => (state = mix(state + 1)) / 4294967296;"
+                           "for (let i = 0; i < 400; ++i) drawing.add({tile: Math.floor(next() * tileSet.tiles.length),"
+                           "x: next() * tileSet.size, y: next() * tileSet.size,"
+                           "radius: 0.5 + next() * (drawing.mostRadius - 0.5),"
+                           "shape: Object.keys(shapes)[Math.floor(4 * next())], turn: 6 * next(),"
+                           "color: [255 * next(), 255 * next(), 255 * next()]}); 0");
         save();
         const auto json = nlohmann::json::parse(printed("verify drawn --json"));
-        EXPECT_EQ(json["tiles"], browser_.evaluate("tileSet.tiles.length"));
+        EXPECT_EQ(json["tiles"], browser_->evaluate("tileSet.tiles.length"));
         EXPECT_GT(json["joints"].get<int>(), 0);
     }
 }
@@ -125,7 +129,7 @@ TEST_F(TextureDesignPage, DrawsWholeMarksAcrossBorders)
         for (const auto& [x, y] : {std::pair(32.25, 31.5), std::pair(0.5, 30.25), std::pair(31.0, 63.5),
                                    std::pair(61.75, 20.5), std::pair(3.5, 61.25), std::pair(63.25, 63.75)}) {
             SCOPED_TRACE(fmt::format("{}: {}, {}", kind, x, y));
-            browser_.evaluate("drawing.clear()");
+            browser_->evaluate("drawing.clear()");
             add(5, x, y, 9);
             save();
             const std::multiset<int> areas = dark_areas(tiling());
@@ -142,9 +146,9 @@ TEST_F(TextureDesignPage, ShowsTheTilingThatCommandsLay)
         open(kind + " --colors 3 --size 32");
         for (int tile = 0; tile < 81; ++tile) add(tile, 10 + tile % 9, 8 + tile / 9, 2 + tile % 5, "leaf");
         save();
-        browser_.evaluate("byId('seed').value = 7; showNow(); 0");
+        browser_->evaluate("byId('seed').value = 7; showNow(); 0");
         const PngPixels laid = tiling();
-        const auto shown = browser_.evaluate(
+        const auto shown = browser_->evaluate(
             "(() => { const rows = plane.rows; return Array.from(plane.canvas.getContext('2d').getImageData(0, "
             "(rows - 9) * 32, 12 * 32, 9 * 32).data).filter((b, i) => i % 4 < 3); })()");
         EXPECT_EQ(shown.get<std::vector<int>>(), (std::vector<int>(laid.values.begin(), laid.values.end())));
@@ -154,21 +158,21 @@ TEST_F(TextureDesignPage, ShowsTheTilingThatCommandsLay)
 TEST_F(TextureDesignPage, IsDrawnOnWithMouseAndFingers)
 {
     open("corner");
-    const auto strokes = [&] { return browser_.evaluate("drawing.strokes.length").get<int>(); };
-    const auto marks = [&] { return browser_.evaluate("drawing.marks.length").get<int>(); };
-    browser_.drag("#tiles", 0.1, 0.3, 0.1, 0.25);
+    const auto strokes = [&] { return browser_->evaluate("drawing.strokes.length").get<int>(); };
+    const auto marks = [&] { return browser_->evaluate("drawing.marks.length").get<int>(); };
+    browser_->drag("#tiles", 0.1, 0.3, 0.1, 0.25);
     EXPECT_EQ(strokes(), 1);
     EXPECT_GT(marks(), 5);
     const int before = marks();
-    browser_.pinch("#plane", {0.3, 0.7}, {0.4, 0.8});
+    browser_->pinch("#plane", {0.3, 0.7}, {0.4, 0.8});
     EXPECT_EQ(strokes(), 2) << "the second finger draws nothing";
     EXPECT_GT(marks(), before);
-    browser_.click("#undo");
+    browser_->click("#undo");
     EXPECT_EQ(marks(), before);
-    browser_.click("#undo");
+    browser_->click("#undo");
     EXPECT_EQ(marks(), 0);
-    EXPECT_TRUE(browser_.evaluate("byId('undo').disabled").get<bool>());
-    EXPECT_THAT(browser_.messages(), IsEmpty());
+    EXPECT_TRUE(browser_->evaluate("byId('undo').disabled").get<bool>());
+    EXPECT_THAT(browser_->messages(), IsEmpty());
 }
 
 TEST_F(TextureDesignPage, GoesOnFromSavedDrawings)
@@ -177,24 +181,24 @@ TEST_F(TextureDesignPage, GoesOnFromSavedDrawings)
     add(3, 1, 12, 5);
     add(9, 16, 16, 4, "square");
     const std::string pixels = "Array.from(drawing.pictures().atlas)";
-    const auto drawn = browser_.evaluate(pixels);
-    const std::string text = browser_.evaluate("drawingText()").get<std::string>();
+    const auto drawn = browser_->evaluate(pixels);
+    const std::string text = browser_->evaluate("drawingText()").get<std::string>();
     open("wang --size 32");
     const auto opened = [&](const std::string& saved) {
         return browser_
-            .evaluate("(() => { try { openDrawing(" + nlohmann::json(saved).dump() +
-                      "); return ''; } catch (problem) { return problem.message; } })()")
+            ->evaluate("(() => { try { openDrawing(" + nlohmann::json(saved).dump() +
+                       "); return ''; } catch (problem) { return problem.message; } })()")
             .get<std::string>();
     };
     EXPECT_EQ(opened(text), "");
-    EXPECT_EQ(browser_.evaluate(pixels), drawn);
+    EXPECT_EQ(browser_->evaluate(pixels), drawn);
     for (const char* other : {"", "{}", "[", "null"}) EXPECT_EQ(opened(other), "the file is no drawing of this page");
     auto json = nlohmann::json::parse(text);
     json["marks"][0]["radius"] = 1e9;
     EXPECT_EQ(opened(json.dump()), "the drawing is damaged");
     json["colors"] = 3;
     EXPECT_EQ(opened(json.dump()), "the drawing has colors 3, and this page has 2");
-    EXPECT_EQ(browser_.evaluate(pixels), drawn) << "what cannot be opened changes nothing";
+    EXPECT_EQ(browser_->evaluate(pixels), drawn) << "what cannot be opened changes nothing";
 }
 
 TEST_F(TextureDesignPage, Mistakes)

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
 namespace poissonlab {
@@ -28,6 +29,9 @@ struct Differences
 class TexturePlanePage : public test::CommandTest
 {
 protected:
+    static void SetUpTestSuite() { browser_ = std::make_unique<test::Browser>(); }
+    static void TearDownTestSuite() { browser_.reset(); }
+
     TexturePlanePage() : CommandTest("texture")
     {
         PngPixels noise{120, 110, 3, {}};
@@ -45,11 +49,11 @@ protected:
     }
 
     /// Counts how the page differs from a picture of texture map, with the same camera and filter.
-    static Differences differences(test::Browser& browser, const PngPixels& map, const std::string& view)
+    static Differences differences(const PngPixels& map, const std::string& view)
     {
         const std::string script =
             "Array.from(pixelsOf({seed: 9, width: 48, height: 32, " + view + "})).filter((b, i) => i % 4 < 3)";
-        const auto shown = browser.evaluate(script).get<std::vector<int>>();
+        const auto shown = browser_->evaluate(script).get<std::vector<int>>();
         Differences found{0, 0, map.values.size()};
         EXPECT_EQ(shown.size(), map.values.size());
         for (std::size_t i = 0; i < std::min(shown.size(), map.values.size()); ++i) {
@@ -59,20 +63,21 @@ protected:
         }
         return found;
     }
+
+    inline static std::unique_ptr<test::Browser> browser_;
 };
 
 TEST_F(TexturePlanePage, ShowsWhatMapsShow)
 {
-    test::Browser browser;
     for (const std::string& set : {std::string("corner"), std::string("wang")}) {
         SCOPED_TRACE(set);
         printed("build " + set + " --colors 3 --exemplar noise.png --size 16 --attempts 3 --quiet --out " + set);
         printed("export " + set + " --formats page --quiet --out " + set + "-engine");
-        browser.open(folder_.path() / (set + "-engine/plane.html"));
-        if (!browser.evaluate("document.createElement('canvas').getContext('webgl2') !== null").get<bool>())
+        browser_->open(folder_.path() / (set + "-engine/plane.html"));
+        if (!browser_->evaluate("document.createElement('canvas').getContext('webgl2') !== null").get<bool>())
             GTEST_SKIP() << "no WebGL2";
-        EXPECT_THAT(browser.messages(), IsEmpty());
-        EXPECT_THAT(browser.requests(), IsEmpty());
+        EXPECT_THAT(browser_->messages(), IsEmpty());
+        EXPECT_THAT(browser_->requests(), IsEmpty());
         // Floats of 24 bits place a sample to 2^-20 of a tile, a hundred-thousandth of noise's steps between texels;
         // then bytes are rounded. Of the second view, a pixel covers up to 16 texels, a tile: levels 0 to 4 are seen.
         const PngPixels near_by = mapped(set, "--filter bilinear --tile -7 4000000000 --above 1.5 --pitch 90 --yaw 20"),
@@ -80,12 +85,11 @@ TEST_F(TexturePlanePage, ShowsWhatMapsShow)
         const std::string above = "above: 1.5, pitch: 90, yaw: 20, hasLevels: false";
         for (const std::string look : {"exact", "layered"}) {
             const std::string with_look = ", look: '" + look + "'";
-            EXPECT_LE(differences(browser, near_by, "tile: [-7, 4000000000], " + above + with_look).largest, 1) << look;
-            EXPECT_LE(differences(browser, levels, "tile: [5, 6], above: 4, pitch: 50, yaw: -70" + with_look).largest,
-                      1)
+            EXPECT_LE(differences(near_by, "tile: [-7, 4000000000], " + above + with_look).largest, 1) << look;
+            EXPECT_LE(differences(levels, "tile: [5, 6], above: 4, pitch: 50, yaw: -70" + with_look).largest, 1)
                 << look;
         }
-        EXPECT_GT(differences(browser, near_by, "tile: [77, 40], " + above + ", look: 'exact'").beyond_rounding, 1000)
+        EXPECT_GT(differences(near_by, "tile: [77, 40], " + above + ", look: 'exact'").beyond_rounding, 1000)
             << "other tiles are other pixels";
     }
 }
@@ -96,20 +100,18 @@ TEST_F(TexturePlanePage, ShowsThePackedAtlasAsHardwareReadsIt)
 {
     printed("build corner --colors 2 --exemplar noise.png --size 32 --ring 2 --attempts 3 --quiet --out set");
     printed("export set --formats page --quiet --out engine");
-    test::Browser browser;
-    browser.open(folder_.path() / "engine/plane.html");
-    if (!browser.evaluate("document.createElement('canvas').getContext('webgl2') !== null").get<bool>())
+    browser_->open(folder_.path() / "engine/plane.html");
+    if (!browser_->evaluate("document.createElement('canvas').getContext('webgl2') !== null").get<bool>())
         GTEST_SKIP() << "no WebGL2";
-    const Differences magnified =
-        differences(browser, mapped("set", "--filter bilinear --tile 3 -2 --above 0.4 --pitch 90"),
-                    "tile: [3, -2], above: 0.4, pitch: 90, look: 'packed'");
+    const Differences magnified = differences(mapped("set", "--filter bilinear --tile 3 -2 --above 0.4 --pitch 90"),
+                                              "tile: [3, -2], above: 0.4, pitch: 90, look: 'packed'");
     EXPECT_LE(magnified.largest, 26);
     EXPECT_LE(magnified.beyond_rounding, magnified.all / 4);
-    browser.click("#fly");
-    EXPECT_THAT(browser.evaluate("byId('command').textContent").get<std::string>(),
+    browser_->click("#fly");
+    EXPECT_THAT(browser_->evaluate("byId('command').textContent").get<std::string>(),
                 HasSubstr("poissonlab texture map set --tile 0 0 --above 2 --pitch 15 --yaw 0 --field 60 --seed 1"));
-    browser.evaluate("new Promise(done => setTimeout(done, 300))");
-    EXPECT_NE(browser.evaluate("state.start[1]"), 0.5) << "it flies north";
+    browser_->evaluate("new Promise(done => setTimeout(done, 300))");
+    EXPECT_NE(browser_->evaluate("state.start[1]"), 0.5) << "it flies north";
 }
 
 }

@@ -1,11 +1,14 @@
-"""Turns the output of `./lab bench` into the page docs/performance.md: performance_page.py OUTPUT MESSAGES > PAGE
+"""Turns the output of `./lab bench` into the page docs/performance.md: performance_page.py OUTPUT MESSAGES FORMER > PAGE
 
-OUTPUT is what the benchmarks print; MESSAGES is what they say beside it, where the machine and the date are.
+OUTPUT is what the benchmarks print; MESSAGES is what they say beside it, where the machine and the date are. FORMER is the
+page as it was, whose sections about devices stay.
 """
 
 import re
 import sys
 from pathlib import Path
+
+from device_section import device_sections
 
 HEAD = """# Performance
 
@@ -15,6 +18,9 @@ target are marked.
 
 Kernels are held against what a program does without them: a plain sequential loop, the laboratory's own reference, CGAL, voro++,
 FFTW. A ratio of 5 means that the other takes five times as long.
+
+`./lab bench --device NAME --short` tests another device and adds a section about it at the end, in eight minutes at most: what
+plain kernels come to there, and methods beside that.
 """
 
 # A heading, and the words by which its ratios are known; the first that fits has a ratio.
@@ -96,6 +102,8 @@ def main():
         if ratios:
             print(f"\n## {heading}\n\n| | | target |\n| --- | --- | --- |")
             print("\n".join(ratio_row(*ratio) for ratio in ratios))
+    for section in device_sections(Path(sys.argv[3]).read_text(encoding="utf-8")).values():
+        print("\n" + section, end="")
 
 
 main()

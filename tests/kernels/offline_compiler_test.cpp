@@ -2,6 +2,7 @@
 // have not got: as SPIR, as PTX of NVIDIA and as code of AMD. PoCL depends on the same compiler. All extensions of
 // OpenCL are off but those that the file's needs name: kernels need nothing that the table does not say.
 #include "host/device/kernel_program.hpp"
+#include "tests/kernels/kernel_programs.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
 
@@ -30,24 +31,6 @@ std::string errors_of(const std::string& file, const std::string& options, const
     return outcome.status == 0 ? "" : options + "\n" + outcome.error;
 }
 
-/// All programs of a file: every combination of its constants' values.
-std::vector<KernelProgram> programs_of(const KernelFile& file)
-{
-    std::vector<std::vector<KernelValue>> all{{}};
-    for (const KernelConstant& constant : file.constants) {
-        std::vector<std::vector<KernelValue>> longer;
-        for (const auto& values : all)
-            for (const std::string& value : constant.values) {
-                longer.push_back(values);
-                longer.back().emplace_back(constant.name, value);
-            }
-        all = longer;
-    }
-    std::vector<KernelProgram> programs;
-    for (const auto& values : all) programs.push_back(kernel_program(file.name, values));
-    return programs;
-}
-
 class OfflineCompiler : public testing::TestWithParam<const char*>
 {
 };
@@ -74,6 +57,28 @@ TEST_P(OfflineCompiler, FindsThatDoublePrecisionIsNeeded)
         EXPECT_THAT(errors_of("kernels/" + file.name, programs_of(file).front().options, GetParam(), {}),
                     HasSubstr("'double' requires cl_khr_fp64"))
             << file.name;
+    }
+}
+
+/// Mesa's drivers of graphics cards begin with SPIR-V as this translator makes it (Debian: llvm-spirv-15), and the
+/// rules of SPIR-V are not ours. Its only device that is tested, llvmpipe, has no doubles: this is as far as such files
+/// go without a card.
+TEST(SpirV, IsValidForEveryFile)
+{
+    if (run_in_shell(".", "command -v llvm-spirv-15 spirv-val").status != 0)
+        GTEST_SKIP() << "llvm-spirv-15 or spirv-tools is not installed";
+    const TemporaryFolder folder;
+    const std::string code = quoted((folder.path() / "kernels.bc").string());
+    const std::string words = quoted((folder.path() / "kernels.spv").string());
+    for (const KernelFile& file : kernel_files()) {
+        const KernelProgram program = programs_of(file).front();
+        const Outcome outcome = run_in_shell(
+            source_folder(), "clang-15 -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang "
+                             "-disable-llvm-passes -emit-llvm -c -w -I . -target spir64-unknown-unknown -o " +
+                                 code + " " + program.options + " kernels/" + program.file +
+                                 " && llvm-spirv-15 --spirv-max-version=1.1 " + code + " -o " + words +
+                                 " && spirv-val --target-env spv1.1 " + words);
+        EXPECT_EQ(outcome.status, 0) << program.file << ": " << outcome.out << outcome.error;
     }
 }
 

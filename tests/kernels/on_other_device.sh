@@ -17,7 +17,7 @@ case $1 in
     drivers=$(mktemp -d)
     trap 'rm -rf "$drivers"' EXIT
     echo "$library" >"$drivers/rusticl.icd"
-    export OCL_ICD_VENDORS=$drivers RUSTICL_ENABLE=llvmpipe
+    export OCL_ICD_VENDORS=$drivers RUSTICL_ENABLE=llvmpipe POISSONLAB_SHORT_LOOPS=1
     ;;
 esac
 "$2" --gtest_filter="$3" --gtest_brief=1

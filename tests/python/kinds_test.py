@@ -248,6 +248,7 @@ class OtherKinds(unittest.TestCase):
 
     def test_schemes_and_constructions_are_drawn(self):
         self.assertTrue(poissonlab.tilings.isohedral(type=16, random=True, rng=5).pictures)
+        self.assertTrue(poissonlab.tilings.substitution(tiling="chair", depth=2).pictures)
         self.assertTrue(poissonlab.tilings.set(show="lloyd", points=9).pictures)
         with self.assertRaisesRegex(poissonlab.InputError, r"type = 94: must be an integer from 1 to 93"):
             poissonlab.tilings.isohedral(type=94)

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,17 @@ RunningMethods methods_on(const DeviceInfo& device)
     return methods;
 }
 
+/// The commands with kernels that no method has, and that do not run on a device.
+std::vector<std::string> commands_that_fail_on(const DeviceInfo& device)
+{
+    std::set<std::string> of_methods, commands;
+    for (const SamplerSpec& sampler : sampler_registry())
+        of_methods.insert(sampler.kernels.begin(), sampler.kernels.end());
+    for (const KernelFile& file : kernel_files())
+        if (!of_methods.contains(file.name) && !can_run(file.needs, device)) commands.insert(file.work);
+    return {commands.begin(), commands.end()};
+}
+
 /// Which of the methods with kernels run there, and why not all.
 void print_methods(const DeviceInfo& device)
 {
@@ -51,8 +63,9 @@ void print_methods(const DeviceInfo& device)
         return;
     }
     print_line("lacks", {lacking(all_kernel_needs(), device)});
-    print_line("methods", {methods.run.empty() ? "none" : fmt::format("{}", fmt::join(methods.run, ", "))});
-    print_line("not", {fmt::format("{}", fmt::join(methods.fail, ", "))});
+    print_line("methods", methods.run.empty() ? std::vector<std::string>{"none"} : methods.run);
+    print_line("not", methods.fail);
+    print_line("nor", commands_that_fail_on(device));
 }
 
 void print_device(std::size_t number, const DeviceInfo& device)
@@ -91,7 +104,7 @@ nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
 void print_devices(bool as_json)
 {
     const std::vector<DeviceInfo> devices = list_devices();
-    choose_device(devices, ""); // says what to do where there is none
+    if (devices.empty()) choose_device(devices, ""); // says what to do
     nlohmann::ordered_json json{{"devices", nlohmann::ordered_json::array()}};
     for (std::size_t i = 0; i < devices.size(); ++i)
         if (as_json)

@@ -1,10 +1,14 @@
 #include "analysis/regions/framed_region.hpp"
+#include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "host/distribution/region_samplers/region_method_samplers.hpp"
+#include "host/distribution/regions/region_cells.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -17,8 +21,10 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const FixedRegion& region = request_.region->fixed();
+        const double distance = max_min_distance(request_.points, 2) * std::sqrt(region.area());
         RegionCandidates candidates(region,
-                                    stream_key(request_.seed, Purpose::random_points, realization, region_attempt));
+                                    stream_key(request_.seed, Purpose::random_points, realization, region_attempt),
+                                    candidate_area(distance / (region.unit() * 0x1p32), 2));
         const std::vector<TorusPoint<2>> places = candidates.next(request_.points);
         if (places.size() < request_.points)
             throw InputError(fmt::format("random: the region {} has no room for {} points: darts into its box do not "

@@ -6,9 +6,9 @@
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/region_cells.hpp"
 #include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/regions/varied_points.hpp"
-#include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/regions/boundary_points.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
 
@@ -138,28 +138,15 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
     const double side = FixedRegion::torus_side(kept.box);
     const double distance =
         std::min(request.min_distance + distance_rounding(request.min_distance, kept.box), side / 2);
-    if (level_0_cells(distance / side, 2) > max_level_0_cells)
-        throw InputError(
-            fmt::format("a minimum distance of {:.3g} needs a finer grid than memory has room for; at least "
-                        "{:.3g} in a region of this extent",
-                        request.min_distance, std::sqrt(2.0 / max_level_0_cells) * 1.001 * side));
     request.darts.min_distance = distance / side;
     request.darts.points = settings.points;
-    request.darts.block = block_of_regions(request.darts.min_distance, 2);
     request.darts.stream = stream_key(seed, Purpose::dart_throwing, realization, region_attempt);
     request.region = std::make_shared<const FixedRegion>(
         plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0, kept);
     request.darts.region = request.region;
+    choose_cells(request.darts, side);
     request.kept = std::move(kept);
     return request;
-}
-
-std::optional<DartBlock> block_of_regions(double min_distance, int dimension)
-{
-    const CellHierarchy cells = cell_hierarchy(min_distance, dimension);
-    const std::uint32_t size = cells.cell_of((1u << FixedRegion::coordinate_bits) - 1) + 1;
-    if (size + static_cast<std::uint32_t>(cells.reach) > cells.size) return {};
-    return DartBlock{{}, size};
 }
 
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,

@@ -64,10 +64,6 @@ struct RegionDarts
 RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
                                       std::shared_ptr<const RegionLand> land, std::uint32_t realization = 0);
 
-/// The cells of level 0 in which regions lie, a quarter of the torus or an eighth, where these are fewer than all:
-/// darts fall into no others.
-std::optional<DartBlock> block_of_regions(double min_distance, int dimension);
-
 /// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,

@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/region_cells.hpp"
 #include "host/distribution/regions/region_elimination.hpp"
 #include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/regions/varied_points.hpp"
@@ -94,6 +95,7 @@ public:
     {
         std::size_t points = wanted();
         if (settings_.method == RegionMethod::gaussian) points = std::max(points, least_points_of_region_gaussian());
+        check_gaussian();
         switch (settings_.method) {
         case RegionMethod::darts:
             return DartThrower::memory(points_.request.darts, device);
@@ -102,7 +104,7 @@ public:
         case RegionMethod::elimination:
             return SampleElimination::memory(2, points * settings_.candidates, points, own_area(), true);
         case RegionMethod::lloyd:
-            return RegionLloyd::memory(SiteGrid(region_, points));
+            return RegionLloyd::memory(SiteGrid(region_, points, is_in_squares()));
         case RegionMethod::gaussian:
             return either(relaxation_memory(), gaussian_memory(RegionGaussian(region_, points), points));
         default:
@@ -125,13 +127,22 @@ private:
         return std::move(points_);
     }
 
-    /// Random points, all of which are allowed, and the part of the box around the region that is.
-    std::vector<TorusPoint<2>> candidates(std::size_t count, Purpose purpose, double& share) const
+    CandidateArea area() const { return candidate_area(points_.request.darts.min_distance, 2); }
+    bool is_in_squares() const { return area() == CandidateArea::squares; }
+
+    /// The parts of the box around the region, and of darts, that are allowed.
+    struct Shares
     {
-        RegionCandidates candidates(region_, stream(purpose));
+        double of_box = 0, of_darts = 0;
+    };
+
+    /// Random points, all of which are allowed, and what part that is.
+    std::vector<TorusPoint<2>> candidates(std::size_t count, Purpose purpose, Shares& share) const
+    {
+        RegionCandidates candidates(region_, stream(purpose), area());
         std::vector<TorusPoint<2>> places = candidates.next(count);
         if (places.size() < count) fail_without_room(points_.request, settings_.place);
-        share = candidates.share();
+        share = {candidates.share(), candidates.share_of_darts()};
         return places;
     }
 
@@ -142,19 +153,21 @@ private:
         return (box.high[0] - box.low[0] + 1.0) * (box.high[1] - box.low[1] + 1.0) * 0x1p-64;
     }
 
-    /// Returns what relaxation dart throwing is asked for where a part `share` of the region's box lies inside.
-    RelaxationDartThrowingRequest relaxation_request(double share) const
+    RelaxationDartThrowingRequest relaxation_request(const Shares& share) const
     {
         RelaxationDartThrowingRequest request;
         request.points = wanted();
         request.factor = settings_.factor;
         request.initial_radius =
-            std::min(0.25, max_min_distance(request.points, 2) * std::sqrt(box_area() * share) / 2);
+            std::min(0.25, max_min_distance(request.points, 2) * std::sqrt(box_area() * share.of_box) / 2);
         // Darts outside the region fail as well.
-        const double attempts = settings_.attempts.value_or(usual_attempts) / share;
+        const double attempts = settings_.attempts.value_or(usual_attempts) / share.of_darts;
         request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.region = points_.request.region;
+        if (is_in_squares())
+            request.squares =
+                std::make_shared<const RegionSquares<FixedRegion>>(squares_of(region_, most_region_squares));
         return request;
     }
 
@@ -163,12 +176,13 @@ private:
 
     DeviceMemory relaxation_memory() const
     {
-        return RelaxationDartThrower::memory(relaxation_request(std::min(1.0, own_area() / box_area())));
+        const double share = std::min(1.0, own_area() / box_area());
+        return RelaxationDartThrower::memory(relaxation_request({share, share}));
     }
 
     PointSet relaxed_darts()
     {
-        double share = 0;
+        Shares share;
         candidates(least_candidates, Purpose::random_points, share);
         const RelaxationDartThrowingRequest request = relaxation_request(share);
         check_memory("relaxation dart throwing", RelaxationDartThrower::memory(request));
@@ -181,11 +195,11 @@ private:
 
     PointSet eliminated()
     {
-        double share = 0;
+        Shares share;
         const std::vector<TorusPoint<2>> places =
             candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
         return eliminate_in_region(region_, to_point_set<2>(std::span<const TorusPoint<2>>(places)), wanted(),
-                                   box_area() * share, place_);
+                                   box_area() * share.of_box, place_);
     }
 
     /// Throws InputError where the work is the device's, which has no memory for it.
@@ -196,10 +210,10 @@ private:
 
     PointSet relaxed()
     {
-        double share = 0;
+        Shares share;
         const std::vector<TorusPoint<2>> start = candidates(wanted(), Purpose::random_points, share);
         if (is_reference()) return relaxed_from(start, reference::integrate_cells);
-        check_memory("Lloyd relaxation", RegionLloyd::memory(SiteGrid(region_, start.size())));
+        check_memory("Lloyd relaxation", RegionLloyd::memory(SiteGrid(region_, start.size(), is_in_squares())));
         RegionLloyd lloyd(place_.device());
         return relaxed_from(start, [&](const SiteGrid& grid) { return lloyd.integrate_cells(grid); });
     }
@@ -207,8 +221,8 @@ private:
     PointSet relaxed_from(const std::vector<TorusPoint<2>>& start, const CellIntegrals& integrals) const
     {
         const FixedRegion land(land_for_cells(points_.request), 0, {{}, {}, 0, 0, points_.request.kept.box});
-        const std::vector<TorusPoint<2>> sites =
-            relax_in_region(region_, land, start, settings_.iterations.value_or(usual_lloyd_steps), integrals);
+        const std::vector<TorusPoint<2>> sites = relax_in_region(
+            region_, land, start, settings_.iterations.value_or(usual_lloyd_steps), integrals, is_in_squares());
         return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
     }
 
@@ -218,9 +232,20 @@ private:
                                          points);
     }
 
+    /// The field of Gaussians is known by cells of a square around the region, which would be much wider than it.
+    void check_gaussian() const
+    {
+        if (settings_.method != RegionMethod::gaussian || !is_in_squares()) return;
+        throw InputError(
+            "Gaussian blue noise knows a region by 2,048 cells along its longest side, which are too few for "
+            "one that is some 5,780 minimum distances long: make the points of its parts one by one, or by "
+            "Lloyd's method");
+    }
+
     /// Makes Gaussian blue noise from darts, which are even at long distances already.
     PointSet gaussian()
     {
+        check_gaussian();
         const PointSet darts = relaxed_darts();
         points_.sure_distance = 0;
         std::vector<TorusPoint<2>> start;
@@ -243,7 +268,8 @@ private:
         points_.sure_distance = points_.request.min_distance;
         return throw_bridson_darts(region_, {.min_distance = points_.request.darts.min_distance,
                                              .attempts = settings_.attempts.value_or(usual_bridson_attempts),
-                                             .stream = stream(Purpose::bridson)});
+                                             .stream = stream(Purpose::bridson),
+                                             .area = area()});
     }
 
     static constexpr std::size_t least_candidates = 10'000; ///< that tell a share

@@ -4,8 +4,8 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/region_cells.hpp"
 #include "host/distribution/regions/region_elimination.hpp"
-#include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 #include "host/sampling/regions/region_bridson.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
@@ -83,7 +83,8 @@ private:
             made.sure_distance = request_.min_distance;
             return throw_bridson_darts(space_, {.min_distance = request_.darts.min_distance,
                                                 .attempts = settings_.attempts.value_or(usual_darts_around),
-                                                .stream = stream(Purpose::bridson)});
+                                                .stream = stream(Purpose::bridson),
+                                                .area = area()});
         default:
             made.sure_distance = request_.min_distance;
             made.is_saturated = !settings_.place.points;
@@ -99,24 +100,36 @@ private:
         return DartThrower(device).throw_darts(request_.darts);
     }
 
-    /// Random points, all of which are allowed, and the part of the box around the region that is.
-    std::vector<TorusPoint<3>> candidates(std::size_t count, Purpose purpose, double& share) const
+    CandidateArea area() const
     {
-        RegionCandidates found(space_, stream(purpose), least_share_of_box);
+        if (space_.volume() / std::pow(space_.unit() * 0x1p32, 3) < least_share_of_box * box_volume())
+            return CandidateArea::squares;
+        return candidate_area(request_.darts.min_distance, 3);
+    }
+
+    /// The parts of the box around the region, and of darts, that are allowed.
+    struct Shares
+    {
+        double of_box = 0, of_darts = 0;
+    };
+
+    /// Random points, all of which are allowed, and what part that is.
+    std::vector<TorusPoint<3>> candidates(std::size_t count, Purpose purpose, Shares& share) const
+    {
+        RegionCandidates found(space_, stream(purpose), area(), least_share_of_box);
         std::vector<TorusPoint<3>> places = found.next(count);
-        share = found.share();
+        share = {found.share(), found.share_of_darts()};
         if (places.empty()) fail_without_space(request_, settings_.place);
         if (places.size() < count)
             throw InputError(fmt::format(
-                "the region fills less than {:g} of the least box around it, so that most darts would miss: "
-                "make points in its parts one by one, each in a box of its own",
+                "so little of the region is left by its boundary that fewer than {:g} of the darts would hit it",
                 least_share_of_box));
         return places;
     }
 
     void check_share() const
     {
-        double share = 0;
+        Shares share;
         candidates(candidates_for_check, Purpose::random_points, share);
     }
 
@@ -131,19 +144,21 @@ private:
 
     PointSet relaxed_darts(RegionDarts& made)
     {
-        double share = 0;
+        Shares share;
         candidates(least_space_candidates, Purpose::random_points, share);
         RelaxationDartThrowingRequest request;
         request.dimension = 3;
         request.points = wanted();
         request.factor = settings_.factor;
         request.initial_radius =
-            std::min(0.25, max_min_distance(request.points, 3) * std::cbrt(box_volume() * share) / 2);
+            std::min(0.25, max_min_distance(request.points, 3) * std::cbrt(box_volume() * share.of_box) / 2);
         // Darts outside the region fail as well.
-        const double attempts = settings_.attempts.value_or(usual_failures) / share;
+        const double attempts = settings_.attempts.value_or(usual_failures) / share.of_darts;
         request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.space = request_.space;
+        if (area() == CandidateArea::squares)
+            request.cubes = std::make_shared<const RegionSquares<FixedSpace>>(squares_of(space_, most_region_squares));
         RelaxationDarts darts;
         if (is_reference()) {
             darts = reference::throw_relaxation_darts(request);
@@ -158,11 +173,11 @@ private:
 
     PointSet eliminated() const
     {
-        double share = 0;
+        Shares share;
         const std::vector<TorusPoint<3>> places =
             candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
         return eliminate_in_region(space_, to_point_set<3>(std::span<const TorusPoint<3>>(places)), wanted(),
-                                   box_volume() * share, place_);
+                                   box_volume() * share.of_box, place_);
     }
 
     void check_count(std::size_t points) const
@@ -207,18 +222,12 @@ SpaceDartRequest space_distance_request(const DartSettings& settings, std::uint6
     const double side = FixedSpace::torus_side(whole.box());
     const double distance =
         std::min(request.min_distance + distance_rounding(request.min_distance, whole.box()), side / 2);
-    // An eighth of the cells is looked at.
-    if (level_0_cells(distance / side, 3) > 8 * max_level_0_cells)
-        throw InputError(
-            fmt::format("a minimum distance of {:.3g} needs a finer grid than memory has room for; at least "
-                        "{:.3g} in a region of this extent",
-                        request.min_distance, std::sqrt(3.0) / std::cbrt(8 * max_level_0_cells) * 1.01 * side));
     request.darts.dimension = 3;
     request.darts.min_distance = distance / side;
     request.darts.points = settings.points;
     request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, space_attempt);
-    request.darts.block = block_of_regions(request.darts.min_distance, 3);
     request.darts.space = request.space;
+    choose_cells(request.darts, side);
     return request;
 }
 
@@ -239,15 +248,15 @@ RegionDarts make_space_points(const RegionPointSettings& settings, std::uint64_t
 
 NearestDistances nearest_in_space(const FixedSpace& space, const PointSet& points)
 {
-    // Regions have an eighth of the torus at most: four points a cell.
-    TorusGrid grid(2 * points.size(), 3);
+    const auto count = static_cast<double>(points.size());
+    const double begin = std::cbrt(space.volume() / count) / space.unit();
+    TorusGrid grid(points.size(), 3, static_cast<std::uint64_t>(std::max(begin, 1.0)));
     for (std::size_t i = 0; i < points.size(); ++i) {
         TorusPosition position;
         for (std::size_t k = 0; k < 3; ++k)
             position[k] = static_cast<std::uint32_t>((points[i][k] - space.box().low[k]) / space.unit());
         grid.add(position);
     }
-    const double begin = 0x1p32 * max_min_distance(8 * points.size(), 3);
     std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
     const auto look_at = [&](std::size_t i, std::size_t j) {
         const double gap =

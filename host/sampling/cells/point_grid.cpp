@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t max_single_chunk = 32768;
 constexpr std::uint32_t chunk_of_many = 1024;
 
+/// Points that one work-item of a processor sorts: more launches cost more than that.
+constexpr std::size_t few_points = 1024;
+
 /// Cells that one work-item scans.
 std::uint32_t chunk_of(std::size_t cells)
 {
@@ -77,6 +80,7 @@ PointGrid::PointGrid(Device device, int dimension, std::size_t points, const Gri
     add_totals_ = device_.kernel(program, "add_totals");
     place_ = device_.kernel(program, "place_points");
     gather_ = device_.kernel(program, "gather_points");
+    sort_few_ = device_.kernel(program, "sort_few");
 }
 
 void PointGrid::load(const PointSet& points)
@@ -115,6 +119,11 @@ void PointGrid::sort()
     std::swap(b.ids, b.unsorted_ids);
     const auto points = static_cast<std::uint32_t>(size_);
     const std::uint32_t cells = part_.held;
+    if (size_ <= few_points && cells <= few_points && device_.info().type == "CPU") {
+        sort_few_.run(1, 1, b.unsorted_positions, b.unsorted_ids, points, part_, b.counts, b.point_cells, b.starts,
+                      b.order, b.positions, b.ids, b.fixed_point, stride_);
+        return;
+    }
     const std::uint32_t chunk = chunk_of(cells);
     const auto chunks = static_cast<std::uint32_t>(chunks_of(cells));
     count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places);

@@ -94,7 +94,7 @@ private:
     std::size_t work_group_size_;
     std::uint32_t stride_; ///< with room for a vector read at the last point
     Buffers buffers_;
-    Kernel count_, scan_, scan_totals_, add_totals_, place_, gather_;
+    Kernel count_, scan_, scan_totals_, add_totals_, place_, gather_, sort_few_;
 };
 
 }

@@ -9,20 +9,23 @@ static_assert(contract::spaces::LATTICE_SHIFT == FixedSpace::lattice_shift);
 
 NeededBuffers RegionBuffers::needed(const FixedRegion& region)
 {
-    return {{cells, region.cells().size()}, {edges, region.edges().size() * 4}, {filled, region.filled().size()}};
+    return {{cells, region.all_cells().size()}, {edges, region.edges().size() * 4}, {filled, region.filled().size()}};
 }
 
 void RegionBuffers::write(const FixedRegion& region)
 {
-    cells.write(region.cells());
+    cells.write(region.all_cells());
     edges.write({region.edges().data()->data(), region.edges().size() * 4});
     filled.write(region.filled());
 }
 
 contract::regions::RegionGrid region_grid(const FixedRegion& region)
 {
-    contract::regions::RegionGrid grid{
-        .squared_margins = {}, .margins = {}, .bits = static_cast<unsigned>(region.bits())};
+    contract::regions::RegionGrid grid{.squared_margins = {},
+                                       .margins = {},
+                                       .bits = static_cast<unsigned>(region.bits()),
+                                       .fine_bits = static_cast<unsigned>(region.fine_bits()),
+                                       .unused = 0};
     std::ranges::copy(region.squared_margins(), std::begin(grid.squared_margins));
     std::ranges::copy(region.margins(), std::begin(grid.margins));
     return grid;

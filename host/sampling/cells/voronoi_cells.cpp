@@ -6,12 +6,20 @@
 namespace poissonlab {
 namespace {
 
-/// Work-items that share the sites of the slow way.
-constexpr std::size_t slow_items = 256;
+/// Work-items that share the sites of the slow way. There are few such sites in few points, and each work-item costs
+/// something even where it has none.
+std::size_t slow_items(std::size_t points) { return points < 8192 ? 16 : 256; }
 
 /// Grid cells in a row whose sites a work-item of the 2D kernel takes together: enough to fill batches of sites, and
 /// few enough for all threads to have some. Elsewhere than on CPUs, threads are worth more than full batches.
 constexpr std::uint32_t cells_a_run_on_cpus = 64;
+
+/// The cells of a run on a processor: no more than it takes for all threads to have work.
+std::uint32_t cells_a_run(std::uint32_t cells, std::uint32_t threads)
+{
+    constexpr std::uint32_t least = 8; // else batches are never full
+    return std::clamp((cells + threads - 1) / threads, least, cells_a_run_on_cpus);
+}
 
 /// Work-items of a group are then few, or groups would be.
 constexpr std::size_t most_runs_a_group_on_cpus = 1;
@@ -38,7 +46,7 @@ NeededBuffers VoronoiKernels::Buffers::needed(int dimension, std::size_t points)
 }
 
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
-    : dimension_(dimension), cells_a_run_(device.info().type == "CPU" ? cells_a_run_on_cpus : 1),
+    : dimension_(dimension), threads_(device.info().type == "CPU" ? device.info().compute_units : 0),
       runs_a_group_(std::min(work_group_size,
                              device.info().type == "CPU" ? most_runs_a_group_on_cpus : most_runs_a_group_elsewhere)),
       work_group_size_(work_group_size)
@@ -59,16 +67,16 @@ void VoronoiKernels::find_cells(PointGrid& grid)
     const Buffers& b = buffers_;
     forget_slow_.run(1, 1, b.slow_count, b.unknown);
     if (dimension_ == 2) {
-        const std::size_t runs = (own + cells_a_run_ - 1) / cells_a_run_;
+        const std::uint32_t run = threads_ > 0 ? cells_a_run(own, threads_) : 1;
+        const std::size_t runs = (own + run - 1) / run;
         find_fast_.run(runs, runs_a_group_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), part,
-                       margin, cells_a_run_, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,
-                       b.slow_count);
+                       margin, run, b.volumes, b.displacements, b.energies, b.squared_near, b.slow, b.slow_count);
     } else {
         find_fast_.run(own, work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), part,
                        margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow, b.slow_count);
     }
-    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), part, b.slow, b.slow_count, b.volumes,
-                   b.displacements, b.energies, b.squared_near, b.unknown);
+    find_slow_.run(slow_items(grid.size()), 1, grid.positions(), grid.ids(), grid.starts(), part, b.slow, b.slow_count,
+                   b.volumes, b.displacements, b.energies, b.squared_near, b.unknown);
 }
 
 DeviceMemory voronoi_memory(int dimension, std::size_t points)

@@ -72,7 +72,7 @@ private:
     };
 
     int dimension_;
-    std::uint32_t cells_a_run_;
+    std::uint32_t threads_; ///< of a processor; 0: another device
     std::size_t runs_a_group_, work_group_size_;
     Buffers buffers_;
     Kernel forget_slow_, find_fast_, find_slow_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,10 @@ inline std::uint64_t reach_for(std::uint64_t squared)
 }
 
 /// Cells are numbered with x fastest, so that those of a row are beside each other in memory.
+///
+/// Where points lie in a small part of the torus, cells are folded: as narrow as one likes, but many of them share a
+/// number. Rows go on to be beside each other, and begin at multiples of the golden ratio of all numbers, so that cells
+/// that are near each other, or along a line, share none.
 class TorusCells
 {
 public:
@@ -42,10 +47,23 @@ public:
           size_(std::max<std::int64_t>(1, std::llround(std::pow(static_cast<double>(points), 1.0 / dimension))))
     {}
 
+    /// Folded cells of at least that width, for about so many points.
+    static TorusCells folded(std::size_t points, int dimension, std::uint64_t width)
+    {
+        TorusCells cells(1, dimension);
+        cells.size_ = static_cast<std::int64_t>(std::max<std::uint64_t>(1, (std::uint64_t{1} << 32) / width));
+        const int bits = std::max(4, static_cast<int>(std::bit_width(points)) + 1);
+        cells.numbers_ = std::uint64_t{1} << bits;
+        return cells;
+    }
+
     std::size_t count() const
     {
+        if (numbers_ > 0) return numbers_;
         return static_cast<std::size_t>(dimension_ == 3 ? size_ * size_ * size_ : size_ * size_);
     }
+
+    bool is_folded() const { return numbers_ > 0; }
 
     /// The width of a cell in units, rounded down.
     std::uint64_t width() const { return (std::uint64_t{1} << 32) / static_cast<std::uint64_t>(size_); }
@@ -53,11 +71,13 @@ public:
     std::size_t number_of(const TorusPosition& position) const
     {
         const auto along = [&](std::size_t axis) { return position[axis] * size_ >> 32; };
+        if (numbers_ > 0) return folded_number(along(0), along(1), dimension_ == 3 ? along(2) : 0);
         return static_cast<std::size_t>(((dimension_ == 3 ? along(2) * size_ : 0) + along(1)) * size_ + along(0));
     }
 
-    /// Calls what(first, end), numbers of cells beside each other, until it is true; the cells are those of places up
-    /// to `reach`, at most half the torus, away from a position along each axis. True if it was.
+    /// Calls what(first, end), numbers of cells beside each other, until it is true; folded ones may come twice. The
+    /// cells are those of places up to `reach`, at most half the torus, away from a position along each axis. True if
+    /// it was.
     template <typename What>
     bool any_row_around(const TorusPosition& position, std::uint64_t reach, const What& what) const
     {
@@ -65,8 +85,20 @@ public:
         const auto [first_y, rows] = range(position[1], reach);
         const auto [first_z, layers] = dimension_ == 3 ? range(position[2], reach) : Range{0, 1};
         const std::int64_t before_end = std::min(width, size_ - x);
+        const auto numbers = static_cast<std::int64_t>(numbers_);
+        // Rows of more cells could have some in common.
+        if (numbers > 0 && 4.0 * static_cast<double>(width) * static_cast<double>(rows) * static_cast<double>(layers) >=
+                               static_cast<double>(numbers))
+            return what(0, numbers);
         for (std::int64_t z = 0; z < layers; ++z)
             for (std::int64_t y = 0; y < rows; ++y) {
+                if (numbers > 0) {
+                    const std::int64_t from_z = dimension_ == 3 ? wrapped(first_z + z) : 0;
+                    if (any_folded(x, wrapped(first_y + y), from_z, before_end, what)) return true;
+                    if (before_end < width && any_folded(0, wrapped(first_y + y), from_z, width - before_end, what))
+                        return true;
+                    continue;
+                }
                 const std::int64_t layer = dimension_ == 3 ? wrapped(first_z + z) * size_ : 0;
                 const std::int64_t row = (layer + wrapped(first_y + y)) * size_;
                 if (what(row + x, row + x + before_end)) return true;
@@ -76,6 +108,26 @@ public:
     }
 
 private:
+    std::size_t folded_number(std::int64_t x, std::int64_t y, std::int64_t z) const
+    {
+        // Parts of all numbers: the golden ratio, and that of the plastic number's square.
+        const auto part = [this](double ratio) {
+            return static_cast<std::uint64_t>(ratio * static_cast<double>(numbers_)) | 1;
+        };
+        const std::uint64_t row = static_cast<std::uint64_t>(y) * part(0.6180339887498949);
+        const std::uint64_t layer = static_cast<std::uint64_t>(z) * part(0.5698402909980532);
+        return (static_cast<std::uint64_t>(x) + row + layer) & (numbers_ - 1);
+    }
+
+    /// Calls what() for `width` cells of a row from one on: their numbers may begin anew in between.
+    template <typename What>
+    bool any_folded(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t width, const What& what) const
+    {
+        const auto first = static_cast<std::int64_t>(folded_number(x, y, z)), end = static_cast<std::int64_t>(numbers_);
+        if (what(first, std::min(end, first + width))) return true;
+        return first + width > end && what(0, first + width - end);
+    }
+
     /// Cells along an axis, from one on around the torus.
     struct Range
     {
@@ -96,7 +148,8 @@ private:
     }
 
     int dimension_;
-    std::int64_t size_; ///< cells along each axis
+    std::int64_t size_;         ///< cells along each axis
+    std::uint64_t numbers_ = 0; ///< of folded cells: a power of two; 0: cells are not folded
 };
 
 }

@@ -9,6 +9,10 @@ TorusGrid::TorusGrid(std::size_t points, int dimension)
     : dimension_(dimension), cells_(points, dimension), lasts_(cells_.count(), {{}, none})
 {}
 
+TorusGrid::TorusGrid(std::size_t points, int dimension, std::uint64_t width)
+    : dimension_(dimension), cells_(TorusCells::folded(points, dimension, width)), lasts_(cells_.count(), {{}, none})
+{}
+
 void TorusGrid::add(const TorusPosition& position)
 {
     Link& last = lasts_[cells_.number_of(position)];
@@ -91,6 +95,10 @@ std::vector<std::size_t> TorusGrid::within(const TorusPosition& position, double
                        found.push_back(number);
                    return false;
                });
+    if (cells_.is_folded()) {
+        std::ranges::sort(found);
+        found.erase(std::ranges::unique(found).begin(), found.end());
+    }
     return found;
 }
 

@@ -17,6 +17,9 @@ public:
     /// Makes a grid for about so many points.
     TorusGrid(std::size_t points, int dimension);
 
+    /// Makes a grid for about so many points in a small part of the torus, where distances are some `width`.
+    TorusGrid(std::size_t points, int dimension, std::uint64_t width);
+
     void add(const TorusPosition& position);
 
     std::size_t size() const { return points_.size(); }

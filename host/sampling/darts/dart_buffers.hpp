@@ -19,6 +19,10 @@ struct DartBuffers
     Words points, counters;
     LandBuffers land;
 
+    // Only grids of bricks need these.
+    Words brick_corners, bricks_around;
+    Buffer<std::uint64_t> accepted_bits, waiting_bits; ///< a brick each, where darts are settled in order
+
     // Only darts that are settled in order need these.
     Words accepted;             ///< a bit of a level 0 cell each
     Words buckets;              ///< an interval of time of a slab each

@@ -25,10 +25,12 @@ std::size_t most_open_cells(std::size_t cells, int dimension)
     return dimension == 2 ? cells : six_deviations_above(1.605 * static_cast<double>(cells));
 }
 
-/// No packing has more points in the grid: disks of those in a cube of cells lie in a cube that is larger by the
-/// distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less than the whole.)
+/// No packing has more points in the grid, and no cell has two: disks of those in a cube of cells lie in a cube that is
+/// larger by the distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less
+/// than the whole.)
 std::size_t most_points_in(const DartTorus& torus, double min_distance)
 {
+    if (torus.bricks) return torus.cells();
     const double all = static_cast<double>(packing_bound(min_distance, torus.dimension));
     const double side = (torus.grid_size + 2.0 * torus.hierarchy.reach) / torus.hierarchy.size;
     return static_cast<std::size_t>(all * std::min(1.0, std::pow(side, torus.dimension))) + 1;
@@ -42,8 +44,8 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
 {
     using namespace contract::dart_throwing;
     const int d = request.dimension;
-    const DartTorus torus(request.min_distance, d, request.block);
-    const std::size_t cells = lattice_cells(torus.grid_size, d);
+    const DartTorus torus(request.min_distance, d, request.block, request.bricks);
+    const std::size_t cells = torus.cells();
     const std::size_t axes = static_cast<std::size_t>(d);
     const std::size_t most = most_darts(cells, d);
     NeededBuffers buffers{{b.thresholds, poisson_thresholds(darts_per_cell(1, d)).size()},
@@ -51,9 +53,13 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
                           {b.positions, cells * axes},
                           {b.points, most_points_in(torus, request.min_distance) * POINT_WORDS(d)},
                           {b.counters, COUNTERS},
-                          {b.parents, most_open_cells(cells, d) * axes},
-                          {b.open, most_open_cells(cells, d) * axes},
+                          {b.parents, most_open_cells(cells, d) * PARENT_WORDS(axes, torus.bricks != nullptr)},
+                          {b.open, most_open_cells(cells, d) * PARENT_WORDS(axes, torus.bricks != nullptr)},
                           {b.darts, std::max(cells, most) * DART_WORDS(d)}};
+    if (torus.bricks) {
+        buffers.push_back({b.brick_corners, torus.bricks->corners.size()});
+        buffers.push_back({b.bricks_around, torus.bricks->around.size()});
+    }
     for (const NeededBuffer& buffer : b.land.needed(request)) buffers.push_back(buffer);
     for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
         buffers.push_back(buffer);

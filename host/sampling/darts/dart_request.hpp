@@ -5,6 +5,7 @@
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
 #include "host/sampling/darts/dart_block.hpp"
+#include "host/sampling/darts/dart_bricks.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,10 @@ struct DartThrowingRequest
 
     /// Darts fall into these cells only; empty: into all.
     std::optional<DartBlock> block{};
+
+    /// Darts fall into these cells only, which are all that are not outside of the region, and no block is; empty: into
+    /// all.
+    std::shared_ptr<const DartBricks> bricks{};
 
     /// No darts of later batches.
     std::uint32_t most_batches = UINT32_MAX;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -19,6 +20,9 @@ constexpr std::uint32_t least_slab_layers = 16;
 /// Cells of a slab, nearly, where the torus has many: darts come in the order of their times, from anywhere in the
 /// slab, and what is known of its cells should stay in a processor's cache.
 constexpr std::size_t usual_slab_cells = std::size_t{1} << 18;
+
+/// Bricks of a slab at least.
+constexpr std::size_t least_slab_bricks = 64;
 
 /// Darts in a bucket of time, nearly: they are sorted by insertion.
 constexpr std::size_t darts_a_bucket = 4;
@@ -74,7 +78,7 @@ NeededBuffers in_order_buffers(DartBuffers& b, const DartTorus& torus, unsigned 
 
 NeededBuffers in_rounds_buffers(DartBuffers& b, const DartTorus& torus, std::size_t darts)
 {
-    return {{b.slots, lattice_cells(torus.grid_size, torus.dimension)},
+    return {{b.slots, torus.cells()},
             {b.next, darts},
             {b.states, darts},
             {b.next_states, darts},
@@ -128,6 +132,61 @@ private:
     Kernel settle_, mark_;
 };
 
+/// Slabs of bricks: darts at their ends wait for each other.
+std::uint32_t brick_slabs(const DartTorus& torus, unsigned compute_units)
+{
+    return std::clamp(words32(torus.bricks->count() / least_slab_bricks), 1u,
+                      std::max({1u, compute_units, words32(torus.cells() / usual_slab_cells)}));
+}
+
+NeededBuffers in_bricks_buffers(DartBuffers& b, const DartTorus& torus, unsigned compute_units, std::size_t darts)
+{
+    const std::uint32_t slabs = brick_slabs(torus, compute_units);
+    return {{b.slots, torus.cells()},
+            {b.states, darts},
+            {b.next, darts},
+            {b.keys, darts},
+            {b.buckets, std::size_t{slabs} << bucket_bits(darts, slabs)},
+            {b.accepted_bits, torus.bricks->count()},
+            {b.waiting_bits, torus.bricks->count()}};
+}
+
+class InBricks : public DartSettler
+{
+public:
+    InBricks(Device& device, const DartTorus& torus)
+        : device_(device), torus_(torus), slabs_(brick_slabs(torus, device.info().compute_units)),
+          settle_(device.kernel(dart_program("darts_in_bricks.cl", torus), "settle_darts"))
+    {}
+
+    void settle(DartBuffers& b, std::size_t dart_count) override
+    {
+        reserve(device_, in_bricks_buffers(b, torus_, device_.info().compute_units, dart_count));
+        run(b, slabs_, dart_count, false);
+        if (slabs_ > 1) run(b, 1, dart_count, true);
+    }
+
+private:
+    void run(DartBuffers& b, std::uint32_t slabs, std::size_t dart_count, bool is_rest)
+    {
+        const Slabs arguments{.squared_min_distance = torus_.squared_min_distance,
+                              .slabs = slabs,
+                              .grid_size = words32(torus_.bricks->count()),
+                              .row_words = 0,
+                              .darts = words32(dart_count),
+                              .bucket_bits = bucket_bits(dart_count, slabs_),
+                              .is_rest = is_rest};
+        settle_.run(slabs, 1, arguments, b.darts, b.states, b.buckets, b.keys, b.next, b.slots, b.accepted_bits,
+                    b.waiting_bits, b.positions, b.points, b.counters, torus_.part, torus_.hierarchy.step, b.masks,
+                    b.brick_corners, b.bricks_around);
+    }
+
+    Device& device_;
+    DartTorus torus_;
+    std::uint32_t slabs_;
+    Kernel settle_;
+};
+
 class InRounds : public DartSettler
 {
 public:
@@ -147,9 +206,11 @@ public:
         resolve(b, dart_count);
         first_dart_ += dart_count;
         if (dart_count == 0) return;
-        insert_.run((dart_count + insertion_run - 1) / insertion_run, group_size_, b.darts, words32(dart_count),
-                    insertion_run, b.states, torus_.part, torus_.grid_size, torus_.hierarchy.step,
-                    torus_.squared_min_distance, b.masks, b.positions, b.points, b.counters);
+        torus_.run_with_bricks(b, [&](const auto&... bricks) {
+            insert_.run((dart_count + insertion_run - 1) / insertion_run, group_size_, b.darts, words32(dart_count),
+                        insertion_run, b.states, torus_.part, torus_.grid_size, torus_.hierarchy.step,
+                        torus_.squared_min_distance, b.masks, b.positions, b.points, b.counters, bricks...);
+        });
     }
 
 private:
@@ -163,9 +224,11 @@ private:
         for (std::uint32_t waiting = dart_count > 0 ? 0 : 1; waiting == rounds;) {
             const std::uint32_t end = rounds + (rounds == 0 ? first_rounds : further_rounds);
             for (; rounds < end; ++rounds) {
-                resolve_.run(dart_count, group_size_, b.darts, words32(dart_count), words32(first_dart_), rounds,
-                             b.slots, b.next, torus_.grid_size, torus_.squared_min_distance, b.rivals, b.states,
-                             b.next_states, b.counters);
+                torus_.run_with_bricks(b, [&](const auto&... bricks) {
+                    resolve_.run(dart_count, group_size_, b.darts, words32(dart_count), words32(first_dart_), rounds,
+                                 b.slots, b.next, torus_.grid_size, torus_.squared_min_distance, b.rivals, b.states,
+                                 b.next_states, b.counters, torus_.part, bricks...);
+                });
                 std::swap(b.states, b.next_states);
             }
             b.counters.read({&waiting, 1}, WAITING_ROUND);
@@ -186,33 +249,42 @@ DartSettling settling_for(const DeviceInfo& device)
     return device.type == "CPU" ? DartSettling::in_order : DartSettling::in_rounds;
 }
 
-DartTorus::DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block)
+DartTorus::DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block,
+                     std::shared_ptr<const DartBricks> bricks)
     : dimension(dimension), hierarchy(cell_hierarchy(min_distance, dimension)), part{{}, hierarchy.size},
-      grid_size(block ? block->size : hierarchy.size), squared_min_distance(squared_threshold(min_distance)),
-      has_large_disks(min_distance > 0.25)
+      grid_size(bricks  ? 0
+                : block ? block->size
+                        : hierarchy.size),
+      squared_min_distance(squared_threshold(min_distance)), has_large_disks(min_distance > 0.25),
+      bricks(std::move(bricks))
 {
     if (block) std::ranges::copy(block->first, std::begin(part.first));
 }
 
+std::size_t DartTorus::cells() const { return bricks ? bricks->cells() : lattice_cells(grid_size, dimension); }
+
 KernelProgram dart_program(const std::string& file, const DartTorus& torus)
 {
-    return kernel_program(
-        file,
-        {{"DIMENSION", torus.dimension}, {"REACH", torus.hierarchy.reach}, {"LARGE_DISKS", torus.has_large_disks}});
+    return kernel_program(file, {{"DIMENSION", torus.dimension},
+                                 {"REACH", torus.hierarchy.reach},
+                                 {"LARGE_DISKS", torus.has_large_disks},
+                                 {"BRICKS", torus.bricks != nullptr}});
 }
 
 std::unique_ptr<DartSettler> make_dart_settler(Device& device, DartSettling settling, const DartTorus& torus,
                                                std::size_t group_size)
 {
-    if (settling == DartSettling::in_order) return std::make_unique<InOrder>(device, torus);
-    return std::make_unique<InRounds>(device, torus, group_size);
+    if (settling == DartSettling::in_rounds) return std::make_unique<InRounds>(device, torus, group_size);
+    if (torus.bricks) return std::make_unique<InBricks>(device, torus);
+    return std::make_unique<InOrder>(device, torus);
 }
 
 NeededBuffers settling_buffers(DartBuffers& buffers, DartSettling settling, const DartTorus& torus,
                                unsigned compute_units, std::size_t most_darts)
 {
-    return settling == DartSettling::in_order ? in_order_buffers(buffers, torus, compute_units, most_darts)
-                                              : in_rounds_buffers(buffers, torus, most_darts);
+    if (settling == DartSettling::in_rounds) return in_rounds_buffers(buffers, torus, most_darts);
+    return torus.bricks ? in_bricks_buffers(buffers, torus, compute_units, most_darts)
+                        : in_order_buffers(buffers, torus, compute_units, most_darts);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "host/device/device.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/darts/dart_block.hpp"
+#include "host/sampling/darts/dart_bricks.hpp"
 #include "host/sampling/darts/dart_buffers.hpp"
 #include "kernels/common/darts/dart_throwing.h"
 
@@ -17,7 +18,8 @@ namespace poissonlab {
 /// The ways to do it, whose results are the same.
 enum class DartSettling
 {
-    in_order,  ///< by kernels/darts_in_order.cl: a few work-items, one dart after the other
+    in_order,  ///< by kernels/darts_in_order.cl or, in bricks, kernels/darts_in_bricks.cl: a few work-items, one dart
+               ///< after the other
     in_rounds, ///< by kernels/darts_in_rounds.cl: a work-item a dart, again and again
 };
 
@@ -27,14 +29,29 @@ DartSettling settling_for(const DeviceInfo& device);
 /// The torus in which darts have a minimum distance, and the part of it that they fall into.
 struct DartTorus
 {
-    DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block = {});
+    DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block = {},
+              std::shared_ptr<const DartBricks> bricks = {});
+
+    /// The number of cells in the grid.
+    std::size_t cells() const;
+
+    /// Calls run() with the arguments that kernels take for bricks, if the grid consists of them.
+    template <typename Run>
+    void run_with_bricks(const DartBuffers& buffers, const Run& run) const
+    {
+        if (bricks)
+            run(buffers.brick_corners, buffers.bricks_around);
+        else
+            run();
+    }
 
     int dimension;
     CellHierarchy hierarchy;
-    contract::dart_throwing::GridPart part; ///< that the grid holds
-    std::uint32_t grid_size;                ///< cells of level 0 along each axis of the grid
-    std::uint64_t squared_min_distance;     ///< units of 2^-64
-    bool has_large_disks;                   ///< so large that they wrap around
+    contract::dart_throwing::GridPart part;   ///< that the grid holds
+    std::uint32_t grid_size;                  ///< cells of level 0 along each axis of the grid; 0 with bricks
+    std::uint64_t squared_min_distance;       ///< units of 2^-64
+    bool has_large_disks;                     ///< so large that they wrap around
+    std::shared_ptr<const DartBricks> bricks; ///< that the grid consists of; empty: it is a cube
 };
 
 /// A program of dart throwing: the file with the constants of the torus.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace poissonlab::reference {
@@ -51,26 +52,75 @@ std::uint64_t squared_farthest(const TorusPoint<D>& point, const Box<D>& box)
     return sum;
 }
 
-/// Points by level 0 cell (at most one in each), and the tests against them. Cells are those of the grid, which is the
-/// block.
+/// The points in cells: a place for each cell of a block, or, where darts fall into bricks, for each point.
 template <int D>
-class DartGrid
+class CellPoints
 {
 public:
-    DartGrid(std::uint32_t size, int reach, std::uint64_t squared_min_distance)
-        : size_(size), reach_(reach), squared_min_distance_(squared_min_distance)
+    CellPoints(std::uint32_t size, bool has_bricks) : size_(size)
     {
+        if (has_bricks) return;
         std::size_t cells = 1;
         for (int k = 0; k < D; ++k) cells *= size;
         occupied_.resize(cells);
         points_.resize(cells);
     }
 
-    void insert(const TorusPoint<D>& point, const Cell<D>& cell)
+    void set(const Cell<D>& cell, const TorusPoint<D>& point)
     {
+        if (points_.empty()) {
+            scattered_[cell] = point;
+            return;
+        }
         occupied_[index(cell)] = true;
         points_[index(cell)] = point;
     }
+
+    /// The point in a cell; null where there is none.
+    const TorusPoint<D>* in(const Cell<D>& cell) const
+    {
+        if (points_.empty()) {
+            const auto found = scattered_.find(cell);
+            return found == scattered_.end() ? nullptr : &found->second;
+        }
+        return occupied_[index(cell)] ? &points_[index(cell)] : nullptr;
+    }
+
+private:
+    struct Hash
+    {
+        std::size_t operator()(const Cell<D>& cell) const
+        {
+            std::uint64_t hash = 0;
+            for (const std::uint32_t c : cell) hash = (hash ^ c) * 0x9E3779B97F4A7C15;
+            return hash ^ hash >> 32;
+        }
+    };
+
+    std::size_t index(const Cell<D>& cell) const
+    {
+        std::size_t result = 0;
+        for (int k = D - 1; k >= 0; --k) result = result * size_ + cell[k];
+        return result;
+    }
+
+    std::uint32_t size_;
+    std::vector<char> occupied_;
+    std::vector<TorusPoint<D>> points_;
+    std::unordered_map<Cell<D>, TorusPoint<D>, Hash> scattered_;
+};
+
+/// Points by level 0 cell (at most one in each), and the tests against them. Cells are those of the grid, which is the
+/// block, or the torus where darts fall into bricks.
+template <int D>
+class DartGrid
+{
+public:
+    DartGrid(std::uint32_t size, int reach, std::uint64_t squared_min_distance, bool has_bricks)
+        : size_(size), reach_(reach), squared_min_distance_(squared_min_distance), points_(size, has_bricks)
+    {}
+
+    void insert(const TorusPoint<D>& point, const Cell<D>& cell) { points_.set(cell, point); }
 
     /// Is a point nearer to `position`, which lies in `cell`, than the minimum distance?
     bool conflicts(const TorusPoint<D>& position, const Cell<D>& cell) const
@@ -87,13 +137,6 @@ public:
     }
 
 private:
-    std::size_t index(const Cell<D>& cell) const
-    {
-        std::size_t result = 0;
-        for (int k = D - 1; k >= 0; --k) result = result * size_ + cell[k];
-        return result;
-    }
-
     template <typename Predicate>
     bool any_near(const Cell<D>& cell, Predicate&& predicate) const
     {
@@ -102,8 +145,7 @@ private:
         for (;;) {
             Cell<D> other;
             for (int k = 0; k < D; ++k) other[k] = wrapped(cell[k], offset[k]);
-            const std::size_t i = index(other);
-            if (occupied_[i] && predicate(points_[i])) return true;
+            if (const TorusPoint<D>* point = points_.in(other); point && predicate(*point)) return true;
             int k = 0;
             while (k < D && ++offset[k] > reach_) offset[k++] = -reach_;
             if (k == D) return false;
@@ -122,8 +164,7 @@ private:
     std::uint32_t size_;
     int reach_;
     std::uint64_t squared_min_distance_;
-    std::vector<char> occupied_;
-    std::vector<TorusPoint<D>> points_;
+    CellPoints<D> points_;
 };
 
 }

@@ -16,8 +16,9 @@ class Throwing
 public:
     explicit Throwing(const DartThrowingRequest& request)
         : request_(request), hierarchy_(cell_hierarchy(request.min_distance, D)),
-          block_(request.block.value_or(DartBlock{{}, hierarchy_.size})),
-          grid_(block_.size, hierarchy_.reach, squared_threshold(request.min_distance))
+          block_(request.bricks ? DartBlock{{}, hierarchy_.size}
+                                : request.block.value_or(DartBlock{{}, hierarchy_.size})),
+          grid_(block_.size, hierarchy_.reach, squared_threshold(request.min_distance), request.bricks != nullptr)
     {}
 
     std::vector<OrderedDart<D>> run()
@@ -45,9 +46,28 @@ public:
     }
 
 private:
+    /// The cells of the request's bricks.
+    std::vector<Cell<D>> cells_of_bricks() const
+    {
+        const DartBricks& bricks = *request_.bricks;
+        const std::uint32_t side = brick_side(D);
+        std::vector<Cell<D>> cells;
+        for (std::size_t i = 0; i < bricks.cells(); ++i) {
+            const std::size_t brick = i / contract::dart_throwing::BRICK_CELLS;
+            Cell<D> cell;
+            std::size_t digits = i;
+            for (int k = 0; k < D; ++k, digits /= side)
+                cell[k] =
+                    bricks.corners[brick * D + static_cast<std::size_t>(k)] + static_cast<std::uint32_t>(digits % side);
+            cells.push_back(cell);
+        }
+        return cells;
+    }
+
     /// All cells of level 0 that darts fall into.
     std::vector<Cell<D>> all_cells() const
     {
+        if (request_.bricks) return cells_of_bricks();
         std::vector<Cell<D>> cells;
         Cell<D> in_grid{};
         for (;;) {

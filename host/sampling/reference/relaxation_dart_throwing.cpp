@@ -10,8 +10,18 @@ namespace poissonlab::reference {
 namespace {
 
 template <int D>
+const auto& squares_for(const RelaxationDartThrowingRequest& request)
+{
+    if constexpr (D == 2)
+        return request.squares;
+    else
+        return request.cubes;
+}
+
+template <int D>
 Darts<D> darts_of(const RelaxationDartThrowingRequest& request)
 {
+    if (const auto& squares = squares_for<D>(request)) return {request.stream, squares->corners, squares->shift};
     if (const auto& land = land_of<D>(request)) return {request.stream, land->extent()};
     return Darts<D>(request.stream);
 }
@@ -29,7 +39,7 @@ RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request)
     Darts<D> darts = darts_of<D>(request);
     RadiusLevels levels(request);
     std::vector<TorusPoint<D>> points;
-    RelaxingGrid<D> grid(points, request.points);
+    RelaxingGrid<D> grid(points, request.points, request.is_in_squares());
     grid.fit(2 * levels.radius());
     std::uint64_t squared_min_distance = levels.squared_min_distance();
     std::uint64_t failures = 0;

@@ -16,7 +16,8 @@ class BoundaryWalk
 public:
     BoundaryWalk(const FixedRegion& region, double min_distance)
         : region_(region), distance_(min_distance * 0x1p32), squared_(squared_threshold(min_distance)),
-          grid_(static_cast<std::size_t>(1 / (min_distance * min_distance)), 2)
+          grid_(static_cast<std::size_t>(length_of(region) / min_distance * 0x1p-32), 2,
+                static_cast<std::uint64_t>(std::ceil(min_distance * 0x1p32)))
     {
         const auto& margins = region.squared_margins();
         has_margins_ = std::ranges::any_of(margins, [](std::uint64_t margin) { return margin != 0; });
@@ -45,6 +46,13 @@ private:
         grid_.add({place[0], place[1], 0});
         points_.push_back(place);
         return true;
+    }
+
+    static double length_of(const FixedRegion& region)
+    {
+        double length = 0;
+        for (const FixedEdge& edge : region.directed_boundary()) length += length_of(edge);
+        return length;
     }
 
     static double length_of(const FixedEdge& e) { return std::hypot(double{1} * e[2] - e[0], double{1} * e[3] - e[1]); }

@@ -21,12 +21,18 @@ constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
 double share_of_torus(const FixedRegion& region) { return region.area() / std::pow(region.unit() * 0x1p32, 2); }
 double share_of_torus(const FixedSpace& space) { return space.volume() / std::pow(space.unit() * 0x1p32, 3); }
 
-/// About as many as the torus has room for points, but no more than some for each point of the region.
-std::size_t grid_cells(double torus_points, double region_points)
+/// A grid with about as many cells as the torus has room for points or, where that would be more than some for each
+/// point of the region, a folded one.
+template <typename Region>
+TorusGrid grid_for(const Region& region, double min_distance)
 {
+    constexpr int dimension = std::tuple_size_v<PlaceIn<Region>>;
     constexpr double most_cells = 0x1p26, few_cells = 0x1p18, most_cells_a_point = 16;
-    return static_cast<std::size_t>(
-        std::min({torus_points, most_cells, std::max(few_cells, most_cells_a_point * region_points)}));
+    const double torus_points = std::pow(min_distance, -dimension);
+    const double points = torus_points * share_of_torus(region);
+    if (torus_points <= std::min(most_cells, std::max(few_cells, most_cells_a_point * points)))
+        return {static_cast<std::size_t>(torus_points), dimension};
+    return {static_cast<std::size_t>(points), dimension, static_cast<std::uint64_t>(std::ceil(min_distance * 0x1p32))};
 }
 
 template <typename Region>
@@ -34,11 +40,9 @@ class BridsonInRegion
 {
 public:
     BridsonInRegion(const Region& region, const RegionBridsonRequest& request)
-        : region_(region), request_(request), candidates_(region, request.stream),
+        : region_(region), request_(request), candidates_(region, request.stream, request.area),
           distance_(static_cast<std::uint64_t>(std::ceil(request.min_distance * 0x1p32))),
-          grid_(grid_cells(std::pow(request.min_distance, -D),
-                           std::pow(request.min_distance, -D) * share_of_torus(region)),
-                D)
+          grid_(grid_for(region, request.min_distance))
     {}
 
     PointSet run()

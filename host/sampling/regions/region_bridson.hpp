@@ -9,6 +9,7 @@
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
 
 #include <cstdint>
 
@@ -20,6 +21,7 @@ struct RegionBridsonRequest
     std::uint32_t attempts = 30; ///< darts around a point before it is given up
     std::uint32_t starts = 1000; ///< darts anywhere that fail in a row before the set is taken for finished
     StreamKey stream{};
+    CandidateArea area = CandidateArea::box; ///< for darts anywhere
 };
 
 /// Points in the order in which they were found, in the region's fixed-point coordinates; none where there is no room.

@@ -141,18 +141,42 @@ std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSe
 }
 
 template <typename Region>
-std::optional<PlaceIn<Region>> RegionCandidates<Region>::next()
+RegionCandidates<Region>::RegionCandidates(const Region& region, const StreamKey& stream, CandidateArea area,
+                                           double least_share)
+    : region_(region), stream_(stream), least_share_(least_share)
 {
-    const auto& box = region_.extent();
-    for (std::uint64_t failures = 0; failures < most_failures; ++failures) {
-        const auto words =
-            philox({static_cast<std::uint32_t>(thrown_), static_cast<std::uint32_t>(thrown_ >> 32), 0, 0}, stream_);
-        ++thrown_;
-        Place place;
+    if (area == CandidateArea::box) return;
+    squares_ = squares_of(region, most_region_squares);
+    area_part_ = static_cast<double>(squares_.corners.size());
+    for (std::size_t k = 0; k < std::tuple_size_v<Place>; ++k)
+        area_part_ *= std::exp2(squares_.shift) / (double{1} * region.extent().high[k] - region.extent().low[k] + 1);
+}
+
+template <typename Region>
+PlaceIn<Region> RegionCandidates<Region>::dart(const std::array<std::uint32_t, 4>& words) const
+{
+    Place place;
+    if (squares_.corners.empty()) {
+        const auto& box = region_.extent();
         for (std::size_t k = 0; k < place.size(); ++k) {
             const std::uint64_t size = std::uint64_t{box.high[k]} - box.low[k] + 1;
             place[k] = box.low[k] + static_cast<std::uint32_t>(words[k] * size >> 32);
         }
+        return place;
+    }
+    place = squares_.corners[words[3] * std::uint64_t{squares_.corners.size()} >> 32];
+    for (std::size_t k = 0; k < place.size(); ++k) place[k] += squares_.within(words[k]);
+    return place;
+}
+
+template <typename Region>
+std::optional<PlaceIn<Region>> RegionCandidates<Region>::next()
+{
+    for (std::uint64_t failures = 0; failures < most_failures; ++failures) {
+        const auto words =
+            philox({static_cast<std::uint32_t>(thrown_), static_cast<std::uint32_t>(thrown_ >> 32), 0, 0}, stream_);
+        ++thrown_;
+        const Place place = dart(words);
         if (!region_.contains(place)) continue;
         ++found_;
         return place;
@@ -166,7 +190,7 @@ std::vector<PlaceIn<Region>> RegionCandidates<Region>::next(std::size_t count)
     std::vector<Place> places;
     places.reserve(count);
     while (places.size() < count) {
-        if (thrown_ >= darts_for_share && share() < least_share_) break;
+        if (thrown_ >= darts_for_share && share_of_darts() < least_share_) break;
         const std::optional<Place> place = next();
         if (!place) break;
         places.push_back(*place);

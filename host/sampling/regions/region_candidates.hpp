@@ -4,14 +4,14 @@
 #include "base/random/random.hpp"
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
+#include "base/regions/region_squares.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -22,11 +22,18 @@ inline constexpr std::uint32_t region_attempt = 1;
 
 /// A position of a region's grid.
 template <typename Region>
-using PlaceIn = std::remove_cvref_t<decltype(std::declval<const Region&>().extent().low)>;
+using PlaceIn = PositionIn<Region>;
 
-/// Independent uniform points: darts into the least box around the region, of which those outside are left out. The
-/// next one: nothing where not one of ten million lies inside. Of a FixedRegion or a FixedSpace. With a least share
-/// next(count) ends as well where a million darts have found less of the box inside.
+/// What darts fall into.
+enum class CandidateArea
+{
+    box,    ///< the least one around the region
+    squares ///< of RegionSquares: where regions are so long that a box would be nearly empty
+};
+
+/// Independent uniform points: darts, of which those outside the region are left out. The next one: nothing where not
+/// one of ten million lies inside. Of a FixedRegion or a FixedSpace. With a least share next(count) ends as well where
+/// a million darts have found less of them inside.
 template <typename Region>
 class RegionCandidates
 {
@@ -34,22 +41,28 @@ public:
     using Place = PlaceIn<Region>;
 
     /// The region must outlive this.
-    RegionCandidates(const Region& region, const StreamKey& stream, double least_share = 0)
-        : region_(region), stream_(stream), least_share_(least_share)
-    {}
+    RegionCandidates(const Region& region, const StreamKey& stream, CandidateArea area = CandidateArea::box,
+                     double least_share = 0);
 
     std::optional<Place> next();
 
     /// Finds `count` candidates, or as many as it can.
     std::vector<Place> next(std::size_t count);
 
-    /// The part of the box that darts found inside.
-    double share() const { return static_cast<double>(found_) / static_cast<double>(thrown_); }
+    /// The part of the box around the region that darts found inside.
+    double share() const { return share_of_darts() * area_part_; }
+
+    /// The part of the darts that fell inside.
+    double share_of_darts() const { return static_cast<double>(found_) / static_cast<double>(thrown_); }
 
 private:
+    Place dart(const std::array<std::uint32_t, 4>& words) const;
+
     const Region& region_;
     StreamKey stream_;
     double least_share_;
+    RegionSquares<Region> squares_; ///< without corners: darts fall into the box
+    double area_part_ = 1;          ///< of what darts fall into, of the box
     std::uint64_t thrown_ = 0, found_ = 0;
 };
 

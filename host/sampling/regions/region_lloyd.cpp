@@ -38,9 +38,9 @@ std::span<const std::uint32_t> words_of(std::span<const T> values)
 
 std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const FixedRegion& land,
                                            std::vector<TorusPoint<2>> sites, std::size_t iterations,
-                                           const CellIntegrals& integrals)
+                                           const CellIntegrals& integrals, bool is_listed)
 {
-    SiteGrid grid(land, sites.size());
+    SiteGrid grid(land, sites.size(), is_listed);
     for (std::size_t iteration = 0; iteration < iterations; ++iteration) {
         stop_if_interrupted();
         grid.sort(sites);
@@ -53,19 +53,21 @@ std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const Fixe
 
 struct RegionLloydBuffers
 {
-    Buffer<std::uint32_t> sites, starts, edges, edge_starts, edge_numbers;
+    Buffer<std::uint32_t> sites, starts, edges, edge_starts, edge_numbers, row_starts, listed_columns;
     Buffer<std::uint8_t> is_inside;
     Buffer<CellMoments> moments;
 
     NeededBuffers needed(const SiteGrid& grid)
     {
         const std::size_t count = grid.grid().sites;
-        const std::size_t cells = std::size_t{grid.grid().columns} * grid.grid().rows;
+        const std::size_t starts_of_cells = grid.edge_starts().size();
         return {{sites, 2 * count},
-                {starts, cells + 1},
+                {starts, starts_of_cells},
                 {edges, 4 * grid.edges().size()},
-                {edge_starts, cells + 1},
+                {edge_starts, starts_of_cells},
                 {edge_numbers, grid.edge_numbers().size()},
+                {row_starts, grid.row_starts().size()},
+                {listed_columns, grid.listed_columns().size()},
                 {is_inside, count},
                 {moments, count}};
     }
@@ -85,9 +87,11 @@ std::vector<CellMoments> RegionLloyd::integrate_cells(const SiteGrid& grid)
     b.edges.write(words_of(grid.edges()));
     b.edge_starts.write(grid.edge_starts());
     b.edge_numbers.write(grid.edge_numbers());
+    b.row_starts.write(grid.row_starts());
+    b.listed_columns.write(grid.listed_columns());
     Kernel integrate = device_.kernel(kernel_program("region_lloyd.cl", {}), "integrate_cells");
     integrate.run(grid.sites().size(), work_group_size_, grid.grid(), b.sites, b.starts, b.is_inside, b.edges,
-                  b.edge_starts, b.edge_numbers, b.moments);
+                  b.edge_starts, b.edge_numbers, b.row_starts, b.listed_columns, b.moments);
     std::vector<CellMoments> moments = b.moments.read(0, grid.sites().size());
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i].is_known == 0) moments[i] = reference::integrate_cell(grid, i);

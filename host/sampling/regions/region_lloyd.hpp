@@ -20,10 +20,10 @@ namespace poissonlab {
 using CellIntegrals = std::function<std::vector<contract::region_lloyd::CellMoments>(const SiteGrid&)>;
 
 /// The sites after so many steps, in their order. All have to be allowed, and stay in `region`; cells are cut at the
-/// boundary of `land`, which has the same grid and what is allowed inside.
+/// boundary of `land`, which has the same grid and what is allowed inside. `is_listed` is what a SiteGrid takes.
 std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const FixedRegion& land,
                                            std::vector<TorusPoint<2>> sites, std::size_t iterations,
-                                           const CellIntegrals& integrals);
+                                           const CellIntegrals& integrals, bool is_listed = false);
 
 namespace reference {
 /// Integrates one cell after the other.

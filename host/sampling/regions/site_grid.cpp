@@ -1,5 +1,7 @@
 #include "host/sampling/regions/site_grid.hpp"
 
+#include "base/regions/region_squares.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,22 +15,32 @@ constexpr double sites_per_cell = 2;
 /// Cells for each site, at most: thin regions fill little of their box.
 constexpr double cells_per_site = 16;
 
+/// Squares by which listed cells are found at most.
+constexpr std::size_t most_listed_squares = std::size_t{1} << 22;
+
+/// How far a site is looked for around each of them.
+constexpr std::int64_t most_steps_to_site = 64;
+
 }
 
-SiteGrid::SiteGrid(const FixedRegion& region, std::size_t sites) : region_(region)
+SiteGrid::SiteGrid(const FixedRegion& region, std::size_t sites, bool is_listed) : region_(region)
 {
     const FixedBox& box = region.extent();
     const double width = double{1} * box.high[0] - box.low[0] + 1, height = double{1} * box.high[1] - box.low[1] + 1;
     const double area = region.area() / (region.unit() * region.unit());
     const auto count = static_cast<double>(sites);
     const double of_area = std::sqrt(area * sites_per_cell / count);
-    const double of_box = std::sqrt(width * height / (cells_per_site * count + 1024));
+    const double of_box = is_listed ? 0 : std::sqrt(width * height / (cells_per_site * count + 1024));
     grid_.shift = static_cast<std::uint32_t>(std::clamp(std::lround(std::log2(std::max(of_area, of_box))), 1l, 31l));
     grid_.low_x = box.low[0];
     grid_.low_y = box.low[1];
     grid_.columns = ((box.high[0] - box.low[0]) >> grid_.shift) + 1;
     grid_.rows = ((box.high[1] - box.low[1]) >> grid_.shift) + 1;
     grid_.sites = static_cast<std::uint32_t>(sites);
+    grid_.is_listed = is_listed;
+    edges_ = region_.directed_boundary();
+    for (FixedEdge& e : edges_) e = {e[0] - grid_.low_x, e[1] - grid_.low_y, e[2] - grid_.low_x, e[3] - grid_.low_y};
+    if (is_listed) list_cells();
     list_edges();
     find_filled();
 }
@@ -36,8 +48,7 @@ SiteGrid::SiteGrid(const FixedRegion& region, std::size_t sites) : region_(regio
 void SiteGrid::sort(std::span<const TorusPoint<2>> sites)
 {
     const auto cell_of = [&](const TorusPoint<2>& site) {
-        return std::size_t{(site[1] - grid_.low_y) >> grid_.shift} * grid_.columns +
-               ((site[0] - grid_.low_x) >> grid_.shift);
+        return number_of_cell((site[1] - grid_.low_y) >> grid_.shift, (site[0] - grid_.low_x) >> grid_.shift);
     };
     starts_.assign(cells() + 1, 0);
     for (const TorusPoint<2>& site : sites) ++starts_[cell_of(site) + 1];
@@ -51,23 +62,66 @@ void SiteGrid::sort(std::span<const TorusPoint<2>> sites)
         sites_.push_back(sites[number]);
         is_inside_.push_back(region_.contains_moved(sites[number]));
     }
-    grid_.half_box = half_box();
+    grid_.half_box = grid_.is_listed != 0 ? half_box_of_listed() : half_box();
+}
+
+std::size_t SiteGrid::number_of_cell(std::uint32_t row, std::uint32_t column) const
+{
+    if (grid_.is_listed == 0) return first_of_row(row) + column;
+    const auto begin = listed_columns_.begin() + row_starts_[row], end = listed_columns_.begin() + row_starts_[row + 1];
+    return static_cast<std::size_t>(std::lower_bound(begin, end, column) - listed_columns_.begin());
+}
+
+/// Calls body(row, column, number of the edge).
+template <typename Body>
+void SiteGrid::for_each_cell_of_edges(const Body& body) const
+{
+    for (std::uint32_t number = 0; number < edges_.size(); ++number) {
+        const FixedEdge& e = edges_[number];
+        const std::uint32_t last_row = std::max(e[1], e[3]) >> grid_.shift;
+        for (std::uint32_t row = std::min(e[1], e[3]) >> grid_.shift; row <= last_row; ++row) {
+            const auto [first, last] = columns_of(grid_, e, row);
+            for (std::uint32_t column = first; column <= last; ++column) body(row, column, number);
+        }
+    }
+}
+
+/// The cells of squares that are not outside, and those of edges.
+void SiteGrid::list_cells()
+{
+    std::vector<std::uint64_t> found; // rows in the upper half
+    const auto add = [&](std::uint64_t row, std::uint64_t column) { found.push_back(row << 32 | column); };
+    for_each_cell_of_edges([&](std::uint32_t row, std::uint32_t column, std::uint32_t) { add(row, column); });
+    const RegionSquares<FixedRegion> squares = squares_of(region_, most_listed_squares);
+    const auto cell_along = [&](std::uint64_t position, std::uint32_t low, std::uint32_t count) -> std::uint64_t {
+        const std::uint64_t along = position < low ? 0 : (position - low) >> grid_.shift;
+        return std::min<std::uint64_t>(along, count - 1);
+    };
+    for (const TorusPoint<2>& corner : squares.corners) {
+        const std::uint64_t side = (std::uint64_t{1} << squares.shift) - 1;
+        const std::uint64_t first = cell_along(corner[0], grid_.low_x, grid_.columns);
+        const std::uint64_t last = cell_along(corner[0] + side, grid_.low_x, grid_.columns);
+        const std::uint64_t top = cell_along(corner[1] + side, grid_.low_y, grid_.rows);
+        for (std::uint64_t row = cell_along(corner[1], grid_.low_y, grid_.rows); row <= top; ++row)
+            for (std::uint64_t column = first; column <= last; ++column) add(row, column);
+    }
+    std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    listed_columns_.clear();
+    row_starts_.assign(std::size_t{grid_.rows} + 1, 0);
+    for (const std::uint64_t cell : found) {
+        listed_columns_.push_back(static_cast<std::uint32_t>(cell));
+        ++row_starts_[(cell >> 32) + 1];
+    }
+    for (std::size_t row = 0; row < grid_.rows; ++row) row_starts_[row + 1] += row_starts_[row];
 }
 
 void SiteGrid::list_edges()
 {
-    edges_ = region_.directed_boundary();
-    for (FixedEdge& e : edges_) e = {e[0] - grid_.low_x, e[1] - grid_.low_y, e[2] - grid_.low_x, e[3] - grid_.low_y};
     const auto visit = [&](const auto& body) {
-        for (std::uint32_t number = 0; number < edges_.size(); ++number) {
-            const FixedEdge& e = edges_[number];
-            const std::uint32_t last_row = std::max(e[1], e[3]) >> grid_.shift;
-            for (std::uint32_t row = std::min(e[1], e[3]) >> grid_.shift; row <= last_row; ++row) {
-                const auto [first, last] = columns_of(grid_, e, row);
-                for (std::uint32_t column = first; column <= last; ++column)
-                    body(std::size_t{row} * grid_.columns + column, number);
-            }
-        }
+        for_each_cell_of_edges([&](std::uint32_t row, std::uint32_t column, std::uint32_t number) {
+            body(number_of_cell(row, column), number);
+        });
     };
     edge_starts_.assign(cells() + 1, 0);
     visit([&](std::size_t cell, std::uint32_t) { ++edge_starts_[cell + 1]; });
@@ -82,10 +136,10 @@ void SiteGrid::find_filled()
     const std::uint32_t last = (1u << grid_.shift) - 1;
     is_filled_.resize(cells());
     for (std::uint32_t row = 0; row < grid_.rows; ++row)
-        for (std::uint32_t column = 0; column < grid_.columns; ++column) {
+        for (std::size_t cell = number_of_cell(row, 0); cell < number_of_cell(row, grid_.columns); ++cell) {
+            const std::uint32_t column = column_of(cell, row);
             const TorusPoint<2> low{grid_.low_x + (column << grid_.shift), grid_.low_y + (row << grid_.shift)};
             const RegionSide side = region_.side_of({low, {low[0] + last, low[1] + last}});
-            const std::size_t cell = std::size_t{row} * grid_.columns + column;
             // With margins the region goes on where no point may be.
             is_filled_[cell] = side != RegionSide::outside || edge_starts_[cell + 1] > edge_starts_[cell] ||
                                region_.contains_moved(low);
@@ -119,6 +173,41 @@ double SiteGrid::half_box() const
     for (std::size_t cell = 0; cell < steps.size(); ++cell)
         if (is_filled_[cell] != 0) most = std::max(most, steps[cell]);
     return 1.5 * (most + 1) * static_cast<double>(std::uint64_t{1} << grid_.shift); // 1.5 > sqrt(2)
+}
+
+/// As half_box(), by looking around each cell; where one has no site so near, all of the box.
+double SiteGrid::half_box_of_listed() const
+{
+    const std::int64_t columns = grid_.columns, rows = grid_.rows;
+    const auto has_site = [&](std::int64_t row, std::int64_t first, std::int64_t last) {
+        if (row < 0 || row >= rows || last < 0 || first >= columns) return false;
+        const auto y = static_cast<std::uint32_t>(row);
+        const std::size_t begin = number_of_cell(y, static_cast<std::uint32_t>(std::max<std::int64_t>(first, 0)));
+        const std::size_t end = number_of_cell(y, static_cast<std::uint32_t>(std::min(last + 1, columns)));
+        return starts_[end] > starts_[begin];
+    };
+    std::int64_t most = 0;
+    for (std::int64_t row = 0; row < rows; ++row) {
+        const auto y = static_cast<std::uint32_t>(row);
+        for (std::size_t cell = number_of_cell(y, 0); cell < number_of_cell(y, grid_.columns); ++cell) {
+            if (is_filled_[cell] == 0 || starts_[cell + 1] > starts_[cell]) continue;
+            const std::int64_t column = column_of(cell, y);
+            // Cells nearer than what is known already need not be looked at one by one.
+            std::int64_t steps = most;
+            const auto is_near = [&] {
+                for (std::int64_t away = 0; away <= steps; ++away)
+                    for (const std::int64_t other : {row - away, row + away})
+                        if (has_site(other, column - steps, column + steps)) return true;
+                return false;
+            };
+            while (!is_near()) {
+                if (++steps <= most_steps_to_site) continue;
+                return 1.5 * (std::max(grid_.columns, grid_.rows) + 1.0) * std::exp2(grid_.shift);
+            }
+            most = steps;
+        }
+    }
+    return 1.5 * static_cast<double>(most + 1) * std::exp2(grid_.shift); // 1.5 > sqrt(2)
 }
 
 std::array<std::uint32_t, 2> columns_of(const contract::region_lloyd::SiteGrid& grid, const FixedEdge& edge,

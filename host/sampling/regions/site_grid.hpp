@@ -1,4 +1,6 @@
 // Sites in a region and the edges of its boundary, by the cells of a grid.
+//
+// Where the box of a region would be nearly empty, only those cells are listed that the region is in.
 #pragma once
 
 #include "base/regions/fixed_region.hpp"
@@ -14,8 +16,8 @@ namespace poissonlab {
 class SiteGrid
 {
 public:
-    /// Makes a grid for so many sites. The region must outlive this.
-    SiteGrid(const FixedRegion& region, std::size_t sites);
+    /// Makes a grid for so many sites, of all cells in the box or of listed ones. The region must outlive this.
+    SiteGrid(const FixedRegion& region, std::size_t sites, bool is_listed = false);
 
     /// Sorts sites by cells, and in each by their numbers. They lie in the region's box.
     void sort(std::span<const TorusPoint<2>> sites);
@@ -27,6 +29,17 @@ public:
     std::span<const TorusPoint<2>> sites() const { return sites_; }
     std::span<const std::uint32_t> numbers() const { return numbers_; }
     std::span<const std::uint8_t> is_inside() const { return is_inside_; }
+    /// The number of the first cell of a row that is not before a column, up to the end of the row.
+    std::size_t number_of_cell(std::uint32_t row, std::uint32_t column) const;
+    std::uint32_t column_of(std::size_t cell, std::uint32_t row) const
+    {
+        return grid_.is_listed != 0 ? listed_columns_[cell] : static_cast<std::uint32_t>(cell - first_of_row(row));
+    }
+
+    /// Listed cells of a row begin there, with their columns; without a list there is one value.
+    std::span<const std::uint32_t> row_starts() const { return row_starts_; }
+    std::span<const std::uint32_t> listed_columns() const { return listed_columns_; }
+
     std::span<const std::uint32_t> starts() const { return starts_; } ///< the first site of each cell, and the end
 
     /// The boundary, with the region on the left; positions count from the grid's lowest one.
@@ -35,10 +48,18 @@ public:
     std::span<const std::uint32_t> edge_numbers() const { return edge_numbers_; }
 
 private:
+    template <typename Body>
+    void for_each_cell_of_edges(const Body& body) const;
+    void list_cells();
     void list_edges();
     void find_filled();
     double half_box() const;
-    std::size_t cells() const { return std::size_t{grid_.columns} * grid_.rows; }
+    double half_box_of_listed() const;
+    std::size_t cells() const
+    {
+        return grid_.is_listed != 0 ? listed_columns_.size() : std::size_t{grid_.columns} * grid_.rows;
+    }
+    std::size_t first_of_row(std::uint32_t row) const { return std::size_t{row} * grid_.columns; }
 
     const FixedRegion& region_;
     contract::region_lloyd::SiteGrid grid_{};
@@ -48,6 +69,7 @@ private:
     std::vector<FixedEdge> edges_;
     std::vector<std::uint32_t> edge_starts_, edge_numbers_;
     std::vector<std::uint8_t> is_filled_; ///< cells that are not outside
+    std::vector<std::uint32_t> row_starts_{0}, listed_columns_{0};
 };
 
 /// The grid's columns that an edge is in, and a little more, within a row.

@@ -100,7 +100,7 @@ public:
                                  .key_x = stream_[0],
                                  .key_y = stream_[1],
                                  .bucket_mask = static_cast<std::uint32_t>(b.dart_heads.size() - 1),
-                                 .unused = 0};
+                                 .pieces = static_cast<std::uint32_t>(pieces_)};
         find_.run(darts, work_group_size_, batch, rule_, b.triangles, b.pieces, b.ends, b.guide, b.heads, b.points,
                   b.darts, b.states, b.dart_heads);
         settle(batch);

@@ -20,12 +20,23 @@ TorusPoint<2> place_of(std::span<const double> point)
     return {static_cast<std::uint32_t>(point[0] * 0x1p32), static_cast<std::uint32_t>(point[1] * 0x1p32)};
 }
 
+/// The part of the torus below which cells around it would have many points each.
+constexpr double least_part_of_torus = 1.0 / 256;
+
+TorusGrid grid_for_varied(const FixedRegion& region, std::size_t points)
+{
+    const double positions = region.area() / (region.unit() * region.unit());
+    if (positions > least_part_of_torus * 0x1p64) return {points, 2};
+    const double width = std::sqrt(positions / static_cast<double>(points));
+    return {points, 2, static_cast<std::uint64_t>(std::max(width, 1.0))};
+}
+
 /// The pairs of points that have a weight. Reaches are parts of the distances that pairs keep.
 class VariedPartners
 {
 public:
     VariedPartners(const VariedDartRequest& request, const PointSet& points, const EliminationReach& reach)
-        : request_(request), reach_(reach), grid_(points.size(), 2)
+        : request_(request), reach_(reach), grid_(grid_for_varied(*request.region, points.size()))
     {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const TorusPoint<2> place = place_of(points[i]);

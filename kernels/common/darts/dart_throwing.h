@@ -12,6 +12,26 @@ DERIVED(DART_WORDS, (size_t DIMENSION), DIMENSION + 2)
 /// An accepted dart as words: position, time.
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
 
+/// An open cell as words: its coordinates on the torus and, with bricks, the number of the level 0 cell that it lies in,
+/// with the uppermost bit where it lies inside the region.
+DERIVED(PARENT_WORDS, (size_t DIMENSION, size_t BRICKS), DIMENSION + BRICKS)
+
+/// Bricks have so many cells of level 0, 2^BRICK_BITS along each axis.
+enum
+{
+    BRICK_CELLS = 64
+};
+DERIVED(BRICK_BITS, (size_t DIMENSION), DIMENSION == 2 ? 3 : 2)
+
+/// The bricks around a brick, itself among them.
+DERIVED(BRICKS_AROUND, (size_t DIMENSION), DIMENSION == 2 ? 9 : 27)
+
+/// What stands for a brick that the grid has not got.
+enum
+{
+    NO_BRICK = 0x7fffffff
+};
+
 /// A bit for each cell of the window around a cell of level 0, which has REACH cells on either side.
 DERIVED(MASK_WORDS, (size_t DIMENSION, size_t REACH),
         ((2 * REACH + 1) * (2 * REACH + 1) * (DIMENSION == 2 ? 1 : 2 * REACH + 1) + 31) / 32)
@@ -77,8 +97,8 @@ struct Slabs
 {
     ulong squared_min_distance;
     uint slabs;
-    uint grid_size; ///< cells of level 0 along each axis
-    uint row_words; ///< that a row of cells has in `accepted`
+    uint grid_size; ///< cells of level 0 along each axis, or the number of bricks
+    uint row_words; ///< that a row of cells has in `accepted`; bricks have none
     uint darts;
     uint bucket_bits; ///< 2^bucket_bits intervals of time, from 1 to 31
     uint is_rest;     ///< only darts that are undecided

@@ -39,6 +39,14 @@ enum State
     STATE_WORDS
 };
 
+/// The cells of points: `size` along each axis. With squares they are folded, so that as many as one likes share
+/// 2^number_bits numbers; else that is 0.
+struct PointCells
+{
+    uint size;
+    uint number_bits;
+};
+
 /// The arguments of settle_candidates.
 struct Settling
 {
@@ -48,7 +56,15 @@ struct Settling
     uint key_x, key_y; ///< of random numbers
     uint target;       ///< points
     uint levels_ahead; ///< that the next batch is allowed
-    uint grid_size;    ///< cells of points along each axis
+    struct PointCells cells;
+    uint unused;
+};
+
+/// The squares that darts fall into, of a region that is long: 2^shift positions wide.
+struct DartSquares
+{
+    uint count;
+    uint shift;
 };
 
 /// The box that darts fall into, with a region; 2^31 positions along each axis at most.

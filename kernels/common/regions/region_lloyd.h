@@ -10,7 +10,8 @@ enum
     MAX_LINES = 40 ///< of a cell; the host takes cells that have more while they are cut
 };
 
-/// Square cells over the box of a region: 2^shift positions along each axis, from a lowest position on.
+/// Square cells over the box of a region: 2^shift positions along each axis, from a lowest position on. They are numbered
+/// with columns fastest: all of them or, in long regions, those that are listed, which something of the region is in.
 struct SiteGrid
 {
     double half_box; ///< what a site's cell has of the region lies in a square of twice this side around it
@@ -18,6 +19,8 @@ struct SiteGrid
     uint columns, rows;
     uint shift;
     uint sites;
+    uint is_listed;
+    uint unused;
 };
 
 /// A cell's part of the region, relative to its site; lengths in positions.

@@ -79,7 +79,7 @@ struct SurfaceBatch
     uint guide_bits;   ///< 2^guide_bits entries of the guide to weights
     uint key_x, key_y; ///< of random numbers
     uint bucket_mask;  ///< of the darts' own buckets
-    uint unused;
+    uint pieces;
 };
 
 END_CONTRACT

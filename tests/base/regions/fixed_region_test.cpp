@@ -51,6 +51,17 @@ PlaneRegion of_rings(std::vector<RegionRing> rings)
     return region;
 }
 
+/// A narrow band with so many corners on either side that cells of the grid are divided.
+PlaneRegion road()
+{
+    constexpr int corners = 10'000;
+    RegionRing outline;
+    for (int i = 0; i <= corners; ++i) outline.push_back({std::floor(whole_side * i / corners), 1000.0 * (i % 7)});
+    for (int i = corners; i >= 0; --i)
+        outline.push_back({std::floor(whole_side * i / corners), 10'000 + 1000.0 * (i % 5)});
+    return of_rings({outline});
+}
+
 std::vector<PlaneRegion> whole_regions()
 {
     const double w = whole_side;
@@ -61,6 +72,7 @@ std::vector<PlaneRegion> whole_regions()
         of_rings({{{0, 0}, {w, 1}, {w, w}}, {{5, 3}, {0x1p30, 0x1p29}, {0x1p30 + 7, 2}}})};
     for (std::uint32_t seed = 1; seed <= 4; ++seed)
         regions.push_back(test::star_with_holes(seed, seed < 3 ? 40 : 4000, whole_side));
+    regions.push_back(road());
     return regions;
 }
 

@@ -139,5 +139,13 @@ TEST(RegionTexts, InDegreesAreRefusedUnlessTheyAreSaidToBeLengths)
     EXPECT_NO_THROW(read_region(square_with_hole)) << "near 0, and as large as it is far from there";
 }
 
+/// Islands are as wide as they are, however far apart they lie; what is refused is narrower everywhere.
+TEST(RegionTexts, MayHaveIslandsFarApart)
+{
+    const PlaneRegion region = read_region(
+        "MULTIPOLYGON (((0 0,9 0,0 9,0 0)),((9000000 9000000,9000009 9000000,9000000 9000009,9000000 9000000)))");
+    EXPECT_EQ(area_of(region), 81);
+}
+
 }
 }

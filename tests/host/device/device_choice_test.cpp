@@ -49,6 +49,18 @@ TEST(DeviceChoice, ByNumberNameAndUniquePart)
     EXPECT_EQ(choose_device(devices, "epyc"), 2u);
 }
 
+TEST(DeviceChoice, ByTheEnvironmentWhereNoneIsNamed)
+{
+    const auto devices = devices_of(machine);
+    ::setenv("POISSONLAB_DEVICE", "UHD", 1);
+    EXPECT_EQ(choose_device(devices, ""), 3u);
+    EXPECT_EQ(choose_device(devices, "epyc"), 2u);
+    ::setenv("POISSONLAB_DEVICE", "Arc", 1);
+    EXPECT_THAT(refusal(devices, ""), HasSubstr("no OpenCL device matches \"Arc\""));
+    ::unsetenv("POISSONLAB_DEVICE");
+    EXPECT_EQ(choose_device(devices, ""), 2u);
+}
+
 TEST(DeviceChoice, PoclByDefaultElseTheFirstUsable)
 {
     auto devices = devices_of(machine);

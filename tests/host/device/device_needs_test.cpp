@@ -66,7 +66,7 @@ TEST(DeviceNeeds, AreAskedBeforeAKernelIsBuilt)
         device.kernel(program, "find_centroids");
         FAIL();
     } catch (const DeviceError& error) {
-        EXPECT_THAT(error.what(), testing::StartsWith("kernels/voronoi_2d.cl needs 1.0 TiB of local memory, which "));
+        EXPECT_THAT(error.what(), testing::StartsWith("Lloyd relaxation needs 1.0 TiB of local memory, which "));
     }
 }
 

@@ -1,6 +1,7 @@
 // The device layer: what it lists, what it opens, and what it says when something fails.
 #include "host/device/device.hpp"
 
+#include "host/device/loop_limit.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
@@ -63,6 +64,27 @@ TEST(Device, PadsTheRangeToWholeGroups)
     EXPECT_EQ(total.read(0, 1).at(0), 128u);
     kernel.run(0, 64, total);
     EXPECT_EQ(total.read(0, 1).at(0), 128u);
+}
+
+/// A driver that ends them early is one that the laboratory knows.
+TEST(Device, RunsLoopsToTheirEnd)
+{
+    Device device = Device::open();
+    auto kernel = device.kernel_from_text("kernel void count(uint end, global uint* n) { while (n[0] < end) ++n[0]; }",
+                                          "count.cl", "count");
+    auto counted = device.buffer<std::uint32_t>(1);
+    counted.write(std::vector<std::uint32_t>(1, 0));
+    kernel.run(1, 1, std::uint32_t{100'000}, counted);
+    EXPECT_EQ(counted.read(0, 1).at(0), ends_loops_early(device.info().name) ? 65'535U : 100'000U);
+}
+
+TEST(Device, IsNotUsedWhereItEndsLoopsEarly)
+{
+    EXPECT_TRUE(ends_loops_early("llvmpipe (LLVM 15.0.6, 256 bits)"));
+    EXPECT_FALSE(ends_loops_early("AMD Radeon RX 6600 (navi23, LLVM 15.0.6)"));
+    ::unsetenv("POISSONLAB_SHORT_LOOPS");
+    EXPECT_THAT(why_loops_are_unreliable("llvmpipe (LLVM 15.0.6, 256 bits)"), HasSubstr("after 65,535 iterations"));
+    EXPECT_EQ(why_loops_are_unreliable("pthread-EPYC"), "");
 }
 
 TEST(Device, ShowsTheLogOfAKernelThatDoesNotBuild)

@@ -59,6 +59,10 @@ std::vector<NamedSet> sets_of_all_sorts()
     const std::array<std::array<double, 4>, 1> grid{{{564000, 5640000, 60, 40}}}, thin{{{0, 0, 1000, 0.01}}};
     sets.push_back(set_in_boxes("a box", grid, 2000));
     sets.push_back(set_in_boxes("a strip", thin, 2000));
+    NamedSet slanting = set_in_boxes("a slanting strip", std::array<std::array<double, 4>, 1>{{{0, 0, 1e5, 1}}}, 2000);
+    for (std::size_t i = 0; i < slanting.points.size(); ++i)
+        slanting.points.coordinates[2 * i + 1] += slanting.points.coordinates[2 * i];
+    sets.push_back(slanting);
     // Two heaps far from each other are too full for a grid; far islands of one point each leave it almost empty.
     sets.push_back(set_in_boxes("heaps", std::array<std::array<double, 4>, 2>{{{0, 0, 1, 1}, {1e6, 1e6, 1, 1}}}, 1000));
     std::vector<std::array<double, 4>> islands(3, {0, 0, 1, 1});

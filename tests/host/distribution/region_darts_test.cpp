@@ -98,7 +98,13 @@ TEST(RegionDartsOfOwnUnits, AreRefusedWhereThereIsNoRoom)
     settings.min_distance = 1e-4;
     EXPECT_THAT(
         message_of([&] { throw_region_darts(settings, 1, plain); }),
-        HasSubstr("a minimum distance of 0.0001 needs a finer grid than memory has room for; at least 0.00518"));
+        HasSubstr("a minimum distance of 0.0001 leaves room for more points in the region than there is memory for; at "
+                  "least some 0."));
+    settings.min_distance = 1e-6;
+    EXPECT_THAT(
+        message_of([&] { throw_region_darts(settings, 1, plain); }),
+        HasSubstr("a minimum distance of 1e-06 is too short for a region of this extent, along which 2^31 positions "
+                  "are told apart; at least 3.58e-06"));
     settings.min_distance = 25;
     settings.boundary = RegionBoundary::disks;
     EXPECT_THAT(message_of([&] { throw_region_darts(settings, 1, plain); }),

@@ -29,6 +29,14 @@ TEST(SelfSimilarTile, HasTheRanksOfTheDissertation)
     for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_EQ(ranked[5 + i], printed[i]) << "rank " << 5 + i;
 }
 
+/// D 4.7.2.2: the shares of sequences that are balanced.
+TEST(SelfSimilarTile, HasAsManyBalancedSequencesAsPrinted)
+{
+    for (const auto& [points, share] : {std::pair(16U, 0.1964), std::pair(20U, 0.1762), std::pair(24U, 0.1612)})
+        EXPECT_NEAR(static_cast<double>(balanced_words(points).size()) / std::ldexp(1.0, static_cast<int>(points)),
+                    share, 5e-5);
+}
+
 /// A copy at half the size, in any quarter, has each of its points among those of the whole, halved.
 TEST(SelfSimilarTile, IsSelfSimilar)
 {

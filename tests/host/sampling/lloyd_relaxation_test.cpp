@@ -202,6 +202,26 @@ TEST_P(LloydRelaxationIn, CanKeepTheBestIterate)
     EXPECT_LT(result.iterations[1].relative_radius, result.iterations[0].relative_radius);
 }
 
+/// Iterations go to the device in batches, and what is kept may lie within one: it is the iterate that so many
+/// iterations alone make, which end with their batch.
+TEST_P(LloydRelaxationIn, KeepsTheIteratesOfStepByStep)
+{
+    const PointSet start = random_set(150, dimension(), 12);
+    LloydRelaxation relaxation(Device::open());
+    for (const LloydRequest& request : {LloydRequest{300, 0.45}, LloydRequest{300, 0.55}, LloydRequest{63},
+                                        LloydRequest{64}, LloydRequest{200, 2, true}, LloydRequest{41, 2, true}}) {
+        const LloydResult result = relaxation.relax(start, {}, request);
+        const LloydResult alone = relaxation.relax(start, {}, {result.kept});
+        EXPECT_EQ(result.points, alone.points) << request.iterations;
+        ASSERT_GE(result.iterations.size(), alone.iterations.size());
+        for (std::size_t i = 0; i < alone.iterations.size(); ++i)
+            EXPECT_EQ(result.iterations[i].energy, alone.iterations[i].energy) << i;
+        if (!request.keep_best) {
+            EXPECT_EQ(result.kept + 1, result.iterations.size());
+        }
+    }
+}
+
 TEST_P(LloydRelaxationIn, SeparatesCoincidingPoints)
 {
     PointSet start = random_set(20, dimension(), 11);

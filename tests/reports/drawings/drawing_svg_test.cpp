@@ -103,7 +103,7 @@ test::ColorPicture in_browser(const Drawing& drawing)
     folder.write("a.svg", drawing_svg(drawing));
     const auto page = folder.write("a.html", "<!doctype html><body style=\"margin: 0\">"
                                              "<img src=\"a.svg\" width=\"900\" style=\"display: block\">");
-    test::Browser browser;
+    static test::Browser browser; // of all tests: starting one takes longer than a picture
     browser.resize(1280, 1200);
     browser.open(page);
     return test::decode_color_png(browser.screenshot());

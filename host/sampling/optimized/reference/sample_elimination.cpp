@@ -13,9 +13,20 @@
 namespace poissonlab::reference {
 namespace {
 
+/// More cells than so many for each point are folded: points lie in a small part of the torus.
+constexpr double most_cells_a_point = 16;
+
+/// Cells are as wide as the reach, nearly.
+TorusGrid grid_within(const PointSet& points, double reach)
+{
+    const double cells = std::pow(reach, -points.dimension);
+    if (cells <= most_cells_a_point * static_cast<double>(points.size())) return {points.size(), points.dimension};
+    return {points.size(), points.dimension, static_cast<std::uint64_t>(std::ceil(reach * 0x1p32))};
+}
+
 std::vector<std::vector<Partner>> partners_within(const PointSet& points, const EliminationReach& reach)
 {
-    TorusGrid grid(points.size(), points.dimension);
+    TorusGrid grid = grid_within(points, reach.most);
     for (std::size_t i = 0; i < points.size(); ++i) {
         TorusPosition position{};
         for (std::size_t k = 0; k < points[i].size(); ++k)

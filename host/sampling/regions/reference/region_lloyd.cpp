@@ -111,8 +111,9 @@ RegionCell cell_of(const SiteGrid& sites, const TorusPoint<2>& site)
         first = std::max<std::int64_t>(first, 0);
         last = std::min<std::int64_t>(last, grid.columns - 1);
         if (first > last) return;
-        const auto begin = static_cast<std::size_t>(y * grid.columns + first);
-        const auto end = static_cast<std::size_t>(y * grid.columns + last + 1);
+        const auto in_row = static_cast<std::uint32_t>(y);
+        const std::size_t begin = sites.number_of_cell(in_row, static_cast<std::uint32_t>(first));
+        const std::size_t end = sites.number_of_cell(in_row, static_cast<std::uint32_t>(last + 1));
         for (std::uint32_t i = sites.starts()[begin]; i < sites.starts()[end]; ++i)
             cell.cut_off(relative(sites.sites()[i], site));
     };
@@ -222,15 +223,17 @@ CellMoments integrate_cell(const SiteGrid& sites, std::size_t number)
     if (sites.is_inside()[number] != 0)
         for (const CellLine& line : cell.lines()) add_triangle(sum, line.first(), line.last(), 1);
     const GridBlock block = block_of(cell, grid, site);
-    for (std::uint32_t row = block.first_row; row <= block.last_row; ++row)
-        for (std::uint32_t column = block.first_column; column <= block.last_column; ++column) {
-            const std::size_t place = std::size_t{row} * grid.columns + column;
+    for (std::uint32_t row = block.first_row; row <= block.last_row; ++row) {
+        const std::size_t end = sites.number_of_cell(row, block.last_column + 1);
+        for (std::size_t place = sites.number_of_cell(row, block.first_column); place < end; ++place) {
+            const std::uint32_t column = sites.column_of(place, row);
             for (std::uint32_t i = sites.edge_starts()[place]; i < sites.edge_starts()[place + 1]; ++i) {
                 const FixedEdge& edge = sites.edges()[sites.edge_numbers()[i]];
                 if (is_first_listed(grid, edge, block, column, row))
                     look_behind(sum, cell, edge, {site[0] - grid.low_x, site[1] - grid.low_y});
             }
         }
+    }
     return sum;
 }
 

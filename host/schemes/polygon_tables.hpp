@@ -1,0 +1,25 @@
+// What results of tilings by polygons say alike: how tiles meet.
+#pragma once
+
+#include "results/pictures/distribution_result.hpp"
+#include "tiles/prototiles/patch_survey.hpp"
+#include "tiles/prototiles/polygon_tiling.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace poissonlab {
+
+/// The most tiles of a picture.
+inline constexpr std::size_t most_polygon_tiles = 50'000;
+
+/// Numbers of edges and vertices, and whether tiles fit.
+void add_survey(DistributionResult& result, const PatchSurvey& survey);
+
+/// The tiles around vertices, and how often.
+DistributionTable figure_table(const PatchSurvey& survey);
+
+/// The number of a start by its name; the first one for an empty name. Throws InputError for a name that is none.
+std::size_t start_of(const PolygonTiling& tiling, const std::string& name);
+
+}
