@@ -6,8 +6,6 @@
 
 namespace poissonlab {
 
-Kind substitution_kind(); Kind periodic_kind(); Kind brick_kind(); // LOCAL
-
 void add_tilings(Laboratory& laboratory)
 {
     for (Kind& kind : construction_kinds()) laboratory.kinds.push_back(std::move(kind));

@@ -100,9 +100,10 @@ DistributionResult make_periodic(const PeriodicSettings& settings, DistributionF
     for (const RepeatedTile& tile : found) tiles.push_back(tile.tile);
     const TransitivityClasses classes = transitivity_classes(tiling);
     DistributionResult result;
-    result.facts = {tiling.title, tiling.source,
-                    classes.has_mirrors ? "reflections or glide reflections are among its symmetries"
-                                        : "without reflections: there is a left-handed and a right-handed form"};
+    result.facts = names_of(tiling);
+    result.facts.emplace_back(classes.has_mirrors
+                                  ? "reflections or glide reflections are among its symmetries"
+                                  : "without reflections: there is a left-handed and a right-handed form");
     const auto number = [](std::size_t count) { return static_cast<double>(count); };
     result.numbers = {
         {"tile_classes", "Transitivity classes of tiles", number(classes.tile_classes), "1: the tiling is isohedral"},

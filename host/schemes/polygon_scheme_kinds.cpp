@@ -12,9 +12,6 @@
 
 namespace poissonlab {
 
-Kind substitution_kind();
-Kind periodic_kind();
-Kind brick_kind(); // LOCAL
 namespace {
 
 constexpr int most_divisions = 200;
@@ -201,7 +198,8 @@ Kind periodic_kind()
 Kind brick_kind()
 {
     return make_kind<BrickSettings>(
-        {"scheme", "bricks", "", "Bricks by digits of pi", "Draw pairs of bricks placed by the binary digits of pi", false},
+        {"scheme", "bricks", "", "Bricks by digits of pi", "Draw pairs of bricks placed by the binary digits of pi",
+         false},
         brick_keys, [](const BrickSettings& s) { return fmt::format("Bricks by {} digits of pi", s.digits); },
         [](const BrickSettings& s, std::uint64_t, DistributionFiles& files) { return make_bricks(s, files); });
 }

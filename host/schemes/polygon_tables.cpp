@@ -9,6 +9,13 @@
 
 namespace poissonlab {
 
+std::vector<std::string> names_of(const PolygonTiling& tiling)
+{
+    std::vector<std::string> names{tiling.title, tiling.source};
+    std::erase(names, "");
+    return names;
+}
+
 void add_survey(DistributionResult& result, const PatchSurvey& survey)
 {
     const auto number = [](std::size_t count) { return static_cast<double>(count); };

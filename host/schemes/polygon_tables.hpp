@@ -7,11 +7,15 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
 /// The most tiles of a picture.
 inline constexpr std::size_t most_polygon_tiles = 50'000;
+
+/// What a tiling is called, and where it comes from; words that it lacks are left out.
+std::vector<std::string> names_of(const PolygonTiling& tiling);
 
 /// Numbers of edges and vertices, and whether tiles fit.
 void add_survey(DistributionResult& result, const PatchSurvey& survey);

@@ -69,6 +69,16 @@ MarkPicture window_picture(const PolygonTiling& tiling, const PolygonStyle& styl
     return canvas.picture();
 }
 
+/// True if the border of the tiles comes into a window around a place.
+bool is_border_in_window(const PolygonTiling& tiling, const PatchSurvey& survey, const std::array<double, 2>& window,
+                         const RingPlace& middle, double unit)
+{
+    return std::ranges::any_of(survey.border, [&](const RingPlace& place) {
+        const auto away = tiling.ring.value(place - middle);
+        return std::abs(away[0]) < window[0] / 2 * unit && std::abs(away[1]) < window[1] / 2 * unit;
+    });
+}
+
 /// Exact places and turns by the powers of the ring's unit vector, and rounded ones.
 std::string tiles_csv(const PolygonTiling& tiling, const std::vector<AddressedTile>& tiles)
 {
@@ -142,12 +152,14 @@ DistributionResult make_substitution(const SubstitutionSettings& settings, Distr
     std::vector<PlacedTile> tiles;
     for (const AddressedTile& tile : found) tiles.push_back(tile.tile);
     DistributionResult result;
-    result.facts = {tiling.title, tiling.source};
+    result.facts = names_of(tiling);
     result.numbers = {
         {"tiles", "Tiles", static_cast<double>(tiles.size()), "", {}, true},
         {"inflation", "Inflation factor", inflation_of(tiling), "how much longer a tile is than its parts"}};
     const PatchSurvey survey = survey_patch(tiling, tiles);
     add_survey(result, survey);
+    if (settings.window && is_border_in_window(tiling, survey, *settings.window, middle.motion.at, unit))
+        result.facts.emplace_back("the window reaches beyond the tiles: other addresses are farther inside");
     result.tables.push_back(tile_table(tiling, found));
     result.tables.push_back(figure_table(survey));
     files.add_marks("rules.json", rules_picture(tiling, settings.style),

@@ -37,6 +37,7 @@ public:
     }
 
     std::size_t size() const { return places_.size(); }
+    const RingPlace& place(std::size_t vertex) const { return places_[vertex]; }
     const Point& point(std::size_t vertex) const { return points_[vertex]; }
 
     /// Sorts vertices into cells of this side.
@@ -170,6 +171,7 @@ private:
             const auto other = pieces_.find({direction.second, direction.first});
             if (other == pieces_.end()) {
                 ++survey_.border_edges;
+                survey_.border.push_back(vertices_.place(direction.first));
                 continue;
             }
             if (direction.first > direction.second) continue;

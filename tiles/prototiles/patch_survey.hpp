@@ -23,6 +23,7 @@ struct PatchSurvey
     std::size_t inner_edges =
         0; ///< with a tile on each side; pieces between corners, as tiles need not meet edge to edge
     std::size_t border_edges = 0;  ///< with a tile on one side
+    std::vector<RingPlace> border; ///< where border edges start, in no particular order
     std::size_t crowded_edges = 0; ///< with more than one tile on a side: tiles overlap
     std::size_t unfit_edges = 0;   ///< inner edges whose letters do not fit
     std::size_t labelled_edges = 0;

@@ -1,5 +1,7 @@
 #include "tiles/prototiles/periodic_tiling.hpp"
 
+#include "base/programs/interrupt.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -142,6 +144,7 @@ private:
 
     void try_motion(const TileMotion& motion)
     {
+        stop_if_interrupted();
         std::vector<std::size_t> images;
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             std::vector<RingPlace> corners;

@@ -32,7 +32,8 @@ struct TransitivityClasses
     bool has_mirrors = false;       ///< reflections or glide reflections
 };
 
-/// Tries all motions that turn or mirror a tile of the unit onto another one, by the directions of the ring.
+/// Tries all motions that turn or mirror a tile of the unit onto another one, by the directions of the ring. Throws
+/// Interrupted.
 TransitivityClasses transitivity_classes(const PolygonTiling& tiling);
 
 /// True if the tiles of the unit have the area of a period exactly.

@@ -95,6 +95,18 @@ TEST_F(PolygonSchemes, FillWindowsFarInside)
     EXPECT_LT(number_of(result, "tiles"), 1000);
 }
 
+TEST_F(PolygonSchemes, SayWhereAWindowReachesBeyondTheTiles)
+{
+    const auto says_so = testing::Contains(testing::HasSubstr("reaches beyond the tiles"));
+    SubstitutionSettings settings;
+    settings.tiling.word = "chair";
+    settings.depth = 6;
+    settings.window = {6, 6};
+    EXPECT_THAT(made(settings).facts, says_so) << "the first parts are at a corner of the whole";
+    settings.address = {0, 1, 1, 1};
+    EXPECT_THAT(made(settings).facts, testing::Not(says_so));
+}
+
 TEST_F(PolygonSchemes, CountClassesOfPeriodicTilings)
 {
     PeriodicSettings settings;
