@@ -67,10 +67,12 @@ private:
     std::size_t kept_ = 0;
 };
 
-/// Iterations that are enqueued before the host looks at their measures: many where one takes less than waiting for it.
-inline std::size_t iterations_of_batch(std::size_t points)
+/// Iterations that are enqueued before the host looks at their measures, at most: many where one takes less than
+/// waiting for it, and few enough for an interruption to be seen soon.
+inline std::size_t iterations_of_batch(std::size_t points, int dimension)
 {
-    constexpr std::size_t points_of_batch = std::size_t{1} << 18, most = 64;
+    constexpr std::size_t most = 64;
+    const std::size_t points_of_batch = std::size_t{1} << (dimension == 2 ? 18 : 15);
     return std::clamp<std::size_t>(points_of_batch / std::max<std::size_t>(points, 1), 1, most);
 }
 
@@ -80,7 +82,8 @@ inline std::size_t iterations_of_batch(std::size_t points)
 /// from the start.
 ///
 /// Where an iterate within a batch turns out to be the one to keep, its points are made once more, from those that the
-/// batch began with. Such batches are short in the beginning, so that what is made in vain is a part of all.
+/// batch began with. Batches are short in the beginning: what is made in vain is a part of all then, and the first
+/// iterates of crowded points take long.
 template <typename State>
 LloydResult run_batches(State& state, std::size_t points, int dimension, const LloydRequest& request)
 {
@@ -92,8 +95,8 @@ LloydResult run_batches(State& state, std::size_t points, int dimension, const L
         stop_if_interrupted();
         const std::size_t made = course.iterations().size();
         if (made > 0) state.move();
-        std::size_t count = std::min(iterations_of_batch(points), request.iterations + 1 - made);
-        if (may_go_back) count = std::min(count, 1 + made / 4);
+        const std::size_t count =
+            std::min({iterations_of_batch(points, dimension), request.iterations + 1 - made, 1 + made / 4});
         const PointSet before = may_go_back && count > 1 ? state.points() : PointSet{};
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) state.move();

@@ -19,7 +19,7 @@ public:
                 VoronoiKernels::cells_per_axis(points.dimension, points.size()), group_size),
           voronoi_(device, points.dimension, points.size(), group_size),
           mover_(device, domain, points.dimension, group_size),
-          summary_(device, points.dimension, points.size(), iterations_of_batch(points.size()))
+          summary_(device, points.dimension, points.size(), iterations_of_batch(points.size(), points.dimension))
     {
         load(points);
     }
@@ -66,7 +66,7 @@ LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain,
 DeviceMemory LloydRelaxation::memory(int dimension, std::size_t points)
 {
     return voronoi_memory(dimension, points) + DomainBuffers::memory_of_torus() +
-           PointSummary::memory(points, iterations_of_batch(points));
+           PointSummary::memory(points, iterations_of_batch(points, dimension));
 }
 
 }
