@@ -40,7 +40,7 @@ ALWAYS_INLINE ulong bits_between(int k, uint low, uint high)
     return BITS_ALONG[k] >> step * (BRICK_SIDE - 1 - (high - low)) << step * low;
 }
 
-/// What a window has of bricks along an axis: of one, or of two.
+/// The parts of a window along an axis: in one brick, or in two.
 typedef struct
 {
     uint first, count; // from the brick before on
@@ -58,7 +58,7 @@ ALWAYS_INLINE void find_stretch(int k, uint c, Stretch* stretch)
     stretch->bits[1] = bits_between(k, 0, high);
 }
 
-/// What the bricks around a dart have of the window around its cell, as bits.
+/// The parts of the window around a dart's cell that bricks have, as bits.
 typedef struct
 {
     uint count;
