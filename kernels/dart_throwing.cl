@@ -171,11 +171,9 @@ typedef struct
     Spot spot;
 } Window;
 
-ALWAYS_INLINE Window window_around(Parent* parent, const struct Batch* batch, const Cells* cells)
+ALWAYS_INLINE void find_window(Parent* parent, const struct Batch* batch, const Cells* cells, Window* window)
 {
-    Window window;
-    window.spot = spot_of(cells, parent->base);
-    return window;
+    find_spot(cells, parent->base, &window->spot);
 }
 
 ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint b)
@@ -195,19 +193,17 @@ typedef struct
 } Window;
 
 /// Finds the parent's level 0 cell as well.
-ALWAYS_INLINE Window window_around(Parent* parent, const struct Batch* batch, const Cells* cells)
+ALWAYS_INLINE void find_window(Parent* parent, const struct Batch* batch, const Cells* cells, Window* window)
 {
     const uint size = cells->size;
-    Window window;
-    window.is_inside = size > 2 * REACH;
+    window->is_inside = size > 2 * REACH;
     FOR_EACH_AXIS(k)
     {
-        window.base.c[k] = cell_in_grid(parent->cell.c[k] >> (batch->level - (int)batch->is_split), k, &batch->part);
-        window.is_inside &= window.base.c[k] - REACH < size - 2 * REACH;
+        window->base.c[k] = cell_in_grid(parent->cell.c[k] >> (batch->level - (int)batch->is_split), k, &batch->part);
+        window->is_inside &= window->base.c[k] - REACH < size - 2 * REACH;
     }
-    parent->base = cell_index(&window.base, size);
-    window.corner = parent->base - REACH * (DIMENSION == 2 ? size + 1 : (size + 1) * size + 1);
-    return window;
+    parent->base = cell_index(&window->base, size);
+    window->corner = parent->base - REACH * (DIMENSION == 2 ? size + 1 : (size + 1) * size + 1);
 }
 
 ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint b)
@@ -225,7 +221,8 @@ ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint
 ALWAYS_INLINE void look_around(Parent* parent, const struct Batch* batch, const Cells* cells,
                                global const uint* masks, global const uint* positions, uint begin, Near* near)
 {
-    const Window window = window_around(parent, batch, cells);
+    Window window;
+    find_window(parent, batch, cells, &window);
     uint end = begin;
     UNROLLED(uint w = 0; w < MASK_WORDS; w += 2)
     {
@@ -494,7 +491,8 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
         parent->is_inside = false;
         if (batch.number < (BRICKS ? 1 : 2)) {
             parent->base = first + p;
-            const Spot spot = spot_of(&grid.cells, first + p);
+            Spot spot;
+            find_spot(&grid.cells, first + p, &spot);
             FOR_EACH_AXIS(k) parent->cell.c[k] = torus_coordinate(&grid.cells, &spot, k);
         } else {
             take_listed(parent, parent_cells, first + p);

@@ -40,27 +40,25 @@ ALWAYS_INLINE ulong bits_between(int k, uint low, uint high)
     return BITS_ALONG[k] >> step * (BRICK_SIDE - 1 - (high - low)) << step * low;
 }
 
-/// What a window has of bricks along an axis: of one, or of two.
+/// The parts of a window along an axis: in one brick, or in two.
 typedef struct
 {
     uint first, count; // from the brick before on
     ulong bits[2];
 } Stretch;
 
-ALWAYS_INLINE Stretch stretch_along(int k, uint c)
+ALWAYS_INLINE void find_stretch(int k, uint c, Stretch* stretch)
 {
     // From the brick before on.
     const uint begin = c + BRICK_SIDE - REACH, end = c + BRICK_SIDE + REACH;
-    Stretch stretch;
-    stretch.first = begin >> BRICK_BITS;
-    stretch.count = (end >> BRICK_BITS) - stretch.first + 1;
+    stretch->first = begin >> BRICK_BITS;
+    stretch->count = (end >> BRICK_BITS) - stretch->first + 1;
     const uint low = begin & (BRICK_SIDE - 1), high = end & (BRICK_SIDE - 1);
-    stretch.bits[0] = bits_between(k, low, stretch.count == 1 ? high : BRICK_SIDE - 1);
-    stretch.bits[1] = bits_between(k, 0, high);
-    return stretch;
+    stretch->bits[0] = bits_between(k, low, stretch->count == 1 ? high : BRICK_SIDE - 1);
+    stretch->bits[1] = bits_between(k, 0, high);
 }
 
-/// What the bricks around a dart have of the window around its cell, as bits.
+/// The parts of the window around a dart's cell that bricks have, as bits.
 typedef struct
 {
     uint count;
@@ -83,7 +81,7 @@ ALWAYS_INLINE void find_parts(const Cells* cells, const Spot* spot, const Slab* 
     parts->count = 0;
     parts->leaves = false;
     Stretch along[DIMENSION];
-    FOR_EACH_AXIS(k) along[k] = stretch_along(k, spot->c[k]);
+    FOR_EACH_AXIS(k) find_stretch(k, spot->c[k], &along[k]);
     global const uint* around = &cells->around[spot->brick * BRICKS_AROUND];
     // Products of bits that differ along each axis have no carries.
 #if DIMENSION == 3
@@ -225,7 +223,8 @@ kernel void settle_darts(struct Slabs slabs, global const uint* darts, global ui
         const uint dart = (uint)keys[at];
         const Position position = position_of(darts, dart);
         const uint cell = darts[dart * DART_WORDS + CELL_WORD];
-        const Spot spot = spot_of(&cells, cell);
+        Spot spot;
+        find_spot(&cells, cell, &spot);
         Parts parts;
         find_parts(&cells, &spot, &slab, &parts);
         uint state = REJECTED;

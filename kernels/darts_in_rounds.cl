@@ -29,7 +29,8 @@ kernel void link_darts(global const uint* darts, uint dart_count, uint first, gl
 /// Lists the chains of this batch in the window around a cell, and returns how many there are.
 ALWAYS_INLINE uint list_chains(const Cells* cells, uint cell, uint first, global const uint* slots, uint* chains)
 {
-    const Spot spot = spot_of(cells, cell);
+    Spot spot;
+    find_spot(cells, cell, &spot);
     uint count = 0;
 #if BRICKS
     for (uint b = 0; b < MAX_NEAR; ++b) {
@@ -115,7 +116,8 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
 ALWAYS_INLINE void mark_disk(const Position* point, uint index, const Cells* cells, uint torus_size, ulong step,
                              ulong squared_min_distance, global volatile uint* masks)
 {
-    const Spot spot = spot_of(cells, index);
+    Spot spot;
+    find_spot(cells, index, &spot);
     // Squared distances to the columns, rows and slices of the window.
     ulong squared_gap[DIMENSION][WINDOW];
     FOR_EACH_AXIS(k)

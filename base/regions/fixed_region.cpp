@@ -263,7 +263,7 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
                                  filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
     if (filled == 0) return RegionSide::outside;
     if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
-    // Of small boxes, only the parts of divided cells that they lie in.
+    // Small boxes are held against those parts of divided cells alone that they lie in.
     const int fine_shift = shift() - fine_bits_;
     const bool is_fine = cut.high[0] >> fine_shift <= (cut.low[0] >> fine_shift) + 1 &&
                          cut.high[1] >> fine_shift <= (cut.low[1] >> fine_shift) + 1;

@@ -23,7 +23,7 @@ struct RegionSquares
     std::vector<PositionIn<Region>> corners; ///< the lowest position of each; none where nothing is inside
     int shift = 0;                           ///< squares are 2^shift positions wide, up to 2^31
 
-    /// What a position of 2^31 values is in a square along an axis, from a random word.
+    /// Turns a random word into a position in a square along an axis, from its lowest one on.
     std::uint32_t within(std::uint32_t word) const
     {
         return static_cast<std::uint32_t>(std::uint64_t{word} << shift >> 32);

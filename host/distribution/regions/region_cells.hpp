@@ -17,7 +17,7 @@ void choose_cells(DartThrowingRequest& request, double side);
 /// numbers belong to a box around the region take them for its cells then.
 bool is_long(double min_distance, int dimension);
 
-/// What candidates fall into for such a distance.
+/// Says what candidates fall into for such a distance.
 CandidateArea candidate_area(double min_distance, int dimension);
 
 }

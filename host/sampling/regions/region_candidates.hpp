@@ -24,7 +24,7 @@ inline constexpr std::uint32_t region_attempt = 1;
 template <typename Region>
 using PlaceIn = PositionIn<Region>;
 
-/// What darts fall into.
+/// The places that darts fall into.
 enum class CandidateArea
 {
     box,    ///< the least one around the region

@@ -26,7 +26,7 @@ DERIVED(BRICK_BITS, (size_t DIMENSION), DIMENSION == 2 ? 3 : 2)
 /// The bricks around a brick, itself among them.
 DERIVED(BRICKS_AROUND, (size_t DIMENSION), DIMENSION == 2 ? 9 : 27)
 
-/// What stands for a brick that the grid has not got.
+/// This stands for a brick that the grid has not got.
 enum
 {
     NO_BRICK = 0x7fffffff
