@@ -41,7 +41,7 @@ public:
     {
         note_left_out();
         const auto system = source_system(typed_, reading_);
-        if (system && system->has_angles) shapes_ = laid_in_strip(std::move(shapes_), turn_of(*system));
+        if (system && system->has_angles) shapes_ = laid_in_strip(std::move(shapes_), turn_of(*system), name_);
         remember_features();
         unite();
         if (system && system->has_angles) {
@@ -211,7 +211,7 @@ Obstacles in_plane_of(const PlaneRegion& region, const Obstacles& obstacles, con
     const bool has_angles = from ? from->has_angles : is_mapped(region);
     const double turn = turn_of(from && has_angles ? *from : map_system(region.source->system));
     const Obstacles mapped =
-        mapped_shapes(has_angles ? laid_in_strip(obstacles, turn) : obstacles, *map, box_of(region));
+        mapped_shapes(has_angles ? laid_in_strip(obstacles, turn, name) : obstacles, *map, box_of(region));
     const RegionBox box = box_of_all(mapped);
     if (!std::isfinite(box.longest()))
         throw InputError(name + ": has a place that the region's plane has not: they must be in the same part of the "

@@ -1,5 +1,9 @@
 #include "base/regions/globe/globe_strip.hpp"
 
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,34 +21,17 @@ void move(RegionRing& ring, double by)
 class StripLayer
 {
 public:
-    explicit StripLayer(double turn) : turn_(turn) {}
+    StripLayer(double turn, const std::string& name) : turn_(turn), name_(name) {}
 
-    /// Moves each place by whole turns to the side of the one before it.
-    void straighten(RegionRing& line) const
+    void check_line(const RegionRing& line) const
     {
-        double by = 0;
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            line[i][0] += by;
-            if (is_as_drawn(line[i - 1], line[i])) continue;
-            const double more = turns_between(line[i - 1][0], line[i][0]);
-            line[i][0] += more;
-            by += more;
-        }
+        for (std::size_t i = 1; i < line.size(); ++i) check_edge(line[i - 1], line[i]);
     }
 
-    /// A ring whose ends are a turn apart goes around a pole.
-    void straighten_ring(RegionRing& ring) const
+    void check_ring(const RegionRing& ring) const
     {
-        straighten(ring);
-        const StripPlace first = ring.front(), last = ring.back();
-        if (is_as_drawn(last, first)) return;
-        const double left_over = turns_between(last[0], first[0]);
-        if (left_over == 0) return;
-        double latitudes = 0;
-        for (const StripPlace& place : ring) latitudes += place[1];
-        const double pole = latitudes < 0 ? -turn_ / 4 : turn_ / 4;
-        const StripPlace end{first[0] + left_over, first[1]};
-        ring.insert(ring.end(), {end, {end[0], pole}, {first[0], pole}});
+        check_line(ring);
+        check_edge(ring.back(), ring.front());
     }
 
     /// The whole turns by which something between two longitudes must be moved to lie around the middle.
@@ -79,41 +66,42 @@ public:
     }
 
 private:
-    /// Edges along a pole are in one place, and those that go around the whole Earth are drawn so on purpose.
-    bool is_as_drawn(const StripPlace& a, const StripPlace& b) const
+    /// Edges along a pole are in one place, and those that go around the whole Earth are drawn so on purpose. Others
+    /// that are so long may be meant to go the other way.
+    void check_edge(const StripPlace& a, const StripPlace& b) const
     {
-        return a[1] == b[1] && (std::abs(a[1]) == turn_ / 4 || std::abs(a[0] - b[0]) == turn_);
-    }
-
-    /// The whole turns by which `to` must be moved to lie within half a turn of `from`.
-    double turns_between(double from, double to) const
-    {
-        const double along = to - from;
-        return std::abs(along) <= turn_ / 2 ? 0 : -turn_ * std::round(along / turn_);
+        const double along = std::abs(a[0] - b[0]);
+        if (!(along > turn_ / 2)) return;
+        if (a[1] == b[1] && (std::abs(a[1]) == turn_ / 4 || along == turn_)) return;
+        throw InputError(
+            fmt::format("{}: the edge from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) goes around more than half of "
+                        "the Earth: what crosses the antimeridian is cut there, or goes on beyond {:g}",
+                        name_, a[0], a[1], b[0], b[1], turn_ / 2));
     }
 
     double turn_;
+    const std::string& name_;
 };
 
 RegionBox box_of_ring(const RegionRing& ring) { return box_of({{{ring}}}); }
 
 }
 
-Obstacles laid_in_strip(Obstacles shapes, double turn)
+Obstacles laid_in_strip(Obstacles shapes, double turn, const std::string& name)
 {
-    const StripLayer layer(turn);
+    const StripLayer layer(turn, name);
     std::vector<RegionBox> boxes;
     for (RegionPolygon& polygon : shapes.polygons) {
-        layer.straighten_ring(polygon.outline);
+        layer.check_ring(polygon.outline);
         boxes.push_back(box_of_ring(polygon.outline));
         const double middle = (boxes.back().low[0] + boxes.back().high[0]) / 2;
         for (RegionRing& hole : polygon.holes) {
-            layer.straighten_ring(hole);
+            layer.check_ring(hole);
             move(hole, layer.turns_to(middle, box_of_ring(hole)));
         }
     }
     for (RegionRing& line : shapes.lines) {
-        layer.straighten(line);
+        layer.check_line(line);
         boxes.push_back(box_of_ring(line));
     }
     for (const auto& point : shapes.points) boxes.push_back(box_of_ring({point}));

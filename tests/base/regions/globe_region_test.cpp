@@ -105,7 +105,7 @@ TEST(GlobeRegions, HaveDistancesWithinTheStatedError)
     }
 }
 
-/// Cut in two as RFC 7946 wants it, beyond 180 degrees, and from 179 to -179: these are one region.
+/// Cut in two as RFC 7946 wants it, and beyond 180 degrees: these are one region.
 TEST(GlobeRegions, CrossTheAntimeridian)
 {
     const std::string cut = R"({"type": "MultiPolygon", "coordinates": [)" + geojson_box(177, -19, 180, -16) + "," +
@@ -113,7 +113,11 @@ TEST(GlobeRegions, CrossTheAntimeridian)
     const std::string beyond = polygon_of(geojson_box(177, -19, 182, -16));
     const std::string uncut = polygon_of("[[[177,-19],[-178,-19],[-178,-16],[177,-16],[177,-19]]]");
     const double area = area_between(177, -19, 182, -16);
-    for (const std::string& text : {cut, beyond, uncut}) {
+    EXPECT_THAT(
+        message_of([&] { read_region(uncut); }),
+        HasSubstr("the edge from (177, -19) to (-178, -19) goes around more than half of the Earth: what crosses "
+                  "the antimeridian is cut there, or goes on beyond 180"));
+    for (const std::string& text : {cut, beyond}) {
         const PlaneRegion region = read_region(text);
         EXPECT_THAT(region.polygons, SizeIs(1));
         EXPECT_NEAR(area_of(region) / area, 1, 4e-6) << text;
@@ -127,13 +131,13 @@ TEST(GlobeRegions, CrossTheAntimeridian)
     EXPECT_NEAR(back[2][0], 179, 1e-9);
 }
 
-/// Rings around a pole, with the seam that plate carrée wants and without.
+/// Rings around a pole have the seam that plate carrée wants.
 TEST(GlobeRegions, LieAroundPoles)
 {
-    std::string around, seamed;
-    for (int i = -180; i < 180; i += 10) around += fmt::format("[{},75],", i);
+    std::string around = "[180,90],", seamed;
+    for (int i = 180; i >= -180; i -= 10) around += fmt::format("[{},75],", i);
     for (int i = -180; i <= 180; i += 10) seamed += fmt::format("[{},-75],", i);
-    around = "[[" + around + "[-180,75]]]";
+    around = "[[" + around + "[-180,90],[180,90]]]";
     seamed = "[[" + seamed + "[180,-90],[-180,-90],[-180,-75]]]";
     const double cap = area_between(0, 75, 360, 90);
     const PlaneRegion north = read_region(polygon_of(around));
@@ -151,9 +155,10 @@ TEST(GlobeRegions, LieAroundPoles)
 
 TEST(GlobeRegions, AreRefusedWhereNoPlaneHasTheirDistances)
 {
-    EXPECT_THAT(message_of([] { globe_box(-170, -60, 170, 70); }),
+    EXPECT_THAT(message_of([] { globe_box(-80, -60, 80, 70); }),
                 HasSubstr("is too large for a plane: lengths would be off by up to"));
     EXPECT_THAT(message_of([] { globe_box(-180, -90, 180, 90); }), HasSubstr("is too large for a plane"));
+    EXPECT_THAT(message_of([] { globe_box(-170, -9, 170, 9); }), HasSubstr("goes around more than half of the Earth"));
     EXPECT_THAT(message_of([] { read_region("POLYGON ((4.70 50.86, 4.71 50.86, 4.71 50.87, 4.70 50.86))"); }),
                 HasSubstr("say which they are (crs EPSG:4326), or that they are lengths (planar)"));
 }
