@@ -88,7 +88,8 @@ private:
             source_.features[feature_of[i]].polygons.push_back(shapes_.polygons[i]);
     }
 
-    /// Checks polygons. Those that are valid each by itself, but not together, become their union.
+    /// Checks polygons. Those that are valid each by itself, but not together, become their union; not those of
+    /// drawings, where a white shape over another one is a hole to the eye.
     void unite()
     {
         std::vector<RegionPolygon>& polygons = shapes_.polygons;
@@ -97,7 +98,8 @@ private:
             throw InputError(fmt::format("{}: has points or lines and no polygon: the region is empty, unless a buffer "
                                          "makes it what lies around them",
                                          name_));
-        if (polygons.size() < 2 || reading_.overlap == PolygonOverlap::refuse) return check_region({polygons}, name_);
+        if (polygons.size() < 2 || reading_.overlap == PolygonOverlap::refuse || typed_.kind == TypedKind::shape)
+            return check_region({polygons}, name_);
         try {
             check_region({polygons}, name_);
         } catch (const InputError&) {
