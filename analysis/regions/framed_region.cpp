@@ -1,5 +1,7 @@
 #include "analysis/regions/framed_region.hpp"
 
+#include "base/regions/region_source.hpp"
+
 #include "base/errors/errors.hpp"
 #include "base/files/xxh64_bytes.hpp"
 
@@ -59,6 +61,7 @@ std::uint64_t hash_of(const PlaneRegion& region)
         add_ring_to(hash, polygon.outline);
         for (const RegionRing& hole : polygon.holes) add_ring_to(hash, hole);
     }
+    if (is_mapped(region)) hash.add(fmt::format("{}", fmt::join(region.source->map->middle(), " ")));
     return hash.value();
 }
 
@@ -80,12 +83,13 @@ bool FramedRegion::contains(const std::array<double, 2>& place) const
 PointSet FramedRegion::framed(const PointSet& points, const std::string& name) const
 {
     if (points.dimension != 2) throw InputError(name + ": points in space have no region of the plane");
+    const PointSet own = as_in_plane(own_polygons_, points);
     PointSet framed;
     framed.coordinates.reserve(points.coordinates.size());
     std::size_t outside = 0, first = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::array<double, 2> place{};
-        for (std::size_t k = 0; k < 2; ++k) place[k] = (points[i][k] - low_[k]) / side_;
+        for (std::size_t k = 0; k < 2; ++k) place[k] = (own[i][k] - low_[k]) / side_;
         if (!contains(place) && !(boundary_.distance(place, 2 * tolerance) <= tolerance) && outside++ == 0) first = i;
         for (const double coordinate : place) framed.coordinates.push_back(std::clamp(coordinate, 0.0, most_framed));
     }

@@ -45,8 +45,9 @@ public:
     /// files are rounded.
     static constexpr double tolerance = 1e-6;
 
-    /// Points in the region's units, moved into the frame. Throws InputError that begins with `name` where some of them
-    /// lie outside, or none is there, or they are in space.
+    /// Points as files have them, moved into the frame: in the region's units, or in longitude and latitude where it
+    /// was mapped to a plane. Throws InputError that begins with `name` where some of them lie outside, or none is
+    /// there, or they are in space.
     PointSet framed(const PointSet& points, const std::string& name) const;
 
     /// A place of the frame in the region's own units.

@@ -91,6 +91,7 @@ std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, co
     if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
     if (lines.next() && trimmed(lines.line()) == ply_magic) return read_ply_points(file);
+    if (trimmed(file.bytes).starts_with('{')) return read_geojson_points(file);
     return read_text_points(file);
 }
 

@@ -51,6 +51,7 @@ NpyShape shape_of_npy_sets(const PointFileContent& file);
 std::vector<PointSet> read_text_points(const PointFileContent& file);
 std::vector<PointSet> read_ply_points(const PointFileContent& file);
 std::vector<PointSet> read_npy_points(const PointFileContent& file);
+std::vector<PointSet> read_geojson_points(const PointFileContent& file);
 std::vector<PointSet> read_utk_points(const PointFileContent& file);
 
 /// Calls `take` with some points after others: as text they take more room than as numbers.
@@ -72,6 +73,15 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
 /// write_points_in_pieces() for .geojson, with the member `crs` if it is not empty.
 void write_geojson_points(const std::filesystem::path& path, int dimension, const std::string& crs,
                           const std::string& comment, const std::function<void(const PointSink& sink)>& write);
+
+/// Writes each point as a feature with this property, whose value is JSON.
+void write_geojson_features(const std::filesystem::path& path, const PointSet& points, const std::string& crs,
+                            const std::string& comment, const std::string& property,
+                            const std::vector<std::string>& values);
+
+/// write_points_in_pieces() for .csv, with names of the columns as the first line.
+void write_csv_points(const std::filesystem::path& path, int dimension, std::string_view names,
+                      const std::function<void(const PointSink& sink)>& write);
 
 /// write_points_in_pieces() for .dxf: entities POINT of AutoCAD's release 12, as text.
 void write_dxf_points(const std::filesystem::path& path, int dimension, const std::string& comment,
@@ -98,6 +108,7 @@ PointDomain declared_domain(const PointFileContent& file);
 
 /// The first line of comma-separated values in 2D and 3D.
 inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";
+inline constexpr std::string_view csv_header_globe = "longitude,latitude";
 
 /// False for NaN and infinite numbers as well.
 inline bool is_coordinate(double value, const CoordinateRange& range)

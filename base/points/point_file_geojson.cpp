@@ -1,4 +1,5 @@
-// Writes point sets as one MultiPoint of GeoJSON (RFC 7946), in whatever units the points are in.
+// Writes point sets as GeoJSON (RFC 7946), one MultiPoint or a feature for each point, in whatever units the points are
+// in.
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"
@@ -32,6 +33,27 @@ std::string geojson_begin(const std::string& type, const std::string& crs, const
     std::string text = head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     text.pop_back(); // its bracket: the points follow
     return text;
+}
+
+void write_geojson_features(const std::filesystem::path& path, const PointSet& points, const std::string& crs,
+                            const std::string& comment, const std::string& property,
+                            const std::vector<std::string>& values)
+{
+    write_whole_file_in_pieces(path, [&](const FileSink& file) {
+        file(geojson_begin("FeatureCollection", crs, comment) + ",\"features\":[\n");
+        const auto axes = static_cast<std::size_t>(points.dimension);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            fmt::memory_buffer out;
+            fmt::format_to(std::back_inserter(out),
+                           "{}{{\"type\":\"Feature\",\"properties\":{{\"{}\":{}}},\"geometry\":{{\"type\":\"Point\","
+                           "\"coordinates\":",
+                           i > 0 ? ",\n" : "", property, values[i]);
+            append_positions(out, std::span(points.coordinates).subspan(i * axes, axes), axes, true);
+            out.append(std::string_view("}}"));
+            file({out.data(), out.size()});
+        }
+        file("]}\n");
+    });
 }
 
 void write_geojson_points(const std::filesystem::path& path, int dimension, const std::string& crs,

@@ -109,6 +109,15 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
     write_points_in_pieces(path, points.dimension, points.size(), comment, write);
 }
 
+void write_csv_points(const std::filesystem::path& path, int dimension, std::string_view names,
+                      const std::function<void(const PointSink& sink)>& write)
+{
+    write_whole_file_in_pieces(path, [&](const FileSink& file) {
+        file(fmt::format("{}\n", names));
+        write([&](std::span<const double> coordinates) { write_lines(file, coordinates, dimension, {","}); });
+    });
+}
+
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write)
 {
@@ -118,14 +127,15 @@ void write_points_in_pieces(const std::filesystem::path& path, int dimension, st
     const auto extension = path.extension();
     if (extension == ".geojson") return write_geojson_points(path, dimension, "", comment, write);
     if (extension == ".dxf") return write_dxf_points(path, dimension, comment, write);
+    if (extension == ".csv")
+        return write_csv_points(path, dimension, dimension == 2 ? csv_header_2d : csv_header_3d, write);
     if (extension == ".usda") return write_usd_points(path, dimension, points, comment, write);
-    const bool is_ply = extension == ".ply", is_csv = extension == ".csv";
+    const bool is_ply = extension == ".ply";
     fmt::memory_buffer header;
     if (is_ply) append_ply_header(header, points, comment);
-    if (is_csv) fmt::format_to(std::back_inserter(header), "{}\n", dimension == 2 ? csv_header_2d : csv_header_3d);
-    if (!is_ply && !is_csv) append_comment(header, "#", comment);
+    if (!is_ply) append_comment(header, "#", comment);
 
-    const LineMarks marks{is_csv ? "," : " ", is_ply && dimension == 2 ? " 0\n" : "\n"};
+    const LineMarks marks{" ", is_ply && dimension == 2 ? " 0\n" : "\n"};
     write_whole_file_in_pieces(path, [&](const FileSink& file) {
         file({header.data(), header.size()});
         write([&](std::span<const double> coordinates) { write_lines(file, coordinates, dimension, marks); });

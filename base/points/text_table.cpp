@@ -79,6 +79,21 @@ std::optional<std::size_t> axis_of(const std::string& name)
     return axis == axes.npos ? std::nullopt : std::optional(axis);
 }
 
+/// The axis of a column of places on the globe.
+std::optional<std::size_t> globe_axis_of(const std::string& name)
+{
+    const std::string small = in_small_letters(name);
+    if (small == "longitude" || small == "lon" || small == "lng") return 0;
+    if (small == "latitude" || small == "lat") return 1;
+    return std::nullopt;
+}
+
+bool are_of_globe(const std::vector<std::string>& names)
+{
+    return std::ranges::none_of(names, [](const std::string& name) { return axis_of(name).has_value(); }) &&
+           std::ranges::any_of(names, [](const std::string& name) { return globe_axis_of(name).has_value(); });
+}
+
 /// Are these the names that pandas gives to the columns of an array, behind its index?
 bool are_counted(const std::vector<std::string>& names)
 {
@@ -153,7 +168,7 @@ bool TextTable::are_names() const
 {
     const std::vector<std::string> names(fields_.begin(), fields_.end());
     if (are_counted(names)) return true;
-    const auto is_axis = [](const std::string& name) { return axis_of(name).has_value(); };
+    const auto is_axis = [](const std::string& name) { return axis_of(name) || globe_axis_of(name); };
     return std::ranges::none_of(names, is_a_number) && std::ranges::any_of(names, is_a_word) &&
            (separator_ != Separator::blank || std::ranges::any_of(names, is_axis));
 }
@@ -163,8 +178,11 @@ void TextTable::take_names(int number)
     names_.assign(fields_.begin(), fields_.end());
     std::array<std::optional<std::size_t>, 3> found;
     std::vector<std::string> others;
+    const bool of_globe = are_of_globe(names_);
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        const auto axis = are_counted(names_) && i > 0 ? std::optional(i - 1) : axis_of(names_[i]);
+        const auto axis = are_counted(names_) && i > 0 ? std::optional(i - 1)
+                          : of_globe                   ? globe_axis_of(names_[i])
+                                                       : axis_of(names_[i]);
         if (!axis) {
             others.push_back(names_[i].empty() ? "one without a name" : names_[i]);
         } else if (found[*axis]) {
@@ -175,11 +193,15 @@ void TextTable::take_names(int number)
     }
     if (!found[0] || !found[1])
         fail_in_point_file(file_, number, fmt::format("{}", fmt::join(names_, ", ")),
-                           "is no point, nor names of columns: among these must be x and y, of points in space z");
+                           "is no point, nor names of columns: among these must be x and y, of points in space z, or "
+                           "longitude and latitude");
     for (const auto& column : found)
         if (column) columns_.push_back(*column);
     if (!others.empty())
-        file_.tell(fmt::format("only the columns x{} are read; left out: {}", found[2] ? ", y and z" : " and y",
+        file_.tell(fmt::format("only the columns {} are read; left out: {}",
+                               of_globe   ? "longitude and latitude"
+                               : found[2] ? "x, y and z"
+                                          : "x and y",
                                fmt::join(others, ", ")));
 }
 

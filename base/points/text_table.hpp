@@ -1,10 +1,10 @@
 // Tables of points as programs write them: which fields of a line are coordinates.
 //
-// A first line of names (x, y and z in any case, quoted or not) says so; other columns are left out, with a word: an
-// index or a number in front, classes, what else there is. R leaves out the name of the first column; pandas leaves it
-// empty, and names the columns of an array 0, 1 and 2. Separators are commas, semicolons, tabs or blanks, as the first
-// line has them (or Excel's line `sep=;`). Without names, all fields are coordinates, and blanks and commas may both
-// separate. Where semicolons or tabs do, commas are decimal points.
+// A first line of names (x, y and z, or longitude and latitude, in any case, quoted or not) says so; other columns are
+// left out, with a word: an index or a number in front, classes, what else there is. R leaves out the name of the first
+// column; pandas leaves it empty, and names the columns of an array 0, 1 and 2. Separators are commas, semicolons, tabs
+// or blanks, as the first line has them (or Excel's line `sep=;`). Without names, all fields are coordinates, and
+// blanks and commas may both separate. Where semicolons or tabs do, commas are decimal points.
 #pragma once
 
 #include "base/points/point_file_formats.hpp"

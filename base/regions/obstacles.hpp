@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/regions/plane_region.hpp"
+#include "base/regions/region_reading.hpp"
 
 #include <array>
 #include <cstddef>
@@ -20,16 +21,12 @@ struct Obstacles
 };
 
 /// The obstacles that a text describes, or the file of this name: what regions are, see read_region(), and the points
-/// and lines of GeoJSON and WKT. Throws InputError as it does.
-Obstacles read_obstacles(const std::string& text, bool is_planar = false);
+/// and lines of GeoJSON and WKT, in the plane of the region. Those that say no system of coordinates have that of the
+/// region's file. Throws InputError as it does.
+Obstacles read_obstacles(const std::string& text, const RegionReading& reading = {}, const PlaneRegion& region = {});
 
-/// Reads the obstacles of a GeoJSON or WKT text; `name` is what messages call it. They are not checked beyond their
-/// form.
-Obstacles obstacles_of_geojson(std::string_view text, const std::string& name, bool& says_metres);
-Obstacles obstacles_of_wkt(const std::string& text, const std::string& name);
-
-/// The part of a region that lies in none of the polygons, which may overlap each other and the boundary: found with
-/// exact numbers, whose corners are rounded to doubles. It may be empty.
+/// The part of a region that lies in none of the polygons, which may overlap each other and the boundary: see
+/// polygon_sets.hpp. It may be empty.
 PlaneRegion without_polygons(const PlaneRegion& region, const std::vector<RegionPolygon>& polygons);
 
 /// Lines and edges of polygons, from x, y to x, y, as far as they lie in a box.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,14 @@ struct RegionPolygon
     std::vector<RegionRing> holes{};
 };
 
+/// See base/regions/region_source.hpp.
+struct RegionSource;
+
 struct PlaneRegion
 {
     std::vector<RegionPolygon> polygons; ///< that touch each other in single points at most
-    std::string crs{};                   ///< the member of GeoJSON that names a system of lengths, as text; empty: none
+    std::string crs{};                   ///< the member of GeoJSON that names the system of points' files; empty: none
+    std::shared_ptr<const RegionSource> source{}; ///< what was made of a file's coordinates; null: nothing
 };
 
 /// The least rectangle around it.

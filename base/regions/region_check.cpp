@@ -32,6 +32,7 @@ struct CheckedRing
     std::size_t polygon = 0;
     std::size_t hole = 0; ///< 0: the outline
     std::string name;
+    CGAL::Bbox_2 box{};
 
     const CheckPoint& corner(std::size_t i) const { return corners[i % corners.size()]; }
 };
@@ -113,6 +114,7 @@ private:
         while (checked.corners.size() > 1 && checked.corners.front() == checked.corners.back())
             checked.corners.pop_back();
         if (checked.corners.size() < 3) throw problem(name + " has fewer than three corners");
+        checked.box = CGAL::bbox_2(checked.corners.begin(), checked.corners.end());
         rings_.push_back(std::move(checked));
     }
 
@@ -166,7 +168,7 @@ private:
     /// `j`, the middle of an edge decides.
     CGAL::Bounded_side side(std::size_t i, std::size_t j, bool& is_mixed) const
     {
-        const auto& [corners, polygon, hole, name] = rings_[j];
+        const std::vector<CheckPoint>& corners = rings_[j].corners;
         CGAL::Bounded_side side = CGAL::ON_BOUNDARY;
         is_mixed = false;
         for (const CheckPoint& corner : rings_[i].corners) {
@@ -186,6 +188,7 @@ private:
     /// The side of ring `i` that side() finds, for rings that do not cross. Throws where they do.
     CGAL::Bounded_side check_side(std::size_t i, std::size_t j) const
     {
+        if (!CGAL::do_overlap(rings_[i].box, rings_[j].box)) return CGAL::ON_UNBOUNDED_SIDE;
         bool is_mixed = false;
         const CGAL::Bounded_side found = side(i, j, is_mixed);
         if (is_mixed) throw problem(fmt::format("{} and {} cross", rings_[i].name, rings_[j].name));

@@ -1,19 +1,18 @@
 #include "base/regions/region_text.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/file_kind.hpp"
-#include "base/files/text_lines.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "base/regions/globe/globe_strip.hpp"
+#include "base/regions/globe/mapped_shapes.hpp"
+#include "base/regions/globe/source_system.hpp"
 #include "base/regions/obstacles.hpp"
-#include "base/regions/region_raster.hpp"
-#include "base/regions/region_words.hpp"
-#include "base/regions/space_region.hpp"
-#include "base/text/decimal_commas.hpp"
+#include "base/regions/polygon_sets.hpp"
+#include "base/regions/region_source.hpp"
+#include "base/regions/typed_region.hpp"
+#include "base/text/noun.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -22,165 +21,144 @@
 namespace poissonlab {
 namespace {
 
-/// Coordinates that are ten times as far from 0 as they are from each other are places on the globe, where they
-/// could be.
-constexpr double far_away = 10;
+/// Regions whose plane has lengths that are off by more than this part are refused.
+constexpr double most_distortion = 0.1;
 
-/// The numbers after the first word, if there are so many and no others, and if none can have a decimal comma.
-std::optional<std::vector<double>> numbers_after_word(std::string_view text, std::size_t count)
+/// Planes that stretch lengths by more than this part are told of.
+constexpr double told_distortion = 0.01;
+
+double turn_of(const MapSystem& system) { return 2 * std::numbers::pi / system.angle; }
+
+/// Makes a region of what a text holds, step by step, and notes what becomes of it.
+class RegionMaker
 {
-    std::vector<double> numbers;
-    if (mixes_separators(text.substr(std::min(text.size(), text.find(' '))), count, 2)) return {};
-    WordReader words(text);
-    for (words.next(); words.next();) {
-        double number = 0;
-        if (!parse_number(words.word(), number) || !std::isfinite(number)) return {};
-        numbers.push_back(number);
-    }
-    if (numbers.size() != count) return {};
-    return numbers;
-}
+public:
+    RegionMaker(const TypedRegion& typed, const RegionReading& reading)
+        : name_(typed.name), typed_(typed), reading_(reading), shapes_(typed.shapes.shapes)
+    {}
 
-PlaneRegion rectangle_of(const std::string& text)
-{
-    const auto n = numbers_after_word(text, 4);
-    if (!n || !((*n)[0] < (*n)[2]) || !((*n)[1] < (*n)[3]))
-        throw InputError(shortened(printable(text)) + ": must be rectangle X0 Y0 X1 Y1 with X0 < X1 and Y0 < Y1" +
-                         decimal_comma_words(text));
-    const double x0 = (*n)[0], y0 = (*n)[1], x1 = (*n)[2], y1 = (*n)[3];
-    PlaneRegion region;
-    region.polygons.emplace_back().outline = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return region;
-}
-
-PlaneRegion disk_of(const std::string& text)
-{
-    const auto n = numbers_after_word(text, 3);
-    if (!n || !((*n)[2] > 0))
-        throw InputError(shortened(printable(text)) + ": must be disk X Y RADIUS with RADIUS > 0" +
-                         decimal_comma_words(text));
-    PlaneRegion region;
-    RegionRing& ring = region.polygons.emplace_back().outline;
-    for (int i = 0; i < disk_corners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / disk_corners;
-        ring.push_back({(*n)[0] + (*n)[2] * std::cos(angle), (*n)[1] + (*n)[2] * std::sin(angle)});
-    }
-    return region;
-}
-
-/// Four numbers and an expression.
-PlaneRegion formula_region_of(const std::string& text)
-{
-    std::array<double, 4> n{};
-    WordReader words(text);
-    bool is_right = words.next() && !mixes_separators(std::string_view(text).substr(text.find(' ')), n.size(), 2);
-    for (double& number : n)
-        is_right = is_right && words.next() && parse_number(words.word(), number) && std::isfinite(number);
-    is_right = is_right && words.next() && n[0] < n[2] && n[1] < n[3];
-    if (!is_right)
-        throw InputError(shortened(printable(text)) +
-                         ": must be formula X0 Y0 X1 Y1 EXPRESSION with X0 < X1, Y0 < Y1 and an expression in x and y" +
-                         decimal_comma_words(text));
-    const auto begin = static_cast<std::size_t>(words.word().data() - text.data());
-    return region_of_formula(text.substr(begin), {n[0], n[1]}, {n[2], n[3]});
-}
-
-/// Could the coordinates be longitudes and latitudes?
-bool fits_globe(const RegionBox& box)
-{
-    return box.low[0] >= -180 && box.high[0] <= 180 && box.low[1] >= -90 && box.high[1] <= 90;
-}
-
-bool is_far_away(const RegionBox& box)
-{
-    double nearest = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-        if (box.low[k] > 0 || box.high[k] < 0)
-            nearest = std::max(nearest, std::min(std::abs(box.low[k]), std::abs(box.high[k])));
-    return nearest > far_away * box.longest();
-}
-
-void refuse_degrees(const RegionBox& box, const std::string& name, const std::string& why)
-{
-    throw InputError(
-        fmt::format("{}: {}: coordinates from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) look like longitude and latitude, "
-                    "whose degrees are no lengths: project them to metres, or say that they are lengths (planar)",
-                    name, why, box.low[0], box.low[1], box.high[0], box.high[1]));
-}
-
-/// The parts of a WKT text: what stands before the geometry, and the rest.
-struct WktBegin
-{
-    bool says_degrees = false;
-    bool says_metres = false;
-    std::string text;
-};
-
-WktBegin wkt_begin(std::string_view text, const std::string& name)
-{
-    if (!begins_with(text, "SRID=")) return {false, false, std::string(text)};
-    const std::size_t end = text.find(';');
-    if (end == std::string_view::npos) throw InputError(name + ": is not WKT: no ; after SRID=");
-    const std::string_view system = text.substr(5, end - 5);
-    const bool says_degrees = system == "4326" || system == "4269" || system == "4258";
-    return {says_degrees, !says_degrees, std::string(without_blanks_around(text.substr(end + 1)))};
-}
-
-PlaneRegion read_wkt(std::string_view text, const std::string& name, bool is_planar)
-{
-    const WktBegin begin = wkt_begin(text, name);
-    PlaneRegion region = region_of_wkt(begin.text, name);
-    check_region(region, name);
-    if (is_planar || begin.says_metres) return region;
-    const RegionBox box = box_of(region);
-    if (begin.says_degrees) refuse_degrees(box, name, "its SRID is one of degrees");
-    if (fits_globe(box) && is_far_away(box)) refuse_degrees(box, name, "it is small and far from 0");
-    return region;
-}
-
-PlaneRegion shape_of(const std::string& text)
-{
-    if (begins_with(text, "formula ")) return formula_region_of(text);
-    if (begins_with(text, "path ")) return region_of_svg_path(text, shortened(printable(text), 40));
-    return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
-}
-
-bool has_drawing_name(std::string_view file)
-{
-    return file.size() > 4 && begins_with(file.substr(file.size() - 4), ".svg");
-}
-
-/// A region's text, what messages call it, and what it holds.
-struct TypedRegion
-{
-    std::string name, content;
-    std::optional<PlaneRegion> shape; ///< of what is neither GeoJSON nor WKT
-
-    explicit TypedRegion(const std::string& text)
+    PlaneRegion region()
     {
-        const bool is_file = !is_region_text(text);
-        name = is_file ? printable(text) : shortened(printable(text), 40);
-        if (is_file && has_drawing_name(text)) {
-            shape = region_of_svg_drawing(read_whole_file(text), name);
-            return;
+        note_left_out();
+        const auto system = source_system(typed_, reading_);
+        if (system && system->has_angles) shapes_ = laid_in_strip(std::move(shapes_), turn_of(*system), name_);
+        remember_features();
+        unite();
+        if (system && system->has_angles) {
+            map_to_plane(*system);
+        } else if (system) {
+            note_stretched_plane(*system);
         }
-        if (is_file && has_picture_name(text)) {
-            shape = region_of_picture(text);
-            return;
+        if (reading_.buffer > 0) grow();
+        PlaneRegion made{shapes_.polygons};
+        if (reading_.buffer > 0 || source_.map) check_region(made, name_);
+        if (system) {
+            made.crs = crs_member(typed_, *system);
+            source_.system = system->text;
         }
-        content = without_blanks_around(is_file ? read_whole_file(text) : text);
-        if (is_space_region_text(content))
-            throw InputError(name + ": is a region of space; this takes regions of the plane");
-        if (is_region_text(content) && !is_json() && !is_wkt_text(content)) shape = shape_of(content);
+        made.source = std::make_shared<const RegionSource>(std::move(source_));
+        return made;
     }
 
-    bool is_json() const { return content.starts_with('{'); }
-    bool is_known() const { return shape || is_region_text(content); }
-};
+private:
+    void note(const std::string& sentence) { source_.notes.push_back(fmt::format("{}: {}", name_, sentence)); }
 
-constexpr auto no_region =
-    "is neither GeoJSON nor WKT, nor a picture or drawing, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
-    "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
+    void note_left_out()
+    {
+        if (typed_.shapes.has_further_numbers) note("heights and measures of its positions are left out");
+        if (reading_.buffer > 0 || shapes_.polygons.empty()) return;
+        const std::size_t points = shapes_.points.size(), lines = shapes_.lines.size();
+        if (points + lines == 0) return;
+        const std::string point_words = fmt::format("{} {}", points, noun(points, "point"));
+        const std::string line_words = fmt::format("{} {}", lines, noun(lines, "line"));
+        note(fmt::format("left out, as it has no inside: {}", points == 0  ? line_words
+                                                              : lines == 0 ? point_words
+                                                                           : point_words + " and " + line_words));
+        shapes_.points.clear();
+        shapes_.lines.clear();
+    }
+
+    /// Features are kept as they are typed, before polygons become their union.
+    void remember_features()
+    {
+        const std::vector<std::size_t>& feature_of = typed_.shapes.feature_of;
+        if (typed_.shapes.ids.size() < 2 || feature_of.empty()) return;
+        for (const std::string& id : typed_.shapes.ids) source_.features.push_back({id});
+        for (std::size_t i = 0; i < feature_of.size(); ++i)
+            source_.features[feature_of[i]].polygons.push_back(shapes_.polygons[i]);
+    }
+
+    /// Checks polygons. Those that are valid each by itself, but not together, become their union; not those of
+    /// drawings, where a white shape over another one is a hole to the eye.
+    void unite()
+    {
+        std::vector<RegionPolygon>& polygons = shapes_.polygons;
+        if (polygons.empty() && reading_.buffer > 0 && shapes_.count() > 0) return;
+        if (polygons.empty() && shapes_.count() > 0)
+            throw InputError(fmt::format("{}: has points or lines and no polygon: the region is empty, unless a buffer "
+                                         "makes it what lies around them",
+                                         name_));
+        if (polygons.size() < 2 || reading_.overlap == PolygonOverlap::refuse || typed_.kind == TypedKind::shape)
+            return check_region({polygons}, name_);
+        try {
+            check_region({polygons}, name_);
+        } catch (const InputError&) {
+            for (std::size_t i = 0; i < polygons.size(); ++i)
+                check_region({{polygons[i]}}, fmt::format("{}: polygon {}", name_, i + 1));
+            const std::size_t before = polygons.size();
+            polygons = united(polygons);
+            check_region({polygons}, name_);
+            note(fmt::format("{} polygons overlap or share edges: the region is their union, of {} {}", before,
+                             polygons.size(), noun(polygons.size(), "polygon")));
+        }
+    }
+
+    void map_to_plane(const MapSystem& system)
+    {
+        const auto plane = plane_around(shapes_, system);
+        source_.distortion = largest_distortion(shapes_, *plane);
+        if (!(source_.distortion <= most_distortion))
+            throw InputError(fmt::format("{}: is too large for a plane: lengths would be off by up to {}, of which {} "
+                                         "are the most",
+                                         name_, percent(source_.distortion), percent(most_distortion)));
+        const PlaceMap map = [plane](std::span<double> places) { plane->to_plane(places); };
+        const RegionBox box = mapped_box(shapes_, map);
+        shapes_ = mapped_shapes(shapes_, map, box);
+        for (RegionFeature& feature : source_.features)
+            feature.polygons = mapped_shapes({{}, {}, feature.polygons}, map, box).polygons;
+        source_.map = plane;
+        const auto [longitude, latitude] = plane->middle();
+        note(fmt::format("longitude and latitude ({}) are mapped to Lambert's azimuthal equal-area plane around ({:g}, "
+                         "{:g}): lengths are metres there, off by {} at most",
+                         system.title, longitude, latitude, percent(source_.distortion)));
+    }
+
+    static std::string percent(double part)
+    {
+        return std::isfinite(part) ? fmt::format("{:.2g} %", std::max(100 * part, 1e-4)) : "any amount";
+    }
+
+    void note_stretched_plane(const MapSystem& system)
+    {
+        const RegionBox box = box_of_all(shapes_);
+        const double scale = ground_scale(system, {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2});
+        if (std::abs(scale - 1) > told_distortion)
+            note(fmt::format("a metre on the ground is {:.4g} of {} in its middle: distances are those of that plane",
+                             scale, system.title));
+    }
+
+    void grow()
+    {
+        shapes_ = {{}, {}, grown(shapes_, reading_.buffer)};
+        note(fmt::format("the region is what lies within {:g} of its shapes", reading_.buffer));
+    }
+
+    const std::string& name_;
+    const TypedRegion& typed_;
+    const RegionReading& reading_;
+    Obstacles shapes_;
+    RegionSource source_;
+};
 
 /// The points of a file in one of the formats of points.
 std::vector<std::array<double, 2>> points_of_file(const std::string& file)
@@ -198,65 +176,73 @@ std::vector<std::array<double, 2>> points_of_file(const std::string& file)
     return points;
 }
 
-/// Joins polygons, lines and points into one region, as if lines and points were outlines.
-PlaneRegion outlines_of(const Obstacles& obstacles)
-{
-    PlaneRegion all{obstacles.polygons};
-    for (const RegionRing& line : obstacles.lines) all.polygons.push_back({line});
-    all.polygons.push_back({obstacles.points});
-    return all;
-}
-
-RegionBox box_of_all(const Obstacles& obstacles) { return box_of(outlines_of(obstacles)); }
-
 void check_obstacles(const Obstacles& obstacles, const std::string& name)
 {
     if (obstacles.count() == 0) throw InputError(name + ": has no point, line or polygon to keep away from");
-    for (const RegionPolygon& polygon : outlines_of(obstacles).polygons)
-        for (const auto& [x, y] : polygon.outline)
-            if (!std::isfinite(x) || !std::isfinite(y)) throw InputError(name + ": has a coordinate that is no number");
+    const auto check_place = [&](const std::array<double, 2>& place) {
+        if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+            throw InputError(name + ": has a coordinate that is no number");
+    };
+    std::ranges::for_each(obstacles.points, check_place);
+    for (const RegionRing& line : obstacles.lines) std::ranges::for_each(line, check_place);
     for (std::size_t i = 0; i < obstacles.polygons.size(); ++i)
         check_region({{obstacles.polygons[i]}},
                      obstacles.polygons.size() == 1 ? name : fmt::format("{}: polygon {}", name, i + 1));
 }
 
+/// The map from a system, or from the region's own coordinates where there is none, to the region's plane; nothing
+/// where these are the same.
+std::optional<PlaceMap> map_to(const PlaneRegion& region, const std::optional<MapSystem>& from)
+{
+    const std::string own = region.source ? region.source->system : "";
+    const auto plane = region.source ? region.source->map : nullptr;
+    const bool changes = from && !own.empty() && from->text != own;
+    if (!plane && !changes) return {};
+    const PlaceMap change = changes ? system_change(*from, map_system(own)) : PlaceMap([](std::span<double>) {});
+    return [plane, change](std::span<double> places) {
+        change(places);
+        if (plane) plane->to_plane(places);
+    };
 }
 
-PlaneRegion read_region(const std::string& text, bool is_planar)
+Obstacles in_plane_of(const PlaneRegion& region, const Obstacles& obstacles, const std::optional<MapSystem>& from,
+                      const std::string& name)
 {
-    const TypedRegion typed(text);
-    if (!typed.is_known()) throw InputError(fmt::format("{}: {}", typed.name, no_region));
-    if (is_wkt_text(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
-    bool says_metres = false;
-    PlaneRegion region = typed.shape ? *typed.shape : region_of_geojson(typed.content, typed.name, says_metres);
-    check_region(region, typed.name);
-    if (typed.is_json() && !is_planar && !says_metres && fits_globe(box_of(region)))
-        refuse_degrees(box_of(region), typed.name, "GeoJSON without another crs");
-    return region;
+    const auto map = map_to(region, from);
+    if (!map) return obstacles;
+    const bool has_angles = from ? from->has_angles : is_mapped(region);
+    const double turn = turn_of(from && has_angles ? *from : map_system(region.source->system));
+    const Obstacles mapped =
+        mapped_shapes(has_angles ? laid_in_strip(obstacles, turn, name) : obstacles, *map, box_of(region));
+    const RegionBox box = box_of_all(mapped);
+    if (!std::isfinite(box.longest()))
+        throw InputError(name + ": has a place that the region's plane has not: they must be in the same part of the "
+                                "world");
+    return mapped;
 }
 
-Obstacles read_obstacles(const std::string& text, bool is_planar)
+}
+
+PlaneRegion read_region(const std::string& text, const RegionReading& reading)
 {
     const TypedRegion typed(text);
-    Obstacles obstacles;
-    std::string degrees; // why coordinates are taken for degrees
-    if (!typed.is_known()) {
-        obstacles.points = points_of_file(text);
-    } else if (typed.shape) {
-        obstacles.polygons = typed.shape->polygons;
-    } else if (is_wkt_text(typed.content)) {
-        const WktBegin begin = wkt_begin(typed.content, typed.name);
-        obstacles = obstacles_of_wkt(begin.text, typed.name);
-        if (begin.says_degrees) degrees = "its SRID is one of degrees";
-    } else {
-        bool says_metres = false;
-        obstacles = obstacles_of_geojson(typed.content, typed.name, says_metres);
-        if (!says_metres && obstacles.count() > 0 && fits_globe(box_of_all(obstacles)))
-            degrees = "GeoJSON without another crs";
-    }
+    if (typed.kind == TypedKind::unknown) throw InputError(fmt::format("{}: {}", typed.name, no_region));
+    return RegionMaker(typed, reading).region();
+}
+
+void check_map_system(const std::string& name) { map_system(name); }
+
+Obstacles read_obstacles(const std::string& text, const RegionReading& reading, const PlaneRegion& region)
+{
+    const TypedRegion typed(text);
+    const Obstacles obstacles =
+        typed.kind == TypedKind::unknown ? Obstacles{points_of_file(text)} : typed.shapes.shapes;
     check_obstacles(obstacles, typed.name);
-    if (!degrees.empty() && !is_planar) refuse_degrees(box_of_all(obstacles), typed.name, degrees);
-    return obstacles;
+    const auto system = obstacle_system(typed, reading);
+    const bool is_known = region.source && !region.source->system.empty();
+    if (system && system->has_angles && !is_known)
+        refuse_degrees(box_of_all(obstacles), typed.name, "the region's system of coordinates is not said");
+    return in_plane_of(region, obstacles, system, typed.name);
 }
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/regions/plane_region.hpp"
+#include "base/regions/region_reading.hpp"
 
 #include <string>
 #include <string_view>
@@ -16,17 +17,17 @@ inline constexpr int disk_corners = 1024;
 ///   disk X Y RADIUS
 ///   formula X0 Y0 X1 Y1 EXPRESSION
 ///   path [evenodd] [tolerance T] M...          the data of a path of SVG; curves become lines
-///   POLYGON ((...)), MULTIPOLYGON (((...)))    WKT
+///   POLYGON ((...)), MULTIPOLYGON (((...)))    WKT, also GEOMETRYCOLLECTION, with Z, M and SRID=
 ///   {"type": ...}                              GeoJSON: Polygon, MultiPolygon, Feature, FeatureCollection,
 ///                                              GeometryCollection
-/// Rings may go round in either direction. Throws InputError, a line that names the file or begins with the text, for
-/// whatever is none or not valid, see check_region(), for regions of space, and for longitudes and latitudes unless
-/// `is_planar`: what lies between them has other lengths along either axis.
-PlaneRegion read_region(const std::string& text, bool is_planar = false);
+/// Longitudes and latitudes are mapped to a plane of metres; polygons that overlap or share edges become their union;
+/// both are among the notes of the region's source. Rings may go round in either direction. Throws InputError, a line
+/// that names the file or begins with the text, for whatever is none or not valid, see check_region(), and for regions
+/// of space.
+PlaneRegion read_region(const std::string& text, const RegionReading& reading = {});
 
-/// The region of a GeoJSON text; `name` is what messages call it. It is not checked beyond its form. `says_metres` is
-/// set where its `crs` names a system of coordinates other than longitude and latitude.
-PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bool& says_metres);
+/// Throws InputError where PROJ knows no system of coordinates of this name.
+void check_map_system(const std::string& name);
 
 /// The region of a path of SVG in a text `path [evenodd|nonzero] [tolerance T] DATA`: what its closed lines go around,
 /// by the rule nonzero unless the text says evenodd. Curves become lines that are off by no more than the tolerance,
@@ -40,8 +41,5 @@ PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
 /// that cross themselves or go around nothing, and for what is not known. Shapes may not overlap each other: see
 /// check_region().
 PlaneRegion region_of_svg_drawing(const std::string& content, const std::string& name);
-
-/// The region of a text in WKT, read as region_of_geojson() reads GeoJSON.
-PlaneRegion region_of_wkt(const std::string& text, const std::string& name);
 
 }

@@ -27,9 +27,12 @@ bool begins_with_whole(std::string_view text, std::string_view word)
 
 bool is_wkt_text(std::string_view text)
 {
+    if (begins_with(text, "SRID=")) return true;
     if (begins_with(text, "MULTI")) text.remove_prefix(5);
-    return begins_with_whole(text, "POLYGON") || begins_with_whole(text, "POINT") ||
-           begins_with_whole(text, "LINESTRING") || begins_with(text, "SRID=");
+    for (const char* word : {"POLYGON", "POINT", "LINESTRING", "GEOMETRYCOLLECTION"})
+        for (const char* dimensions : {"", "Z", "M", "ZM"})
+            if (begins_with_whole(text, std::string(word) + dimensions)) return true;
+    return false;
 }
 
 std::string_view without_blanks_around(std::string_view text)

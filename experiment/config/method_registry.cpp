@@ -8,7 +8,8 @@ namespace poissonlab {
 
 const std::vector<std::string>& method_keys()
 {
-    static const std::vector<std::string> keys{"sampler", "label", "points", "order", "region", "planar"};
+    static const std::vector<std::string> keys{"sampler", "label", "points",  "order", "region",
+                                               "planar",  "crs",   "overlap", "buffer"};
     return keys;
 }
 

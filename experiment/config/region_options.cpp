@@ -3,6 +3,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/regions/region_text.hpp"
+#include "host/settings/keys/region_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,9 @@ void check_is_planar(const Keys& keys, int dimension)
 void check_region_keys(const Keys& keys, int dimension, bool is_any_in_region)
 {
     const bool has_region = keys.is_given("region");
-    for (const char* key : {"planar", "density", "density_from"})
+    for (const char* key : region_reading_names)
+        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
+    for (const char* key : {"density", "density_from"})
         if (!has_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
     for (const char* key : {"envelope", "tapers"})
         if (!has_region && !is_any_in_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
@@ -45,13 +48,13 @@ std::shared_ptr<const RegionDensity> region_density(const DensityChoice& density
 struct TypedRegion
 {
     std::string text;
-    bool is_planar = false;
+    RegionReading reading;
 };
 
 void typed_region_keys(Keys& keys, TypedRegion& region, const std::string& of_what)
 {
     keys.region("region", region.text, "the region of the plane that " + of_what + ", in whose units their points are");
-    keys.flag("planar", region.is_planar, "whether coordinates of the region that look like degrees are lengths");
+    region_reading_keys(keys, region.reading);
 }
 
 RegionOptions read_options(Keys& keys, const TypedRegion& typed, const RegionMeasures& measures,
@@ -60,7 +63,7 @@ RegionOptions read_options(Keys& keys, const TypedRegion& typed, const RegionMea
     RegionOptions options;
     keys.check("region", [&] {
         options.region =
-            std::make_shared<const FramedRegion>(read_region(typed.text, typed.is_planar), name_of_input(typed.text));
+            std::make_shared<const FramedRegion>(read_region(typed.text, typed.reading), name_of_input(typed.text));
     });
     options.envelope = measures.envelope;
     Xxh64 hash;
@@ -103,7 +106,8 @@ std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const
     TypedRegion typed;
     typed_region_keys(keys, typed, "this method's sets lie in");
     if (!keys.is_given("region")) {
-        if (keys.is_given("planar")) throw keys.invalid("planar", "goes with region");
+        for (const char* key : region_reading_names)
+            if (keys.is_given(key)) throw keys.invalid(key, "goes with region");
         return {};
     }
     check_is_planar(keys, dimension);

@@ -6,7 +6,12 @@
 
 namespace poissonlab {
 
-PlaneRegion read_region(const std::string& /*text*/, bool /*is_planar*/) { throw MissingModule("regions"); }
+PlaneRegion read_region(const std::string& /*text*/, const RegionReading& /*reading*/)
+{
+    throw MissingModule("regions");
+}
+
+void check_map_system(const std::string& /*name*/) { throw MissingModule("regions"); }
 
 SolidLattice inset_solid(const SolidLattice& /*solid*/, double /*distance*/, const std::string& /*name*/)
 {

@@ -3,6 +3,7 @@
 #include "analysis/regions/framed_region.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
@@ -57,7 +58,7 @@ public:
             proven_ = min_distance_in(width, sets_.all()[set], region_->box());
             PointSet points = points_at(set, seed, width);
             points_ = points.size();
-            return points;
+            return as_in_files(request_.region->own_polygons(), std::move(points));
         } catch (const InputError& error) { // the region has no place for so many tiles
             throw InputError(
                 fmt::format("{}: tiles of realization {}: {}", request_.region->name(), realization, error.what()));

@@ -1,6 +1,7 @@
 // Poisson disk tile sets for Python: what runtime/poisson_tiles.h does, for arrays, and the proof of the minimum
 // distance.
 #include "base/errors/errors.hpp"
+#include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/tile_points/tiled_region.hpp"
 #include "python/module/arrays.hpp"
@@ -48,6 +49,13 @@ struct PointColumns
     std::vector<std::uint32_t> indices, ids;
     std::vector<double> levels;
 };
+
+/// Maps points to the coordinates of a region's file.
+PointColumns in_files(const PlaneRegion& region, PointColumns points)
+{
+    if (is_mapped(region)) region.source->map->to_file(points.positions);
+    return points;
+}
 
 py::dict columns_of(PointColumns points)
 {
@@ -99,20 +107,22 @@ public:
     }
 
     /// The points in a region, in its units. Of `points` and `min_distance`, one is 0.
-    py::dict in_region(const std::string& text, bool is_planar, double min_distance, std::uint64_t points,
-                       std::uint32_t seed, double density) const
+    py::dict in_region(const std::string& text, bool is_planar, const std::string& crs, double min_distance,
+                       std::uint64_t points, std::uint32_t seed, double density) const
     {
         if (set_.parameters.dimension != 2) throw InputError("in_region: these are tiles in space");
         return columns_of(without_lock([&] {
-            const auto region = std::make_shared<const FixedRegion>(read_region(text, is_planar));
+            const PlaneRegion plane = read_region(text, {.is_planar = is_planar, .crs = crs});
+            const auto region = std::make_shared<const FixedRegion>(plane);
             const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
             const RegionBox& box = region->box();
             const double sure = tile_width_for(points > 0 ? 1 : min_distance, set_, box);
             const double tiles = static_cast<double>(points) / set_.parameters.points_per_tile;
-            if (points == 0) return points_in(region, tiling, sure, density);
+            if (points == 0) return in_files(plane, points_in(region, tiling, sure, density));
             const auto count = [&](double tried) { return points_in(region, tiling, tried, density).ids.size(); };
-            return points_in(region, tiling, tile_width_for_points(points, std::sqrt(region->area() / tiles), count),
-                             density);
+            return in_files(plane, points_in(region, tiling,
+                                             tile_width_for_points(points, std::sqrt(region->area() / tiles), count),
+                                             density));
         }));
     }
 
@@ -230,8 +240,8 @@ void add_tile_sets(py::module_& module)
         .def(py::init<const std::filesystem::path&>(), py::arg("file"))
         .def("parameters", &OpenTileSet::parameters)
         .def("window", &OpenTileSet::window, py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("density"))
-        .def("in_region", &OpenTileSet::in_region, py::arg("region"), py::arg("is_planar"), py::arg("min_distance"),
-             py::arg("points"), py::arg("seed"), py::arg("density"))
+        .def("in_region", &OpenTileSet::in_region, py::arg("region"), py::arg("is_planar"), py::arg("crs"),
+             py::arg("min_distance"), py::arg("points"), py::arg("seed"), py::arg("density"))
         .def("nearest", &OpenTileSet::nearest, py::arg("positions"), py::arg("seed"))
         .def("verify", &OpenTileSet::verify);
 }

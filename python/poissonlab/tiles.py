@@ -109,8 +109,8 @@ class TileSet:
         return TilePoints(*(column[kept] for column in found))
 
     def in_region(self, region, *, min_distance: Optional[float] = None, points: Optional[int] = None, seed: int = 1,
-                  density: Density = 1.0, planar: bool = False) -> TilePoints:
-        """The points in a region of the plane, in its own units: those of `poissonlab tiles points --region`.
+                  density: Density = 1.0, planar: bool = False, crs: str = "") -> TilePoints:
+        """The points in a region of the plane, in its own coordinates: those of `poissonlab tiles points --region`.
 
         region: a file or a text, as distribute.darts takes them, GeoJSON as a dict, or an object with a `__geo_interface__`.
         min_distance: in the region's units, which the proven distance of the tiles becomes.
@@ -118,6 +118,8 @@ class TileSet:
         seed: which tiling. Regions beside each other fit together at the same min_distance and seed.
         density: as in window(), of coordinates of the region; a function goes with min_distance.
         planar: whether coordinates that look like longitude and latitude are lengths.
+        crs: the system of the region's coordinates, such as "EPSG:4326"; default: what the region says. Longitudes and
+            latitudes are mapped to a plane of metres, and points are mapped back.
         """
         if (min_distance is None) == (points is None):
             raise InputError("in_region: needs min_distance or points, and not both")
@@ -131,7 +133,7 @@ class TileSet:
         if not 0 < number <= 1:
             raise InputError(f"in_region: density = {density}: must be a number above 0 and at most 1, or a function")
         text = geojson_of(region) or os.fspath(region)
-        found = self._set.in_region(text, bool(planar), float(min_distance or 0), int(points or 0), checked_seed(seed),
+        found = self._set.in_region(text, bool(planar), crs, float(min_distance or 0), int(points or 0), checked_seed(seed),
                                     number)
         columns = TilePoints(**found)
         if not callable(density):

@@ -26,9 +26,12 @@ def key_of(key):
 def geojson_of(value):
     """The GeoJSON of what has a `__geo_interface__`, such as polygons of shapely, or is such an object as a dict; None
     of everything else."""
+    system = getattr(value, "crs", None)  # of geopandas
     value = getattr(value, "__geo_interface__", value)
     is_geojson = isinstance(value, dict) and isinstance(value.get("type"), str) \
         and not value.keys().isdisjoint(("coordinates", "geometry", "geometries", "features"))
+    if is_geojson and "crs" not in value and hasattr(system, "to_string"):
+        value = {**value, "crs": {"type": "name", "properties": {"name": system.to_string()}}}
     return json.dumps(value) if is_geojson else None
 
 

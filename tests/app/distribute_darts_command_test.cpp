@@ -68,11 +68,11 @@ TEST_F(DistributeDarts, KeepsAwayFromObstacles)
 
 TEST_F(DistributeDarts, RefusesWhatItCannotDo)
 {
-    folder_.write("degrees.geojson", R"({"type": "Polygon", "coordinates": [[[4,50],[5,50],[5,51],[4,50]]]})");
     using Words = std::vector<std::string>;
     for (const auto& [words, message] :
          {std::tuple{Words{"--region", "none.geojson", "--points", "9"}, "distribute darts: --region: none.geojson"},
-          {Words{"--region", "degrees.geojson", "--points", "9"}, "look like longitude and latitude"},
+          {Words{"--region", "POLYGON ((4 50, 4.1 50, 4.1 50.1, 4 50))", "--points", "9"},
+           "look like longitude and latitude"},
           {Words{"--region", "rectangle 0 0 1 1"}, "needs --points or --min-distance"},
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "2"},
            "--min-distance: 2 is more than the region's longest side, 1"},

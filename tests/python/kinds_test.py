@@ -8,6 +8,7 @@ import unittest
 from xml.etree import ElementTree
 
 import numpy
+import pyproj
 import scipy.spatial
 
 import poissonlab
@@ -87,6 +88,22 @@ class Kinds(unittest.TestCase):
         gaps = numpy.linalg.norm(made.points[:, None] - made.points[None], axis=2)
         self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 2)
         self.assertEqual(made.numbers["points"], len(made.points))
+
+    def test_darts_fall_into_regions_of_longitude_and_latitude(self):
+        # PROJ's geodesics know distances on the ellipsoid.
+        park = {"type": "Polygon", "coordinates": [[[4.700, 50.860], [4.712, 50.861], [4.709, 50.869], [4.700, 50.860]]]}
+        made = distribute.darts(region=park, min_distance=20)
+        i, j = numpy.triu_indices(len(made.points), 1)
+        metres = pyproj.Geod(ellps="WGS84").inv(*made.points[i].T, *made.points[j].T)[2]
+        self.assertGreater(len(made.points), 300)
+        self.assertGreaterEqual(metres.min(), 20 * (1 - made.numbers["distortion"]) - 1e-6)
+        self.assertLess(metres.min(), 20.5)
+
+        class Layer:  # as geopandas has them
+            __geo_interface__ = park
+            crs = pyproj.CRS("EPSG:31370")
+        self.assertNotIn("distortion", distribute.darts(region=Layer(), min_distance=0.002).numbers)
+        self.assertTrue(numpy.array_equal(made.points, distribute.darts(region=park, crs="EPSG:4326", min_distance=20).points))
 
     def test_darts_fill_regions_of_space(self):
         # SciPy knows the least distance, and corners of Voronoi cells are farther from all points than places around.

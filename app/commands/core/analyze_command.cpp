@@ -7,6 +7,7 @@
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
+#include "experiment/series/region_notes.hpp"
 #include "experiment/series/region_points.hpp"
 
 #include <fmt/format.h>
@@ -149,6 +150,7 @@ void analyze(const AnalyzeOptions& options)
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
     for (const std::string& note : experiment.notes) progress.message(note);
+    for (const std::string& note : region_notes(experiment)) progress.message(note);
     run_experiment(experiment, out, progress);
     finish_report({out}, out, progress, PrintPictures::none, options.gallery ? Gallery::laid_behind : Gallery::offered);
 }

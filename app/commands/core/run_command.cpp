@@ -9,6 +9,7 @@
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/run_plan.hpp"
 #include "experiment/run/runner.hpp"
+#include "experiment/series/region_notes.hpp"
 #include "experiment/store/unit_store.hpp"
 #include "results/collection_file.hpp"
 #include "results/own_files.hpp"
@@ -177,6 +178,7 @@ void run(const RunOptions& options)
     for (const PlannedRun& run : plan.runs) {
         for (const std::string& word : run.experiment.left_out) progress.message(word);
         for (const std::string& note : run.experiment.notes) progress.message(note);
+        for (const std::string& note : region_notes(run.experiment)) progress.message(note);
     }
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;

@@ -29,12 +29,14 @@ writes the distance at each point. A region is
 or, of space, where points have x, y and z,
   "box X0 Y0 Z0 X1 Y1 Z1", "ball X Y Z RADIUS",
   "solid X0 Y0 Z0 X1 Y1 Z1 EXPR"   where an expression in x, y and z is above 0 in a box
-Longitudes and latitudes are refused, as their degrees are no lengths: project them first, or say --planar where
-coordinates only look like them. GeoJSON without a crs is in degrees by its standard.
+Longitude and latitude, which GeoJSON without a crs has by its standard, are mapped to a plane of metres around the
+region, and points are written in them; --crs EPSG:4326 says so of other files, --planar that coordinates are lengths.
+Polygons that overlap or share edges become their union. --buffer 2 makes a region of what lies within 2 of lines,
+points and polygons.
 Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT, and
 points of CSV, NPY and other point files. They are never in polygons, and nearer than --obstacle-distance to none: by
 default than --min-distance to points.
-  poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
+  poissonlab distribute darts --region park.geojson --min-distance 4 --out trees.csv --out trees.geojson
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
   poissonlab distribute darts --region "ball 0 0 0 10" --min-distance 1 --boundary disks --out grains.ply
   poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv
@@ -54,10 +56,11 @@ void throw_darts(const DartOptions& o)
     const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
     const std::string what = words_of(darts);
     o.say_note(what);
+    o.outs.say_notes(darts, [&](const std::string& note) { o.say_note(note); });
     if (darts.obstacle_count() > 0 && darts.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
-    o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
-                                    shortened(printable(settings.region)), o.seed(), what));
+    o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in {}",
+                                    shortened(printable(settings.region)), o.seed(), what, units_of(darts)));
     if (o.prints_json()) print_numbers(dart_numbers(darts));
 }
 

@@ -26,7 +26,7 @@ Elimination, Lloyd's method and gaussian promise no distance; --json and reports
 --min-distance may vary for darts, relaxation and elimination: a formula in the region's x and y, or a picture over its
 box with --distance-range for black and white. Two points keep the smaller of their distances or, with --between mean,
 the mean of both, which is proven of all pairs afterwards. With --points it is a shape, scaled until so many have room.
-  poissonlab distribute points --region park.geojson --planar --method elimination --points 500 --out trees.csv
+  poissonlab distribute points --region park.geojson --method elimination --points 500 --out trees.csv
   poissonlab distribute points --region "disk 0 0 1" --method lloyd --points 1000 --iterations 100 --out disk.npy
   poissonlab distribute points --region "disk 0 0 1" --method relaxation --points 2000 --min-distance "1+4*(x*x+y*y)" \
       --between mean --out disks.svg --out disks.csv --distances diameters.npy)help";
@@ -45,12 +45,12 @@ void make_points_of_region(const RegionPointOptions& o)
     const RegionDarts made = make_region_points(settings, o.seed(), o.place());
     const std::string what = words_of(made);
     o.say_note(what);
+    o.outs.say_notes(made, [&](const std::string& note) { o.say_note(note); });
     if (made.obstacle_count() > 0 && made.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
-    o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in units of "
-                                   "the region",
+    o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in {}",
                                    shortened(printable(settings.place.region)), region_methods[settings.method],
-                                   o.seed(), what));
+                                   o.seed(), what, units_of(made)));
     if (o.prints_json()) print_numbers(dart_numbers(made));
 }
 

@@ -4,6 +4,8 @@
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/regions/region_features.hpp"
+#include "base/regions/region_source.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/runs/dart_pictures.hpp"
 #include "host/distribution/runs/varied_results.hpp"
@@ -18,12 +20,32 @@ namespace {
 
 OutputFormats distance_formats() { return {{".npy"}}; }
 
-/// Points in the system of coordinates that the region's file names.
+/// Points in the system of coordinates that the region's file names, as features with the id of the region's feature
+/// that they lie in, where it has several.
 void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, const std::string& comment)
 {
-    const std::string crs = darts.request.land ? darts.request.land->whole.crs : "";
-    write_geojson_points(file, darts.points.dimension, crs, comment,
-                         [&](const PointSink& sink) { sink(darts.points.coordinates); });
+    const PlaneRegion* const whole = darts.request.land ? &darts.request.land->whole : nullptr;
+    const std::string crs = whole ? whole->crs : "";
+    const PointSet points = darts.file_points();
+    if (whole && whole->source && !whole->source->features.empty())
+        return write_geojson_features(file, points, crs, comment, "feature",
+                                      ids_of_features(whole->source->features, darts.points));
+    write_geojson_points(file, points.dimension, crs, comment,
+                         [&](const PointSink& sink) { sink(points.coordinates); });
+}
+
+/// Points for a program that draws, or for one that reads tables.
+void write_point_file(const std::filesystem::path& file, const RegionDarts& darts, const std::string& comment)
+{
+    const std::string ending = file.extension();
+    const bool is_of_globe = darts.request.land && is_mapped(darts.request.land->whole);
+    if (ending == ".geojson") return write_geojson(file, darts, comment);
+    if (ending == ".dxf" || ending == ".usda") return write_points(file, darts.points, comment);
+    const PointSet points = darts.file_points();
+    if (ending == ".csv" && is_of_globe)
+        return write_csv_points(file, points.dimension, csv_header_globe,
+                                [&](const PointSink& sink) { sink(points.coordinates); });
+    write_points(file, points, comment);
 }
 
 }
@@ -43,24 +65,35 @@ void RegionOutputs::check(const std::string& command, bool varies) const
     checked_output(command, "--distances", distances, distance_formats());
 }
 
+void RegionOutputs::say_notes(const RegionDarts& darts, const std::function<void(const std::string&)>& say)
+{
+    if (!darts.request.land) return;
+    for (const std::string& note : notes_of(darts.request.land->whole)) say(note);
+}
+
 void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) const
 {
     for (const std::filesystem::path& out : files.files()) {
         const auto& pictures = files.formats.endings;
         if (std::ranges::find(pictures, out.extension().string()) != pictures.end())
             write_picture_file(out, draw_marks(dart_picture(darts), {}));
-        else if (out.extension() == ".geojson")
-            write_geojson(out, darts, comment);
         else
-            write_points(out, darts.points, comment);
+            write_point_file(out, darts, comment);
     }
     if (!distances.empty()) write_distances(output_name(distances, distance_formats()), *darts.varied);
+}
+
+std::string units_of(const RegionDarts& darts)
+{
+    return darts.request.land ? file_units(darts.request.land->whole) : "units of the region";
 }
 
 std::string words_of(const RegionDarts& darts)
 {
     std::string what = fmt::format("{} {}", darts.points.size(), noun(darts.points.size(), "point"));
-    if (darts.sure_distance > 0 && !darts.varied) what += fmt::format(" at least {} apart", darts.sure_distance);
+    if (darts.sure_distance > 0 && !darts.varied)
+        what += fmt::format(" at least {}{} apart", darts.sure_distance,
+                            darts.request.land && is_mapped(darts.request.land->whole) ? " m" : "");
     if (darts.is_saturated) what += ", between which no further one fits";
     return darts.varied ? what + "; " + words_of_varied(*darts.varied) : what;
 }

@@ -48,15 +48,18 @@ TileBlock checked_block(const TilesPointsOptions& options, int dimension)
     return options.torus > 0 ? torus_block(options.torus, dimension) : checked_window(options.window, dimension);
 }
 
-/// The region of --region, checked with what belongs to it; nothing where there is none.
-std::shared_ptr<const FixedRegion> checked_region(const TilesPointsOptions& options, int dimension)
+/// Checks what belongs to a region.
+void check_region_options(const TilesPointsOptions& options, int dimension)
 {
     if (options.region.empty()) {
-        for (const auto& [name, is_given] : {std::pair("--planar", options.is_planar),
+        for (const auto& [name, is_given] : {std::pair("--planar", options.reading.is_planar),
+                                             {"--crs", !options.reading.crs.empty()},
+                                             {"--overlap", !options.overlap.empty()},
+                                             {"--buffer", options.reading.buffer != 0},
                                              {"--min-distance", options.min_distance != 0},
                                              {"--points", options.points != 0}})
             if (is_given) throw InputError(fmt::format("tiles points: {}: goes with --region", name));
-        return nullptr;
+        return;
     }
     if (dimension != 2) throw InputError("tiles points: --region: tiles in space have no plane region");
     if ((options.min_distance == 0) == (options.points == 0))
@@ -64,10 +67,22 @@ std::shared_ptr<const FixedRegion> checked_region(const TilesPointsOptions& opti
     if (options.min_distance != 0 && !(options.min_distance >= 1e-12 && options.min_distance <= 1e12))
         throw InputError(
             fmt::format("tiles points: --min-distance {}: must be from 1e-12 to 1e12", options.min_distance));
+    if (options.reading.is_planar && !options.reading.crs.empty())
+        throw InputError("tiles points: --crs: does not go with --planar");
+    if (!(options.reading.buffer >= 0 && options.reading.buffer <= 1e12))
+        throw InputError(fmt::format("tiles points: --buffer {}: must be from 0 to 1e12", options.reading.buffer));
+    if (!options.overlap.empty() && !polygon_overlap_names.find(options.overlap))
+        throw InputError(
+            fmt::format("tiles points: --overlap {}: must be union or refuse", printable(options.overlap)));
+}
+
+/// Throws InputError that names --crs where it is wrong, which is no fault of the region.
+void check_crs(const std::string& crs)
+{
     try {
-        return std::make_shared<const FixedRegion>(read_region(options.region, options.is_planar));
+        if (!crs.empty()) check_map_system(crs);
     } catch (const InputError& error) {
-        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+        throw InputError(fmt::format("tiles points: --crs {}", error.what()));
     }
 }
 
@@ -94,13 +109,13 @@ void check_class_target(const std::filesystem::path& out)
 }
 
 /// The comment of the file.
-std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region)
+std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region, const std::string& units = "")
 {
     const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
     const std::string begin = fmt::format("poissonlab tiles points {} ", options.file.filename().string());
     if (region)
-        return fmt::format("{}--region {} --seed {}{}: in units of the region, of which a tile is {} wide", begin,
-                           shortened(printable(options.region)), options.seed, density, region->tile_width());
+        return fmt::format("{}--region {} --seed {}{}: in {}; a tile is {} wide", begin,
+                           shortened(printable(options.region)), options.seed, density, units, region->tile_width());
     const std::string place = options.torus > 0 ? fmt::format("--torus {}", options.torus)
                                                 : fmt::format("--window {}", fmt::join(options.window, " "));
     return fmt::format("{}{} --seed {}{}: coordinates in tiles, from the lowest corner of the {}", begin, place,
@@ -117,11 +132,13 @@ TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(opt
     if (has_classes()) check_class_target(options.out);
     out = checked_output("tiles points", "--out", options.out, has_classes() ? class_formats() : point_formats());
     head.dimension = tiles_.parameters.dimension;
-    region_ = checked_region(options, head.dimension);
-    if (region_)
-        set_up_region();
-    else
+    check_region_options(options, head.dimension);
+    if (options.region.empty()) {
         set_up_block();
+    } else {
+        read_plane();
+        set_up_region();
+    }
 }
 
 double TilePointsWork::min_distance() const
@@ -141,12 +158,25 @@ void TilePointsWork::set_up_block()
     points.emplace(stream_, tiles_, WindowOfTiling{block, options_.torus, options_.seed}, *density_);
 }
 
+void TilePointsWork::read_plane()
+{
+    check_crs(options_.reading.crs);
+    RegionReading reading = options_.reading;
+    if (!options_.overlap.empty()) reading.overlap = *polygon_overlap_names.find(options_.overlap);
+    try {
+        plane_ = read_region(options_.region, reading);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+    }
+    region_ = std::make_shared<const FixedRegion>(plane_);
+}
+
 void TilePointsWork::set_up_region()
 {
     const RegionBox& box = region_->box();
     set_density({box.low, {box.width(), box.height()}});
     head.side = 0;
-    head.unit = "units of the region";
+    head.unit = file_units(plane_);
     check_head(out, head);
     try {
         const double width = tile_width_for(options_.points > 0 ? 1 : options_.min_distance, tiles_, box);
@@ -162,7 +192,7 @@ void TilePointsWork::set_up_region()
     } catch (const InputError& error) {
         throw InputError(fmt::format("tiles points: --region: {}", error.what()));
     }
-    head.comment = comment_of(options_, tiled_.get());
+    head.comment = comment_of(options_, tiled_.get(), head.unit);
 }
 
 /// The region's points with tiles of this width.
@@ -170,7 +200,8 @@ void TilePointsWork::lay_tiles(double width)
 {
     tiled_ = std::make_shared<const TiledRegion>(region_, width);
     if (!stream_) open_stream(tiled_->block());
-    points.emplace(stream_, tiles_, WindowOfTiling{tiled_->block(), 0, options_.seed, tiled_}, *density_);
+    const auto map = is_mapped(plane_) ? plane_.source->map : nullptr;
+    points.emplace(stream_, tiles_, WindowOfTiling{tiled_->block(), 0, options_.seed, tiled_, map}, *density_);
 }
 
 void TilePointsWork::set_density(const DensityArea& area)

@@ -5,6 +5,8 @@
 #include "app/commands/tiles/window_points.hpp"
 #include "app/commands/work_options.hpp"
 #include "base/points/placed_file.hpp"
+#include "base/regions/region_reading.hpp"
+#include "base/regions/region_source.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,9 +23,10 @@ struct TilesPointsOptions
     std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
     std::uint32_t torus = 0;          ///< tiles along each axis; 0: a window of the plane
     std::string region;               ///< instead of both: see read_region()
-    bool is_planar = false;
-    double min_distance = 0;  ///< in the region's units; 0: as `points` wants it
-    std::uint64_t points = 0; ///< of the region; 0: as many as there are
+    RegionReading reading;            ///< of the region
+    std::string overlap;              ///< the word for its overlaps; empty: the default
+    double min_distance = 0;          ///< in the region's units; 0: as `points` wants it
+    std::uint64_t points = 0;         ///< of the region; 0: as many as there are
     std::uint32_t seed = 1;
     std::string density = "1"; ///< a number, the name of a picture, or a formula
     std::string density_from = "light";
@@ -39,6 +42,9 @@ public:
     /// The options must outlive this. Throws InputError, a line that begins with the command.
     explicit TilePointsWork(const TilesPointsOptions& options);
 
+    /// The sentences on what was made of the region's file.
+    const std::vector<std::string>& notes() const { return notes_of(plane_); }
+
     const TiledRegion* region() const { return tiled_.get(); } ///< nullptr: there is none
 
     bool has_classes() const { return !tiles_.parameters.classes.is_empty(); }
@@ -52,6 +58,7 @@ public:
 
 private:
     void set_up_block();
+    void read_plane();
     void set_up_region();
     void lay_tiles(double width);
     void set_density(const DensityArea& area);
@@ -60,6 +67,7 @@ private:
     const TilesPointsOptions& options_;
     PoissonTileSet tiles_;
     std::optional<WindowDensity> density_;
+    PlaneRegion plane_; ///< the region as it was read
     std::shared_ptr<const FixedRegion> region_;
     std::shared_ptr<const TiledRegion> tiled_;
     UnitStream stream_;

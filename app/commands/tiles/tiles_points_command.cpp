@@ -34,7 +34,7 @@ coordinates: regions beside each other, of one seed and distance, fit together.
 Of tiles whose points have classes (tiles build --class-points) each point's class is written as well, as distribute
 classes does: .csv (columns x, y, class), .ply (vertices with a class), .npy (records x, y, class) or .geojson
 (features with the property class).
-  poissonlab tiles points corner.ptiles --region park.geojson --planar --min-distance 4 --out trees.csv
+  poissonlab tiles points corner.ptiles --region park.geojson --min-distance 4 --out trees.csv
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
   poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5
   poissonlab tiles points ranked.ptiles --window 0 0 30 20 --density photo.jpg --density-from ink --out dots.ply
@@ -61,6 +61,8 @@ void write_tile_points(const TilesPointsOptions& options)
     if (!crew->leads()) say_nothing_when_interrupted();
     std::optional<TilePointsWork> work;
     if (!crew->together([&] { work.emplace(options); })) return;
+    if (crew->leads() && !options.work.is_quiet())
+        for (const std::string& note : work->notes()) fmt::print(stderr, "poissonlab: note: {}\n", note);
     const std::uint64_t count = work->has_classes() ? write_class_window(work->out, work->head, *work->points, *crew)
                                                     : write_window(work->out, work->head, *work->points, *crew);
     if (!crew->leads()) return;
@@ -75,30 +77,37 @@ void write_tile_points(const TilesPointsOptions& options)
 Command tiles_points_command()
 {
     const auto o = std::make_shared<TilesPointsOptions>();
-    return {"points", "Write the points of a window of a tiling, or of a torus, to a file",
-            joined({{{"FILE", &o->file, "The tile set (.ptiles, .json)"},
-                     {"--window", &o->window, "The tiles: lowest one, and how many along each axis",
-                      "X Y W H (3D: X Y Z W H D)", optional, 6},
-                     allowing({"--torus", &o->torus,
-                               "Instead of a window: so many tiles along each axis, whose opposite edges fit", "N"},
-                              Integers{1, 65'535}),
-                     {"--region", &o->region, "Instead of both: a region of the plane, in whose units the points are",
-                      "REGION"},
-                     {"--planar", &o->is_planar,
-                      "Coordinates of the region that look like longitude and latitude are lengths"},
-                     {"--min-distance", &o->min_distance, "With a region: the proven minimum distance, in its units",
-                      "NUMBER"},
-                     {"--points", &o->points, "With a region, instead: the number of points", "N"},
-                     {"--out", &o->out, "The point file", "FILE", required},
-                     {"--density", &o->density,
-                      "The part of the points that is left, everywhere or from place to place; default: 1",
-                      "NUMBER|IMAGE|FORMULA"},
-                     {"--density-from", &o->density_from,
-                      "Of a picture: light (the default), ink, or one of its channels", "NAME"},
-                     seed_option(o->seed),
-                     json_option(o->as_json, "Print how many points there are as JSON")},
-                    o->work.options_without_seed()}),
-            tiles_points_notes, action_on(o, write_tile_points)};
+    return {
+        "points", "Write the points of a window of a tiling, or of a torus, to a file",
+        joined({{{"FILE", &o->file, "The tile set (.ptiles, .json)"},
+                 {"--window", &o->window, "The tiles: lowest one, and how many along each axis",
+                  "X Y W H (3D: X Y Z W H D)", optional, 6},
+                 allowing({"--torus", &o->torus,
+                           "Instead of a window: so many tiles along each axis, whose opposite edges fit", "N"},
+                          Integers{1, 65'535}),
+                 {"--region", &o->region, "Instead of both: a region of the plane, in whose units the points are",
+                  "REGION"},
+                 {"--planar", &o->reading.is_planar,
+                  "Coordinates of the region that look like longitude and latitude are lengths"},
+                 {"--crs", &o->reading.crs,
+                  "The system of the region's coordinates, such as EPSG:4326; default: what its file says", "NAME"},
+                 {"--overlap", &o->overlap,
+                  "What becomes of the region's polygons that overlap or share edges; default: union", "union|refuse"},
+                 {"--buffer", &o->reading.buffer,
+                  "The region is what lies within this distance of its lines, points and polygons", "NUMBER"},
+                 {"--min-distance", &o->min_distance, "With a region: the proven minimum distance, in its units",
+                  "NUMBER"},
+                 {"--points", &o->points, "With a region, instead: the number of points", "N"},
+                 {"--out", &o->out, "The point file", "FILE", required},
+                 {"--density", &o->density,
+                  "The part of the points that is left, everywhere or from place to place; default: 1",
+                  "NUMBER|IMAGE|FORMULA"},
+                 {"--density-from", &o->density_from, "Of a picture: light (the default), ink, or one of its channels",
+                  "NAME"},
+                 seed_option(o->seed),
+                 json_option(o->as_json, "Print how many points there are as JSON")},
+                o->work.options_without_seed()}),
+        tiles_points_notes, action_on(o, write_tile_points)};
 }
 
 }

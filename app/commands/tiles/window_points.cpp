@@ -80,11 +80,18 @@ std::uint64_t WindowPoints::count(std::uint32_t piece)
     const std::uint64_t first = piece * tiles_per_piece_;
     if (has_known_counts())
         return std::min(tiles_per_piece_, block_.tiles() - first) * tiles_.parameters.points_per_tile;
-    make(piece, counted_);
+    make_in_plane(piece, counted_, nullptr);
     return counted_.size() / dimension_;
 }
 
 void WindowPoints::make(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes)
+{
+    make_in_plane(piece, coordinates, classes);
+    if (window_.map) window_.map->to_file(coordinates);
+}
+
+void WindowPoints::make_in_plane(std::uint32_t piece, std::vector<double>& coordinates,
+                                 std::vector<std::uint32_t>* classes)
 {
     const PoissonTiling tiling{window_.seed, static_cast<std::int32_t>(window_.period)};
     const std::uint64_t first = piece * tiles_per_piece_, end = std::min(first + tiles_per_piece_, block_.tiles());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/tiles/window_density.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/tile_points/tiled_region.hpp"
 #include "host/tile_points/unit_stream.hpp"
 
@@ -19,6 +20,7 @@ struct WindowOfTiling
     std::uint32_t period = 0; ///< of the torus that the block is; 0: the plane
     std::uint32_t seed = 1;
     std::shared_ptr<const TiledRegion> region{}; ///< only points in it, in its units: the block is its block
+    std::shared_ptr<const PlaneMap> map{}; ///< by which its points become longitudes and latitudes; null: they stay
 };
 
 /// Makes the coordinates, in tiles from the window's lowest corner, or in a region's units. Pieces do not depend on the
@@ -51,6 +53,8 @@ public:
     void make(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes = nullptr);
 
 private:
+    /// Makes them in the plane that tiles lie in.
+    void make_in_plane(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes);
     std::size_t values_per_tile() const { return tiles_.parameters.points_per_tile * dimension_; }
     void append(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;
     bool append_if_inside(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;

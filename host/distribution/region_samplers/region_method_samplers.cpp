@@ -105,7 +105,7 @@ public:
             if (made.sure_distance > 0)
                 traits_.proven_relative_radius =
                     relative_radius(made.sure_distance / root_of_area(request_), made.points.size(), 2);
-            return made.points;
+            return made.file_points();
         } catch (const InputError& error) {
             throw error_of(text_, given_, {request_.region->name()},
                            fmt::format("realization {}: {}", realization, error.what()));

@@ -1,6 +1,7 @@
 #include "analysis/regions/framed_region.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/distribution/region_samplers/region_method_samplers.hpp"
 #include "host/distribution/regions/region_cells.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
@@ -33,7 +34,7 @@ public:
         PointSet points{2, {}};
         for (const TorusPoint<2>& place : places)
             for (const double c : region.own(place)) points.coordinates.push_back(c);
-        return points;
+        return as_in_files(request_.region->own_polygons(), std::move(points));
     }
 
 private:

@@ -105,8 +105,8 @@ PointSet thrown(const DartThrowingRequest& request, const DistributionPlace& pla
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings)
 {
     if (settings.land) return settings.land;
-    RegionLand land{read_region(settings.region, settings.is_planar), {}, {}};
-    if (!settings.obstacles.empty()) land.obstacles = read_obstacles(settings.obstacles, settings.is_planar);
+    RegionLand land{read_region(settings.region, settings.reading), {}, {}};
+    if (!settings.obstacles.empty()) land.obstacles = read_obstacles(settings.obstacles, settings.reading, land.whole);
     const double longest = box_of(land.whole).longest();
     if (settings.obstacle_distance.value_or(0) > longest)
         throw InputError(fmt::format("a distance of {:.6g} from them is more than the region's longest side, {:.6g}",

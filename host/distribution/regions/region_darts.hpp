@@ -12,6 +12,7 @@
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
 #include "base/regions/obstacles.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
@@ -56,6 +57,9 @@ struct RegionDarts
     double sure_distance = 0;  ///< that any two points have at least, in the region's units; 0: nothing is said
     std::shared_ptr<const VariedSet> varied{}; ///< where the distance varies
     std::shared_ptr<const FixedSpace> space{}; ///< the region where it is one of space: see space_points.hpp
+
+    /// The points as files have them: in longitude and latitude where the region was mapped from there.
+    PointSet file_points() const { return request.land ? as_in_files(request.land->whole, points) : points; }
 
     std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }
 };

@@ -6,6 +6,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
+#include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/distribution_run.hpp"
@@ -19,6 +20,7 @@
 #include "host/distribution/runs/varied_results.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/sampling/regions/region_gaussian.hpp"
+#include "host/settings/keys/region_keys.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -59,13 +61,15 @@ void distance_keys(Keys& keys, DartSettings& s)
 void read_land(Keys& keys, DartSettings& s)
 {
     if (!s.is_in_space()) {
-        if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
+        if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.reading); });
         keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
         return;
     }
     const std::string plane_only = "goes with regions of the plane, and this one is of space";
     if (s.varies()) throw keys.invalid("min_distance", "a distance that varies " + plane_only);
-    for (const char* key : {"obstacles", "obstacle_distance", "planar"})
+    for (const char* key : {"obstacles", "obstacle_distance"})
+        if (keys.is_given(key)) throw keys.invalid(key, plane_only);
+    for (const char* key : region_reading_names)
         if (keys.is_given(key)) throw keys.invalid(key, plane_only);
     if (s.boundary == RegionBoundary::on) throw keys.invalid("boundary", plane_only);
     keys.check("region", [&] { s.space = whole_space(s); });
@@ -74,7 +78,7 @@ void read_land(Keys& keys, DartSettings& s)
 void dart_keys(Keys& keys, DartSettings& s)
 {
     keys.region(s.region);
-    keys.flag("planar", s.is_planar, "whether coordinates that look like longitude and latitude are lengths");
+    region_reading_keys(keys, s.reading);
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
     distance_keys(keys, s);
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
@@ -225,6 +229,8 @@ DistributionResult result_of(const RegionDarts& darts, const DartSettings& setti
     result.facts = {fmt::format("{} points", darts.points.size()), how, words_of_region(darts)};
     if (const std::size_t obstacles = darts.obstacle_count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
+    if (darts.request.land)
+        for (const std::string& note : notes_of(darts.request.land->whole)) result.facts.push_back(note);
     if (settings.boundary == RegionBoundary::disks)
         result.facts.push_back(fmt::format("{} are inside whole", darts.space ? "balls" : "disks"));
     files.add_marks("points.json", dart_picture(darts),
@@ -232,7 +238,7 @@ DistributionResult result_of(const RegionDarts& darts, const DartSettings& setti
                     : darts.varied ? "The points in their region, with disks of half their distances."
                                    : "The points in their region.",
                     result);
-    write_points(files.add("points.npy"), darts.points);
+    write_points(files.add("points.npy"), darts.file_points());
     result.files.push_back("points.npy");
     if (darts.varied) add_varied_results(*darts.varied, files, result);
     result.numbers = dart_numbers(darts);
@@ -256,6 +262,23 @@ DistributionResult make_points(const RegionPointSettings& settings, std::uint64_
 
 }
 
+namespace {
+
+/// Adds the plane that longitude and latitude were mapped to.
+void append_map_numbers(const RegionDarts& darts, DistributionNumbers& numbers)
+{
+    if (!darts.request.land || !is_mapped(darts.request.land->whole)) return;
+    const RegionSource& source = *darts.request.land->whole.source;
+    const auto [longitude, latitude] = source.map->middle();
+    numbers.push_back({"center_longitude", "Longitude of the plane's middle", longitude,
+                       "of Lambert's azimuthal equal-area plane, in which units of the region are metres"});
+    numbers.push_back({"center_latitude", "Latitude of the plane's middle", latitude, "of this plane"});
+    numbers.push_back(
+        {"distortion", "Distortion", source.distortion, "the part by which lengths in this plane are off at most"});
+}
+
+}
+
 DistributionNumbers dart_numbers(const RegionDarts& darts)
 {
     const bool is_in_space = darts.space != nullptr;
@@ -268,6 +291,7 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
         numbers.push_back({"volume", "Volume", area, "of the region, in cubes of its units"});
     else
         numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
+    append_map_numbers(darts, numbers);
     if (darts.sure_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", darts.sure_distance,
                            "that points are sure to have, in units of the region"});

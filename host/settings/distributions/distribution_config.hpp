@@ -1,6 +1,7 @@
 // The settings of the kinds of [[distribution]].
 #pragma once
 
+#include "base/regions/region_reading.hpp"
 #include "base/regions/space_region.hpp"
 #include "base/word_table.hpp"
 #include "host/settings/keys/choices.hpp"
@@ -151,8 +152,8 @@ class FixedSpace;
 /// kind = "darts": see host/distribution/regions/region_darts.hpp. Points, a minimum distance, or both.
 struct DartSettings
 {
-    std::string region;     ///< a file or a description: see read_region()
-    bool is_planar = false; ///< its coordinates are lengths, whatever they look like
+    std::string region; ///< a file or a description: see read_region()
+    RegionReading reading;
     std::optional<std::size_t> points;
     std::optional<double> min_distance; ///< in the region's units
     VaryingDistance varying;            ///< instead of min_distance

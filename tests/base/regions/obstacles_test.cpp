@@ -55,11 +55,11 @@ TEST(ObstacleTexts, AreRefusedWhereTheyAreNone)
              {R"({"type": "Circle", "coordinates": [1000, 3]})", "type: Circle: must be Point, LineString, Polygon"},
              {R"({"type": "FeatureCollection", "features": []})", "has no point, line or polygon to keep away from"},
              {R"({"type": "Point", "coordinates": [7, 50]})", "look like longitude and latitude"},
-             {"SRID=4326;POINT (7 50)", "its SRID is one of degrees"},
+             {"SRID=4326;POINT (7 50)", "look like longitude and latitude"},
              {"points.geojson", "points.geojson"}, // a file's name, not WKT
              {"rectangle 0 0 0 1", "must be rectangle"}})
         EXPECT_THAT(message_of([&, &obstacle = text] { read_obstacles(obstacle); }), HasSubstr(words)) << text;
-    EXPECT_EQ(read_obstacles(R"({"type": "Point", "coordinates": [7, 50]})", true).count(), 1U);
+    EXPECT_EQ(read_obstacles(R"({"type": "Point", "coordinates": [7, 50]})", {.is_planar = true}).count(), 1U);
 }
 
 double area_left(const std::string& region, const std::string& obstacles)

@@ -56,21 +56,22 @@ TEST(ConfigError, UnknownAnalysisKey)
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
               "known keys: points, realizations, dimension, timing_runs, spectrum, spectrum_size, bin_width, volume, "
               "zone_plate, tiles, window, box, "
-              "measures, point_files, region, planar, density, density_from, envelope, tapers");
+              "measures, point_files, region, planar, crs, overlap, buffer, density, density_from, envelope, tapers");
 }
 
 TEST(ConfigError, UnknownMethodKey)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radus = [0.70, 0.75]\n"),
               "c.toml:3: relative_radus = [0.70, 0.75]: unknown key; did you mean \"relative_radius\"? "
-              "known keys: sampler, label, points, order, region, planar, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, order, region, planar, crs, overlap, buffer, relative_radius, stop, "
+              "min_distance");
 }
 
 TEST(ConfigError, ParameterOfAnotherSampler)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"random\"\nrelative_radius = 0.7\n"),
               "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points, order, "
-              "region, planar");
+              "region, planar, crs, overlap, buffer");
 }
 
 TEST(ConfigError, TheFirstOfSeveralMistakesIsReported)

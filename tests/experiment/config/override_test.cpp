@@ -81,7 +81,8 @@ TEST(Override, MistakesNameTheArgument)
     EXPECT_EQ(error_with("method.relative_radus=0.5"),
               "--set method.relative_radus=0.5: relative_radus = 0.5: unknown key; did you mean "
               "\"relative_radius\"? "
-              "known keys: sampler, label, points, order, region, planar, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, order, region, planar, crs, overlap, buffer, relative_radius, stop, "
+              "min_distance");
 }
 
 TEST(Override, ThatCannotBeApplied)

@@ -36,7 +36,7 @@ RegionPointSettings region_settings(RegionMethod method, const std::string& regi
     RegionPointSettings settings;
     settings.method = method;
     settings.place.region = region;
-    settings.place.is_planar = true;
+    settings.place.reading.is_planar = true;
     if (method == RegionMethod::bridson)
         settings.place.min_distance = points_or_distance;
     else

@@ -119,7 +119,7 @@ TEST_P(SamplersInRegions, MakeRealizationsOfTheSameMethod)
     RegionPointSettings settings;
     settings.method = at.method;
     settings.place.region = yard;
-    settings.place.is_planar = true;
+    settings.place.reading.is_planar = true;
     if (at.min_distance > 0)
         settings.place.min_distance = at.min_distance;
     else

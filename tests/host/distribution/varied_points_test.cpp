@@ -27,7 +27,7 @@ RegionPointSettings varied_settings(RegionMethod method, const std::string& regi
     RegionPointSettings settings;
     settings.method = method;
     settings.place.region = region;
-    settings.place.is_planar = true;
+    settings.place.reading.is_planar = true;
     settings.place.varying.text = formula;
     settings.place.varying.between = between;
     if (points > 0) settings.place.points = points;

@@ -1,8 +1,7 @@
-// GeoJSON: RFC 7946, and the member `crs` of the older description, which says that coordinates are lengths.
+// GeoJSON: RFC 7946, and the member `crs` of the older description, which names the system of coordinates.
 #include "base/errors/errors.hpp"
 #include "base/files/json_file.hpp"
-#include "base/regions/obstacles.hpp"
-#include "base/regions/region_text.hpp"
+#include "base/regions/formats/region_shapes.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,27 +14,21 @@ using GeoJson = nlohmann::json;
 class GeoJsonReader
 {
 public:
-    GeoJsonReader(const std::string& name, bool takes_all) : name_(name), takes_all_(takes_all) {}
+    explicit GeoJsonReader(const std::string& name) : name_(name) {}
 
-    /// Adds the polygons of an object, which messages call `member`, and its points and lines if all are taken.
+    /// Adds the points, lines and polygons of an object, which messages call `member`.
     void add(const GeoJson& object, const std::string& member)
     {
         const std::string type = type_of(object, member);
         if (type == "FeatureCollection") return add_all(object, "features", member);
         if (type == "GeometryCollection") return add_all(object, "geometries", member);
-        if (type == "Feature") {
-            if (!object.contains("geometry") || object["geometry"].is_null()) return; // RFC 7946: it is located nowhere
-            return add(object["geometry"], member + "geometry.");
-        }
+        if (type == "Feature") return add_feature(object, member);
         const bool is_multiple = type.starts_with("Multi");
         const std::string part = is_multiple ? type.substr(5) : type;
-        if (part != "Polygon" && takes_all_ && part != "Point" && part != "LineString")
+        if (part != "Polygon" && part != "Point" && part != "LineString")
             throw problem(member + "type",
                           fmt::format("{}: must be Point, LineString, Polygon or several of them, Multi...",
                                       shortened(printable(type))));
-        if (part != "Polygon" && !takes_all_)
-            throw problem(member + "type", fmt::format("{}: must be Polygon or MultiPolygon, which have an inside",
-                                                       shortened(printable(type))));
         const std::string place = member + "coordinates";
         if (!object.contains("coordinates")) throw problem(place, "is missing");
         if (!is_multiple) return add_part(part, object["coordinates"], place);
@@ -43,7 +36,7 @@ public:
             add_part(part, object["coordinates"][i], fmt::format("{}[{}]", place, i));
     }
 
-    Obstacles found;
+    RegionShapes found;
 
 private:
     InputError problem(const std::string& member, const std::string& what) const
@@ -71,13 +64,23 @@ private:
             add(object[key][i], fmt::format("{}{}[{}].", member, key, i));
     }
 
+    /// A feature without a geometry is located nowhere, as RFC 7946 has it.
+    void add_feature(const GeoJson& feature, const std::string& member)
+    {
+        const auto id = feature.find("id");
+        const bool has_id = id != feature.end() && (id->is_string() || id->is_number());
+        found.ids.push_back(has_id ? id->dump() : std::to_string(found.ids.size()));
+        if (feature.contains("geometry") && !feature["geometry"].is_null())
+            add(feature["geometry"], member + "geometry.");
+    }
+
     void add_part(const std::string& type, const GeoJson& coordinates, const std::string& place)
     {
         if (type == "Polygon") return add_polygon(coordinates, place);
-        if (type == "Point") return found.points.push_back(position_of(coordinates, place));
+        if (type == "Point") return found.shapes.points.push_back(position_of(coordinates, place));
         RegionRing line = positions_of(coordinates, place);
         if (line.size() < 2) throw problem(place, "must have two positions or more");
-        found.lines.push_back(std::move(line));
+        found.shapes.lines.push_back(std::move(line));
     }
 
     void add_polygon(const GeoJson& rings, const std::string& place)
@@ -91,25 +94,27 @@ private:
             else
                 polygon.holes.push_back(std::move(ring));
         }
-        found.polygons.push_back(std::move(polygon));
+        found.shapes.polygons.push_back(std::move(polygon));
+        if (!found.ids.empty()) found.feature_of.push_back(found.ids.size() - 1);
     }
 
-    std::array<double, 2> position_of(const GeoJson& position, const std::string& place) const
+    std::array<double, 2> position_of(const GeoJson& position, const std::string& place)
     {
         if (!position.is_array() || position.size() < 2 || !position[0].is_number() || !position[1].is_number())
             throw problem(place, "must be a position: two numbers");
+        found.has_further_numbers |= position.size() > 2;
         return {position[0].get<double>(), position[1].get<double>()};
     }
 
-    RegionRing positions_of(const GeoJson& positions, const std::string& place) const
+    RegionRing positions_of(const GeoJson& positions, const std::string& place)
     {
-        RegionRing found;
+        RegionRing ring;
         for (std::size_t i = 0; i < list(positions, place).size(); ++i)
-            found.push_back(position_of(positions[i], fmt::format("{}[{}]", place, i)));
-        return found;
+            ring.push_back(position_of(positions[i], fmt::format("{}[{}]", place, i)));
+        return ring;
     }
 
-    RegionRing ring_of(const GeoJson& positions, const std::string& place) const
+    RegionRing ring_of(const GeoJson& positions, const std::string& place)
     {
         RegionRing ring = positions_of(positions, place);
         if (ring.size() < 4) throw problem(place, "must have four positions or more, of which the last is the first");
@@ -119,40 +124,25 @@ private:
     }
 
     const std::string& name_;
-    bool takes_all_;
 };
 
-/// Does the older member `crs` name anything but longitude and latitude?
-bool names_other_system(const GeoJson& object)
+/// The name that the older member `crs` has; empty where it has none.
+std::string system_of(const GeoJson& object)
 {
-    if (!object.is_object() || !object.contains("crs") || !object["crs"].is_object()) return false;
-    const std::string text = object["crs"].dump();
-    for (const char* geographic : {"CRS84", "4326", "CRS83", "4269", "4258"})
-        if (text.find(geographic) != std::string::npos) return false;
-    return text.find("name") != std::string::npos;
+    const GeoJson::json_pointer name("/crs/properties/name");
+    return object.contains(name) && object[name].is_string() ? object[name].get<std::string>() : "";
 }
 
-Obstacles obstacles_of(const GeoJson& json, const std::string& name, bool takes_all)
+}
+
+RegionShapes shapes_of_geojson(std::string_view text, const std::string& name)
 {
-    GeoJsonReader reader(name, takes_all);
+    const GeoJson json = parsed_json(text, name);
+    GeoJsonReader reader(name);
     reader.add(json, "");
+    reader.found.system = system_of(json);
+    if (!reader.found.system.empty()) reader.found.crs_member = json["crs"].dump();
     return std::move(reader.found);
-}
-
-}
-
-PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bool& says_metres)
-{
-    const GeoJson json = parsed_json(text, name);
-    says_metres = names_other_system(json);
-    return {obstacles_of(json, name, false).polygons, says_metres ? json["crs"].dump() : ""};
-}
-
-Obstacles obstacles_of_geojson(std::string_view text, const std::string& name, bool& says_metres)
-{
-    const GeoJson json = parsed_json(text, name);
-    says_metres = names_other_system(json);
-    return obstacles_of(json, name, true);
 }
 
 }

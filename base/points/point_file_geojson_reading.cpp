@@ -1,0 +1,91 @@
+// Reads the points of GeoJSON (RFC 7946): Point, MultiPoint, and those in features and collections, in their order.
+#include "base/errors/errors.hpp"
+#include "base/files/json_file.hpp"
+#include "base/points/point_file_formats.hpp"
+#include "base/points/unit_coordinates.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace poissonlab {
+namespace {
+
+class GeoJsonPoints
+{
+public:
+    explicit GeoJsonPoints(const PointFileContent& file) : file_(file), unit_(file) {}
+
+    PointSet read()
+    {
+        const nlohmann::json json = parsed_json(file_.bytes, file_.name);
+        add(json);
+        if (set_.dimension == 0) fail_in_point_file(file_, 0, "GeoJSON", "must have a Point or a MultiPoint");
+        unit_.finish();
+        if (left_out_ > 0)
+            file_.tell(fmt::format("only its points are read; {} {} left out", left_out_,
+                                   left_out_ == 1 ? "line or polygon is" : "lines and polygons are"));
+        return std::move(set_);
+    }
+
+private:
+    void add(const nlohmann::json& object)
+    {
+        if (!object.is_object()) return refuse(object, "must be an object with a type");
+        const auto type = object.find("type");
+        if (type == object.end() || !type->is_string()) return refuse(object, "must have a type: this is no GeoJSON");
+        if (*type == "FeatureCollection") return for_each(object, "features", [&](const auto& each) { add(each); });
+        if (*type == "GeometryCollection") return for_each(object, "geometries", [&](const auto& each) { add(each); });
+        if (*type == "Feature") {
+            const auto geometry = object.find("geometry");
+            if (geometry != object.end() && !geometry->is_null()) add(*geometry);
+        } else if (*type == "MultiPoint") {
+            for_each(object, "coordinates", [&](const auto& each) { add_position(each); });
+        } else if (*type == "Point") {
+            if (!object.contains("coordinates")) refuse(object, "must have coordinates");
+            add_position(object["coordinates"]);
+        } else {
+            ++left_out_;
+        }
+    }
+
+    template <class Take>
+    void for_each(const nlohmann::json& object, const char* member, const Take& take)
+    {
+        const auto list = object.find(member);
+        if (list == object.end() || !list->is_array())
+            return refuse(object, fmt::format("must have a list {}", member));
+        for (const nlohmann::json& each : *list) take(each);
+    }
+
+    void add_position(const nlohmann::json& position)
+    {
+        const std::size_t axes = position.is_array() ? position.size() : 0;
+        if (axes != 2 && axes != 3) refuse(position, "must be a position: two numbers, or three in space");
+        if (set_.dimension == 0) set_.dimension = static_cast<int>(axes);
+        if (axes != static_cast<std::size_t>(set_.dimension))
+            refuse(position, fmt::format("must have {} numbers as the first point has", set_.dimension));
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const nlohmann::json& number = position[axis];
+            if (!number.is_number()) refuse(position, "must be a position: two numbers, or three in space");
+            set_.coordinates.push_back(unit_(number.get<double>(), axis, half_ulp_of_double, [&] {
+                return CoordinatePlace{0, number.dump()};
+            }));
+        }
+    }
+
+    void refuse(const nlohmann::json& value, const std::string& allowed) const
+    {
+        fail_in_point_file(file_, 0, shortened(value.dump(), 40), allowed);
+    }
+
+    const PointFileContent& file_;
+    UnitCoordinates unit_;
+    PointSet set_{0, {}};
+    std::size_t left_out_ = 0;
+};
+
+}
+
+std::vector<PointSet> read_geojson_points(const PointFileContent& file) { return {GeoJsonPoints(file).read()}; }
+
+}

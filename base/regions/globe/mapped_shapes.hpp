@@ -1,0 +1,33 @@
+// Points, lines and polygons of one plane in another one, where straight edges need not be straight.
+#pragma once
+
+#include "base/regions/globe/map_system.hpp"
+#include "base/regions/obstacles.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace poissonlab {
+
+using PlaceMap = std::function<void(std::span<double> places)>;
+
+/// An edge becomes as many as it takes to lie within this part of the longest side of a region; farther from the region
+/// than that side, within an eighth of the distance.
+inline constexpr double bent_edge_tolerance = 0x1p-20;
+
+/// The shapes behind a map. Edges get corners where they bend; those that go to a place and back again are left out.
+/// `near` is the region's box there, which lies around all of it if it is the region that is mapped.
+Obstacles mapped_shapes(const Obstacles& shapes, const PlaceMap& map, const RegionBox& near);
+
+/// The box around the places of the corners behind the map.
+RegionBox mapped_box(const Obstacles& shapes, const PlaceMap& map);
+
+/// The plane of lengths around shapes on the globe: its middle is that of their box there, rounded to a ten-thousandth
+/// of a degree.
+std::shared_ptr<const LocalPlane> plane_around(const Obstacles& shapes, const MapSystem& system);
+
+/// The largest distortion of lengths at any of their corners.
+double largest_distortion(const Obstacles& shapes, const LocalPlane& plane);
+
+}

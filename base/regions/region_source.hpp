@@ -1,0 +1,64 @@
+// Where the coordinates of a region come from, so that points can be read and written as its file has them.
+//
+// Whoever reads longitudes and latitudes maps them to a plane of lengths (see map_system.hpp, which only programs with
+// the module of regions have); the core reads and writes points by the functions below.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "base/regions/plane_region.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A map between places of a file and those of a plane, which any thread may use.
+class PlaneMap
+{
+public:
+    virtual ~PlaneMap() = default;
+
+    /// Maps x, y, x, y, ... of the file. Places that have none in the plane become infinite.
+    virtual void to_plane(std::span<double> places) const = 0;
+
+    /// Maps them back.
+    virtual void to_file(std::span<double> places) const = 0;
+
+    /// The middle of the plane: longitude and latitude.
+    virtual std::array<double, 2> middle() const = 0;
+};
+
+/// A part of a region that its file has a name for.
+struct RegionFeature
+{
+    std::string id; ///< as JSON: the member `id` of a Feature of GeoJSON, else its number from 0 on
+    std::vector<RegionPolygon> polygons{}; ///< in the plane
+};
+
+struct RegionSource
+{
+    std::shared_ptr<const PlaneMap> map{}; ///< null: the plane has the file's coordinates
+    double distortion = 0;                 ///< the part by which the map changes lengths, at most
+    std::string system{};                  ///< the file's system of coordinates as PROJ knows it; empty: not said
+    std::vector<std::string> notes{};      ///< what was made of the file, a sentence each
+    std::vector<RegionFeature> features{}; ///< empty: the file has one at most
+};
+
+/// Are the coordinates of its files longitudes and latitudes?
+bool is_mapped(const PlaneRegion& region);
+
+/// Points of the region's plane as files have them.
+PointSet as_in_files(const PlaneRegion& region, PointSet points);
+
+/// Points of files in the region's plane.
+PointSet as_in_plane(const PlaneRegion& region, PointSet points);
+
+/// The words for coordinates of its files: "units of the region", or longitude and latitude.
+std::string file_units(const PlaneRegion& region);
+
+/// The sentences on what was made of its file.
+const std::vector<std::string>& notes_of(const PlaneRegion& region);
+
+}
