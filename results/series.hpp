@@ -65,12 +65,13 @@ struct RegionResult
     double area = 0;        ///< in squares of its units
     double unit_length = 1; ///< of the results' lengths, in its units: the root of the area
     std::size_t polygons = 0, corners = 0;
-    bool has_density = false;    ///< K and g are those of points that follow a density
-    std::size_t envelope = 0;    ///< random sets of the envelopes
-    std::size_t tapers = 0;      ///< that spectra are means over; 0: of the points less the region's
-    double covariance_error = 0; ///< of the table of the set covariance, as a share of the area; 0: there was none
-    std::string file;            ///< curves, relative to the run's folder; empty: of sets of one point
-    std::string picture_file;    ///< the first set in the region, marks; empty: none was made
+    bool has_density = false;       ///< K and g are those of points that follow a density
+    std::size_t envelope = 0;       ///< random sets of the envelopes
+    std::size_t tapers = 0;         ///< that spectra are means over; 0: of the points less the region's
+    double covariance_error = 0;    ///< of the table of the set covariance, as a share of the area; 0: there was none
+    std::vector<std::string> notes; ///< on what was made of its file, a sentence each
+    std::string file;               ///< curves, relative to the run's folder; empty: of sets of one point
+    std::string picture_file;       ///< the first set in the region, marks; empty: none was made
 
     bool operator==(const RegionResult&) const = default;
 };

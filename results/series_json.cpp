@@ -55,6 +55,7 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     m.if_any("envelope", region.envelope);
     m.if_any("tapers", region.tapers);
     m.if_any("covariance_error", region.covariance_error);
+    m.if_any("notes", region.notes);
     if (m.is_there("file", !region.file.empty())) m.file_name("file", region.file);
     if (m.is_there("picture_file", !region.picture_file.empty())) m.file_name("picture_file", region.picture_file);
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
+#include "base/regions/region_source.hpp"
 #include "results/file_names.hpp"
 #include "results/periodograms.hpp"
 #include "version.hpp"
@@ -86,6 +87,7 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     in_folder(series.number_variance_file);
     if (series.folded_density) in_folder(series.folded_density->file);
     if (series.region) {
+        series.region->notes = notes_of(options.region->region->own_polygons());
         series.region->name = options.region->region->name(); // equal regions of other names have one analysis
         in_folder(series.region->file);
         in_folder(series.region->picture_file);

@@ -35,6 +35,7 @@ PageData region_data(const Series& series)
     data.set("name", series.region->name);
     data.set("area", format_significant(series.region->area, 5));
     data.set("unit", format_significant(series.region->unit_length, 5));
+    data.set("notes", optional_text(fmt::format("{}", fmt::join(series.region->notes, "; "))));
     return data;
 }
 
