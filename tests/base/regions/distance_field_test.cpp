@@ -18,7 +18,7 @@ namespace {
 
 DistanceTable table_of(const std::string& region, const std::string& formula)
 {
-    const PlaneRegion plane = read_region(region, true);
+    const PlaneRegion plane = read_region(region, {.is_planar = true});
     return distance_table(FixedRegion(plane), distance_of_text(formula, "light", {0, 1}, box_of(plane)), "it");
 }
 
@@ -55,7 +55,7 @@ TEST(DistanceTables, AddUpWhatIsPacked)
 /// Distances are compared with bilinear interpolation in doubles, at random places and boxes.
 TEST(DistanceFields, AreBilinearInWholeNumbersWithBounds)
 {
-    const FixedRegion region(read_region("rectangle 0 0 1 0.6", true));
+    const FixedRegion region(read_region("rectangle 0 0 1 0.6", {.is_planar = true}));
     const std::string formula = "0.05+0.1*sin(4*x)^2+0.05*y";
     const DistanceAt distance = distance_of_text(formula, "light", {0, 1}, region.box());
     const DistanceField field(distance_table(region, distance, "it"), region, 2.0);

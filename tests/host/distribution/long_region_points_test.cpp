@@ -37,7 +37,7 @@ RegionPointSettings road_settings(RegionMethod method, bool has_distance)
     RegionPointSettings settings;
     settings.method = method;
     settings.place.region = slanting_road;
-    settings.place.is_planar = true;
+    settings.place.reading.is_planar = true;
     if (has_distance)
         settings.place.min_distance = 1;
     else

@@ -73,7 +73,7 @@ TEST_P(MethodsInRegions, AreTheSameByKernelInsideAndKeepWhatTheyPromise)
     } else {
         EXPECT_EQ(made.points.size(), 300U);
     }
-    const FixedRegion whole(read_region(far_square_with_hole, true));
+    const FixedRegion whole(read_region(far_square_with_hole, {.is_planar = true}));
     for (std::size_t i = 0; i < made.points.size(); ++i) {
         const double x = made.points[i][0], y = made.points[i][1];
         EXPECT_TRUE(whole.contains_place({x, y}));

@@ -30,7 +30,7 @@ constexpr auto yard = "POLYGON ((500000 5400000, 500300 5400010, 500200 5400200,
 SampleRequest request_in(const std::string& region, std::size_t points, std::uint64_t seed = 3)
 {
     SampleRequest request{points, 2, seed};
-    request.region = std::make_shared<const FramedRegion>(read_region(region, true), "yard");
+    request.region = std::make_shared<const FramedRegion>(read_region(region, {.is_planar = true}), "yard");
     return request;
 }
 
@@ -78,7 +78,7 @@ double least_by_brute_force(const PointSet& points)
 bool lies_in_yard(double x, double y)
 {
     bool is_inside = false;
-    for (const RegionPolygon& polygon : read_region(yard, true).polygons) {
+    for (const RegionPolygon& polygon : read_region(yard, {.is_planar = true}).polygons) {
         std::vector<RegionRing> rings = polygon.holes;
         rings.push_back(polygon.outline);
         for (const RegionRing& ring : rings)
@@ -159,7 +159,7 @@ TEST(RandomPointsInRegions, FillPartsByTheirArea)
     // The areas west of x = 500100, by hand: a trapezium.
     double west = 0;
     for (std::size_t i = 0; i < points.size(); ++i) west += points[i][0] < 500'100;
-    const double whole = area_of(read_region(yard, true));
+    const double whole = area_of(read_region(yard, {.is_planar = true}));
     const double north = (190 + 195) / 2.0 * 100, south = (0 + 10 / 3.0) / 2 * 100, part = (north - south) / whole;
     EXPECT_NEAR(west / 20'000, part, 5 * std::sqrt(part * (1 - part) / 20'000));
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_TRUE(lies_in_yard(points[i][0], points[i][1]));

@@ -31,7 +31,7 @@ void PrintTo(const VariedCase& c, std::ostream* out)
 
 VariedDartRequest request_of(const VariedCase& c, std::uint32_t realization = 0)
 {
-    const PlaneRegion plane = read_region(c.region, true);
+    const PlaneRegion plane = read_region(c.region, {.is_planar = true});
     VariedDartRequest request;
     request.region = std::make_shared<const FixedRegion>(plane);
     const DistanceTable table =
