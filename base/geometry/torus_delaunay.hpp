@@ -29,8 +29,8 @@ using DelaunaySimplex = std::array<DelaunayCorner<D>, D + 1>;
 void visit_triangles(const PointSet& points, const std::function<void(const DelaunaySimplex<2>&)>& visit);
 void visit_tetrahedra(const PointSet& points, const std::function<void(const DelaunaySimplex<3>&)>& visit);
 
-/// Throws MissingModule where this program was built without triangulations in 3D. Long work that will call for them asks
-/// before it begins.
+/// Throws MissingModule where this program was built without triangulations in 3D. Long work that will call for them
+/// asks before it begins.
 void need_triangulations_3d();
 
 /// The Voronoi cell of a position, relative to it.

@@ -1,4 +1,5 @@
-// These functions stand in for triangulations in 3D where a program lacks them: a run of sets in 3D asks for the module.
+// These functions stand in for triangulations in 3D where a program lacks them: a run of sets in 3D asks for the
+// module.
 #include "base/errors/missing_module.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 

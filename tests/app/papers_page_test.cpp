@@ -45,8 +45,7 @@ TEST(PapersPage, NamesEveryConfigOfThePapers)
 
 TEST(PapersPage, NamesConfigsThatExist)
 {
-    for (const std::string& config : named_configs())
-        EXPECT_TRUE(fs::exists(source_folder() + "/" + config)) << config;
+    for (const std::string& config : named_configs()) EXPECT_TRUE(fs::exists(source_folder() + "/" + config)) << config;
 }
 
 }

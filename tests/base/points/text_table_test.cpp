@@ -110,10 +110,10 @@ TEST(TextTable, DeclaresItsDomainBeforeItsPointsOnly)
 
 TEST(TextTable, MustHaveXAndY)
 {
-    EXPECT_EQ(
-        input_error_of("a.csv", "east,north\n7.1,50.2\n"),
-        "a.csv:1: east, north: is no point, nor names of columns: among these must be x and y, of points in space z, or "
-        "longitude and latitude");
+    EXPECT_EQ(input_error_of("a.csv", "east,north\n7.1,50.2\n"),
+              "a.csv:1: east, north: is no point, nor names of columns: among these must be x and y, of points in "
+              "space z, or "
+              "longitude and latitude");
     EXPECT_THAT(input_error_of("a.csv", "x,z\n0.1,0.2\n"), HasSubstr("among these must be x and y"));
     EXPECT_EQ(input_error_of("a.csv", "x,y,X\n0.1,0.2,0.3\n"), "a.csv:1: X: two columns have this name");
 }
