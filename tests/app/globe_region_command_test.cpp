@@ -100,8 +100,9 @@ TEST_F(GlobeRegionFiles, AreWhatMethodsOfConfigsStore)
                   .status,
               0);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path() / "out"))
-        if (entry.path().filename() == "realization-000.dat")
+        if (entry.path().filename() == "realization-000.dat") {
             EXPECT_EQ(read_points(entry.path(), any_coordinates).at(0), read("b.txt"));
+        }
 }
 
 TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
