@@ -80,7 +80,7 @@ TEST_F(Space, IsSampledAnalysedAndReported)
     EXPECT_EQ(std::distance(std::istream_iterator<double>(words), {}), 3);
     EXPECT_THAT(content_of(folder_.path() / "out/index.html"), HasSubstr("on the unit torus in 3D"));
     const std::string page = content_of(folder_.path() / "out/random/index.html");
-    EXPECT_THAT(page, HasSubstr("mean over spherical shells"));
+    EXPECT_THAT(page, HasSubstr("mean of the spectrum over spherical shells"));
     EXPECT_THAT(page, HasSubstr("What balls around the points cover"));
     EXPECT_THAT(page, HasSubstr("a slab of the cube, z below 0.16, seen along z"));
     EXPECT_THAT(page, HasSubstr("64 × 64 × 64 frequencies: the planes through frequency 0, from −32 to 31"));

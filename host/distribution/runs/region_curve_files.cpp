@@ -22,7 +22,10 @@ void add_region_curves(const PlaneRegion& region, const PointSet& points, Distri
                        DistributionResult& result)
 {
     if (points.size() < 2 || points.size() > most_points_measured) return;
-    const auto framed = std::make_shared<const FramedRegion>(region, "the region");
+    // Points are in the region's plane already, where that is one of longitude and latitude as well.
+    PlaneRegion plane = region;
+    plane.source = nullptr;
+    const auto framed = std::make_shared<const FramedRegion>(plane, "the region");
     const std::uint32_t envelope = random_sets * points.size() <= most_random_points ? random_sets : 0;
     RegionCurves curves(framed, nullptr, points.size(), envelope);
     if (curves.distances().count == 0) return;
