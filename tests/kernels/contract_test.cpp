@@ -43,7 +43,7 @@ std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<
         text += " values[" + std::to_string(i) + "] = " + expressions[i] + ";";
     Device device = Device::open();
     auto values = device.buffer<std::uint32_t>(expressions.size());
-    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2").run(1, 1, values);
+    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2 -D BRICKS=1").run(1, 1, values);
     return values.read(0, expressions.size());
 }
 
@@ -97,9 +97,10 @@ TEST(Contract, OfDartThrowing)
     const std::size_t slabs[] = {LAYOUT_OF(Slabs, is_rest)};
     EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h", layout_of("Slabs", "is_rest")),
                 ElementsAreArray(slabs));
-    const std::size_t constants[] = {DART_WORDS(3), POINT_WORDS(3), MASK_WORDS(3, 2), RIVAL_WORDS, COUNTERS};
+    const std::size_t constants[] = {DART_WORDS(3),    POINT_WORDS(3), PARENT_WORDS(3, 1),
+                                     MASK_WORDS(3, 2), RIVAL_WORDS,    COUNTERS};
     EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h",
-                          {"DART_WORDS", "POINT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
+                          {"DART_WORDS", "POINT_WORDS", "PARENT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
                 ElementsAreArray(constants));
 }
 
