@@ -81,7 +81,7 @@ TEST_F(GlobeRegionFiles, HaveLongitudeAndLatitudeWhoseDistancesAreMetres)
     EXPECT_GE(least_metres(read("b.csv"), points), 9 * (1 - distortion) - 1e-6);
     const Outcome analysed = run({"analyze", "a.geojson", "--region", "park.geojson", "--set", "analysis.envelope=0"});
     ASSERT_EQ(analysed.status, 0) << analysed.error;
-    EXPECT_THAT(analysed.error, HasSubstr("are mapped to Lambert's"));
+    EXPECT_THAT(analysed.out, HasSubstr("are mapped to Lambert's"));
     const json series = json::parse(content_of(folder_.path() / "out/a/results.json"))["series"][0];
     EXPECT_NEAR(series["min_distance"]["min"].get<double>() * series["region"]["unit_length"].get<double>(),
                 least_metres(points, points), 1e-3);
@@ -92,9 +92,9 @@ TEST_F(GlobeRegionFiles, AreWhatMethodsOfConfigsStore)
 {
     folder_.write("c.toml", "[analysis]\nregion = \"park.geojson\"\npoints = 300\nrealizations = 1\nenvelope = 0\n"
                             "[[method]]\nsampler = \"bridson\"\nmin_distance = 25\n");
-    const Outcome outcome = run({"run", "c.toml", "--engine", "reference"});
+    const Outcome outcome = run({"run", "c.toml", "--set", "engine=reference"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
-    EXPECT_THAT(outcome.error, HasSubstr("are mapped to Lambert's"));
+    EXPECT_THAT(outcome.out, HasSubstr("are mapped to Lambert's"));
     ASSERT_EQ(run({"distribute", "points", "--method", "bridson", "--region", "park.geojson", "--min-distance", "25",
                    "--out", "b.txt", "--quiet"})
                   .status,

@@ -1,9 +1,9 @@
 // Which system of coordinates a region's text or file has.
 #pragma once
 
+#include "base/regions/formats/typed_region.hpp"
 #include "base/regions/globe/map_system.hpp"
 #include "base/regions/region_reading.hpp"
-#include "base/regions/typed_region.hpp"
 
 #include <optional>
 

@@ -289,8 +289,10 @@ TEST(SamplersInRegionsErrors, NameWhatDecides)
                 HasSubstr("test.toml:4: relative_radius = 0.95: realization 0: the region is saturated with"));
     EXPECT_THAT(told("bridson", {{"min_distance", 400.0}}),
                 HasSubstr("test.toml:4: min_distance = 400: 400 is more than the region's longest side, 300"));
-    EXPECT_THAT(told("dart-throwing", {{"min_distance", 1e-6}}),
-                HasSubstr("test.toml:4: min_distance = 1e-06: a minimum distance of 1e-06 needs a finer grid"));
+    EXPECT_THAT(
+        told("dart-throwing", {{"min_distance", 1e-6}}),
+        HasSubstr(
+            "test.toml:4: min_distance = 1e-06: a minimum distance of 1e-06 is too short for a region of this extent"));
     const SampleRequest few = request_in(yard, 20);
     EXPECT_THAT(message_of([&] { region_sampler("gaussian-blue-noise", {}, few, Engine::reference); }),
                 HasSubstr("20 points are too few: in a region at least"));

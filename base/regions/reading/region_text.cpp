@@ -2,13 +2,13 @@
 
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
+#include "base/regions/formats/typed_region.hpp"
 #include "base/regions/globe/globe_strip.hpp"
 #include "base/regions/globe/mapped_shapes.hpp"
 #include "base/regions/globe/source_system.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/polygon_sets.hpp"
 #include "base/regions/region_source.hpp"
-#include "base/regions/typed_region.hpp"
 #include "base/text/noun.hpp"
 
 #include <fmt/format.h>

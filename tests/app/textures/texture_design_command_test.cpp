@@ -171,6 +171,7 @@ TEST_F(TextureDesignPage, IsDrawnOnWithMouseAndFingers)
     EXPECT_EQ(marks(), before);
     browser_->click("#undo");
     EXPECT_EQ(marks(), 0);
+    browser_->evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))");
     EXPECT_TRUE(browser_->evaluate("byId('undo').disabled").get<bool>());
     EXPECT_THAT(browser_->messages(), IsEmpty());
 }

@@ -1,4 +1,4 @@
-#include "base/regions/typed_region.hpp"
+#include "base/regions/formats/typed_region.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
