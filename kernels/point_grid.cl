@@ -5,7 +5,7 @@
 //   scan_counts    numbers to starts, chunk by chunk; scan_totals and add_totals join the chunks
 //   place_points   the points' order by cells
 //   gather_points  the points of each cell in order of their ids, which makes the result independent of the schedule
-// Of few points, sort_few does all of that in one work-item: launches would take longer.
+// sort_few does all of that in one work-item where there are few points: launches would take longer.
 //
 // Needs DIMENSION (2 or 3).
 

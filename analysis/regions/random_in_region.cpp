@@ -58,7 +58,7 @@ RandomInRegion::RandomInRegion(const FramedRegion& region, const RegionDensity* 
     const auto cells = fixed.cells();
     const int bits = fixed.bits();
     squares_.shift = FixedRegion::coordinate_bits - bits;
-    // Those of the exact region that are not outside altogether.
+    // The squares are the cells of the exact region that are not outside altogether.
     for (std::uint32_t cell = 0; cell + 1 < cells.size(); ++cell)
         if (cells[cell] % 2 == 1 || cells[cell + 1] / 2 != cells[cell] / 2)
             squares_.corners.push_back({(cell & ((1u << bits) - 1)) << squares_.shift, cell >> bits << squares_.shift});

@@ -202,7 +202,7 @@ std::vector<Exhibit> exhibits_of(const Config& config, std::set<std::string>& na
     return exhibits;
 }
 
-/// What samplers say of their sets, each sentence once.
+/// Returns the sentences that the samplers of a plan say of their sets, each once.
 std::vector<std::string> notes_of(const std::vector<SeriesPlan>& plan)
 {
     std::vector<std::string> notes;

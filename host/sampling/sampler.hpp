@@ -112,8 +112,8 @@ struct SamplerSpec
     /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
 
-    /// What users must know of the sets before work begins, a sentence each, such as what was left out of files. Empty:
-    /// there is never anything. Asked after `check` has passed.
+    /// Returns sentences that users must know before work begins, such as those on what was left out of files. An empty
+    /// function stands for none. It is called after `check` has passed.
     std::function<std::vector<std::string>(const Parameters&, const SampleRequest&)> notes;
 
     /// Why its sets cannot be had on this machine, where the user has said that series are left out then; nothing: they

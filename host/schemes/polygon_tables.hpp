@@ -1,4 +1,4 @@
-// What results of tilings by polygons say alike: how tiles meet.
+// These tables and names are common to the results of all tilings by polygons: they say how tiles meet.
 #pragma once
 
 #include "results/pictures/distribution_result.hpp"
@@ -14,7 +14,7 @@ namespace poissonlab {
 /// The most tiles of a picture.
 inline constexpr std::size_t most_polygon_tiles = 50'000;
 
-/// What a tiling is called, and where it comes from; words that it lacks are left out.
+/// Returns the title of a tiling and its source; words that the tiling lacks are left out.
 std::vector<std::string> names_of(const PolygonTiling& tiling);
 
 /// Numbers of edges and vertices, and whether tiles fit.

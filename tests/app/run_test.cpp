@@ -54,7 +54,7 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     EXPECT_GE(json["series"][1]["relative_radius"]["min"].get<double>(), 0.6 - 1e-6);
 }
 
-/// What was left out of files is said once, however many series have them.
+/// A run says once what was left out of a file, however many series have the file.
 TEST_F(Run, SaysWhatWasLeftOutOfFiles)
 {
     folder_.write("flat.txt", "0.1 0.2 0\n0.3 0.7 0\n0.8 0.4 0\n");

@@ -140,7 +140,7 @@ void for_each_corner(const Obstacles& shapes, const Take& take)
 
 MappedPlace middle_of(const RegionBox& box) { return {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2}; }
 
-/// Those that go around a pole have it in their middle.
+/// The first middle of shapes is that of their box; shapes that go around a pole have the pole there.
 MappedPlace first_middle(const Obstacles& shapes, double turn)
 {
     const RegionBox box = mapped_box(shapes, [](std::span<double>) {});
