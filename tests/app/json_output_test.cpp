@@ -105,8 +105,7 @@ TEST(JsonOutput, IsOneObjectOfEachCommandThatHasIt)
     folder.write("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     for (const auto& [command, sample] : json_cases()) {
         missing.erase(command);
-        const Outcome outcome =
-            run_in_shell(folder.path(), quoted(program_file()) + " " + command + " --json " + sample.arguments);
+        const Outcome outcome = run_program_line(folder.path(), command + " --json " + sample.arguments);
         EXPECT_EQ(outcome.status, 0) << command;
         EXPECT_EQ(outcome.error, "") << command;
         const auto json = nlohmann::json::parse(outcome.out, nullptr, false);

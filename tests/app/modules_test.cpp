@@ -23,7 +23,7 @@ using testing::IsEmpty;
 /// The program that has no module, beside the one that has all.
 std::string core_file() { return (fs::path(program_file()).parent_path() / "poissonlab_core").string(); }
 
-constexpr auto small_config = "[analysis]\npoints = 64\nrealizations = 2\nspectrum_size = 16\n";
+const std::string small_config = "[analysis]\npoints = 64\nrealizations = 2\nspectrum_size = 16\n";
 
 class CoreProgram : public testing::Test
 {
@@ -32,10 +32,7 @@ protected:
     {
         return run_in_shell(folder_.path(), environment + " " + quoted(core_file()) + " " + arguments);
     }
-    Outcome whole(const std::string& arguments)
-    {
-        return run_in_shell(folder_.path(), quoted(program_file()) + " " + arguments);
-    }
+    Outcome whole(const std::string& arguments) { return run_program_line(folder_.path(), arguments); }
     Outcome run_of(const std::string& tables, const std::string& environment = "")
     {
         folder_.write("c.toml", small_config + tables);
@@ -69,7 +66,7 @@ TEST_F(CoreProgram, SaysWhatTheWholeProgramSays)
          {"help", "samplers", "kinds", "completion bash", "completion zsh", "smaplers", "tiles biuld", "tiles",
           "help tiles", "help tlies", "texture bulid --out a", "--version", "run c.toml --set method.0.sampler=lyod"}) {
         SCOPED_TRACE(arguments);
-        folder_.write("c.toml", std::string(small_config) + "[[method]]\nsampler = \"random\"\n");
+        folder_.write("c.toml", small_config + "[[method]]\nsampler = \"random\"\n");
         const Outcome expected = whole(arguments), outcome = core(arguments);
         EXPECT_EQ(outcome.status, expected.status);
         EXPECT_EQ(outcome.out, expected.out);
@@ -79,9 +76,8 @@ TEST_F(CoreProgram, SaysWhatTheWholeProgramSays)
 
 TEST_F(CoreProgram, MakesTheSameResults)
 {
-    folder_.write("c.toml", std::string(small_config) +
-                                "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
-                                "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
+                                           "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
     ASSERT_EQ(core("run c.toml --quiet --out a").status, 0);
     ASSERT_EQ(whole("run c.toml --quiet --out b").status, 0);
     const auto made = files_below(folder_.path() / "a");
@@ -129,7 +125,7 @@ TEST_F(CoreProgram, HandsTheCommandToTheScriptThatAddsModules)
     folder_.write("lab", "#!/bin/sh\nprintf '<%s>' \"$@\"\ncat\nexit 7\n");
     fs::permissions(folder_.path() / "lab", fs::perms::owner_all);
     const std::string environment = "POISSONLAB_LAB=" + quoted((folder_.path() / "lab").string());
-    folder_.write("c.toml", std::string(small_config) + "[[method]]\nsampler = \"corner-tiles\"\n");
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"corner-tiles\"\n");
     const Outcome outcome = run_in_shell(folder_.path(), "echo input | " + environment + " " + quoted(core_file()) +
                                                              " run c.toml --set 'title=\"a b\"' --out 'x y'");
     EXPECT_EQ(outcome.status, 7);

@@ -35,10 +35,7 @@ protected:
     static void TearDownTestSuite() { folder_.reset(); }
 
     /// `poissonlab ARGUMENTS` as a shell takes it.
-    static Outcome shell(const std::string& arguments)
-    {
-        return run_in_shell(folder_->path(), quoted(program_file()) + " " + arguments);
-    }
+    static Outcome shell(const std::string& arguments) { return run_program_line(folder_->path(), arguments); }
 
     static fs::path path(const std::string& name) { return folder_->path() / name; }
 

@@ -1,0 +1,9 @@
+// The program as a function.
+#pragma once
+
+namespace poissonlab {
+
+/// Does what the arguments call for; errors are one line on standard error. Returns the exit status.
+int program_main(int argc, const char* const* argv);
+
+}
