@@ -30,7 +30,8 @@ kernel void push_points(global const real* positions, global const uint* ids, ui
         cell[k] = (int)min(uint_of(times(position[k], real_of_uint(grid_size))), grid_size - 1);
     }
     real near = REAL_ONE; // the point's own images
-    const real far = times(times(distance, distance), REAL_OF(1 + 0x1p-40, 0x3ff0000000001000ul)); // no root needed beyond
+    // Beyond this no root is needed.
+    const real far = times(times(distance, distance), REAL_OF(1 + 0x1p-40, 0x3ff0000000001000ul));
 
     // The cells around, row by row; on small grids several times, as the images that they are there.
     const int reach_z = DIMENSION == 3 ? reach : 0;

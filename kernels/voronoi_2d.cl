@@ -45,9 +45,10 @@ typedef struct
 ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, Results results)
 {
     const bool is_there = is_positive(cell->area);
+    const real x = is_there ? over(cell->moment.x, cell->area) : REAL_ZERO;
+    const real y = is_there ? over(cell->moment.y, cell->area) : REAL_ZERO;
     results.areas[site] = cell->area;
-    results.displacements[site] =
-        (Pair)(is_there ? over(cell->moment.x, cell->area) : REAL_ZERO, is_there ? over(cell->moment.y, cell->area) : REAL_ZERO);
+    results.displacements[site] = (Pair)(x, y);
     results.energies[site] = cell->energy;
     results.squared_near[site] = cell->squared_near;
 }

@@ -94,7 +94,7 @@ std::vector<Bits> numbers(std::size_t count, std::uint64_t seed)
     return result;
 }
 
-/// The same number, or none as well.
+/// Expects the bits of a number; of what is no number, any.
 void expect_bits(Bits bits, double expected, const char* what, double a, double b)
 {
     EXPECT_TRUE(std::isnan(expected) ? std::isnan(double_of(bits)) : bits == bits_of(expected))
