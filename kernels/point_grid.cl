@@ -7,27 +7,28 @@
 //   gather_points  the points of each cell in order of their ids, which makes the result independent of the schedule
 // sort_few does all of that in one work-item where there are few points: launches would take longer.
 //
-// Needs DIMENSION (2 or 3).
+// Needs DIMENSION (2 or 3) and DOUBLES (0 or 1), see reals.clh.
 
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/grid_part.clh"
+#include "kernels/common/reals.clh"
 
 #define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
 
 /// The place of the cell that a point is in.
-uint cell_of_point(global const double* positions, uint id, const struct GridPart* part)
+uint cell_of_point(global const real* positions, uint id, const struct GridPart* part)
 {
     uint cell = 0;
     for (int k = DIMENSION - 1; k >= 0; --k) {
-        const uint c = (uint)(positions[id * DIMENSION + k] * part->grid_size);
+        const uint c = uint_of(times(positions[id * DIMENSION + k], real_of_uint(part->grid_size)));
         cell = cell * part->grid_size + min(c, part->grid_size - 1); // just below 1, the product rounds up
     }
     return place_of_cell(part, cell);
 }
 
 /// One work-item owns one point. `counts` is clear before; all points are in cells that are held.
-kernel void count_points(global const double* positions, uint point_count, struct GridPart part, global uint* counts,
+kernel void count_points(global const real* positions, uint point_count, struct GridPart part, global uint* counts,
                          global uint* cells, global uint* places)
 {
     const uint id = get_global_id(0);
@@ -91,8 +92,8 @@ kernel void place_points(global const uint* cells, global const uint* places, ui
 
 /// Sorts the points of a cell by their ids and writes them in that order: position, id, and the position in fixed point
 /// (units of 2^-32, rounded down), an array of `stride` words for each axis.
-void gather_cell(uint begin, uint end, global const double* positions, global const uint* ids, global uint* order,
-                 global double* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
+void gather_cell(uint begin, uint end, global const real* positions, global const uint* ids, global uint* order,
+                 global real* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
 {
     // Shell sort: cells hold a few points, unless all points crowd in one.
     uint gap = 1;
@@ -110,16 +111,16 @@ void gather_cell(uint begin, uint end, global const double* positions, global co
         const uint source = order[i];
         sorted_ids[i] = ids[source];
         FOR_EACH_AXIS(k) {
-            const double position = positions[source * DIMENSION + k];
+            const real position = positions[source * DIMENSION + k];
             sorted_positions[i * DIMENSION + k] = position;
-            fixed_point[k * stride + i] = (uint)(position * 4294967296.0);
+            fixed_point[k * stride + i] = uint_of(times(position, REAL_OF(4294967296.0, 0x41f0000000000000ul)));
         }
     }
 }
 
 /// One work-item owns one cell.
-kernel void gather_points(global const double* positions, global const uint* ids, uint cell_count,
-                          global const uint* starts, global uint* order, global double* sorted_positions,
+kernel void gather_points(global const real* positions, global const uint* ids, uint cell_count,
+                          global const uint* starts, global uint* order, global real* sorted_positions,
                           global uint* sorted_ids, global uint* fixed_point, uint stride)
 {
     const uint cell = get_global_id(0);
@@ -129,9 +130,9 @@ kernel void gather_points(global const double* positions, global const uint* ids
 }
 
 /// The first work-item owns everything.
-kernel void sort_few(global const double* positions, global const uint* ids, uint point_count, struct GridPart part,
+kernel void sort_few(global const real* positions, global const uint* ids, uint point_count, struct GridPart part,
                      global uint* counts, global uint* cells, global uint* starts, global uint* order,
-                     global double* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
+                     global real* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
 {
     if (get_global_id(0) > 0) return;
     for (uint id = 0; id < point_count; ++id) {

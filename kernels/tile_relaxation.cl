@@ -14,8 +14,12 @@
 #include "kernels/common/tiles/coarse_points.clh"
 #include "kernels/common/tiles/limited_movement.clh"
 #if DIMENSION == 2
+#define DOUBLES 1
+#include "kernels/common/reals.clh"
 #include "kernels/common/voronoi/voronoi_2d.clh"
 #include "kernels/common/voronoi/voronoi_2d_window.clh"
+#include "kernels/common/voronoi/voronoi_2d_around.clh"
+#include "kernels/common/voronoi/voronoi_2d_blocks.clh"
 #else
 #include "kernels/common/voronoi/voronoi_3d_window.clh"
 #endif

@@ -142,7 +142,8 @@ KernelNeeds needs_of_plan(const std::vector<SeriesPlan>& plan, const std::vector
     if (std::ranges::any_of(exhibits, [](const Exhibit& exhibit) { return exhibit.kind->uses_device; }))
         return all_kernel_needs();
     KernelNeeds needs;
-    for (const SeriesPlan& series : plan) needs |= needs_of(*series.sampler, series.parameters);
+    for (const SeriesPlan& series : plan)
+        needs |= needs_of(*series.sampler, series.parameters, series.request.dimension);
     return needs;
 }
 

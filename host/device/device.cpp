@@ -223,6 +223,8 @@ Device Device::open(const std::string& selector, unsigned threads, const KernelN
 const DeviceInfo& Device::info() const { return impl_->info; }
 double Device::build_seconds() const { return impl_->build_seconds; }
 
+KernelValue doubles_of(const Device& device) { return {"DOUBLES", device.info().has_double_precision ? 1 : 0}; }
+
 Kernel Device::kernel(const KernelProgram& program, const std::string& name)
 {
     check_needs(program.work, program.needs, impl_->info);

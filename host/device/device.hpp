@@ -100,6 +100,9 @@ private:
     std::shared_ptr<DeviceImpl> impl_;
 };
 
+/// The constant of kernel files that have real numbers with and without double precision, see kernels/common/reals.clh.
+KernelValue doubles_of(const Device& device);
+
 /// Replaces a buffer by a larger one when it holds fewer than `count` values; its content is not kept. It is allocated
 /// for a count of 0 as well: empty problems go to the same kernels.
 template <typename T>

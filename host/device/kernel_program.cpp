@@ -6,6 +6,9 @@
 namespace poissonlab {
 namespace {
 
+/// This is 1 where a program uses the double precision of a device, and 0 where it does without.
+constexpr const char* doubles_constant = "DOUBLES";
+
 const KernelFile& listed_file(const std::string& name)
 {
     const auto& files = kernel_files();
@@ -29,6 +32,7 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelNeeds doubles_in_tiles{.double_precision = true, .local_bytes = 8 << 10};
     static const KernelNeeds staging{.local_bytes = 1 << 10}; // takes more where there is more
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
+    static const KernelConstant with_doubles{doubles_constant, {"1", "0"}}; // see kernels/common/reals.clh
     static const KernelConstant reach{"REACH", {"2", "3"}};
     static const KernelConstant large_disks{"LARGE_DISKS", {"0", "1"}};
     static const KernelConstant bricks{"BRICKS", {"0", "1"}};
@@ -49,17 +53,17 @@ const std::vector<KernelFile>& kernel_files()
         {"masked_squares.cl", "texture build", {}, {}},
         {"objects.cl", "object distribution", {}, {}},
         {"penrose.cl", "penrose", {}, {}},
-        {"point_grid.cl", "relaxation", doubles, {dimension}},
+        {"point_grid.cl", "relaxation", {}, {dimension, with_doubles}},
         {"polyominoes.cl", "polyominoes", {}, {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", "equal-areas", doubles, {}},
         {"recursive_tiles.cl", "recursive-wang-tiles", doubles, {}},
         {"region_lloyd.cl", "Lloyd relaxation in regions", doubles, {}},
-        {"relaxation.cl", "relaxation", doubles, {dimension}},
+        {"relaxation.cl", "relaxation", {}, {dimension, with_doubles}},
         {"relaxation_dart_throwing.cl",
          "relaxation-dart-throwing",
          {},
          {dimension, {"COVER_BITS", {"2", "3"}}, {"REGION", {"0", "1", "2"}}}},
-        {"repulsion.cl", "repulsion", doubles, {dimension}},
+        {"repulsion.cl", "repulsion", {}, {dimension, with_doubles}},
         {"sample_elimination.cl", "sample-elimination", doubles, {dimension, {"FACTORS", {"0", "1"}}}},
         {"sector_darts.cl", "sector-darts", doubles, {}},
         {"self_similar.cl", "distribute rank", {}, {}},
@@ -102,7 +106,7 @@ const std::vector<KernelFile>& kernel_files()
           {"VALUE", {"float", "uint"}}}},
         {"tile_relaxation.cl", "tiles build", doubles_in_tiles, {dimension}},
         {"varied_darts.cl", "distribute darts", {}, {}},
-        {"voronoi_2d.cl", "Lloyd relaxation", doubles, {}},
+        {"voronoi_2d.cl", "Lloyd relaxation", {}, {with_doubles}},
         {"voronoi_3d_fast.cl", "Lloyd relaxation", doubles, {}},
         {"voronoi_3d_slow.cl", "Lloyd relaxation", doubles, {}},
         {"voronoi_darts.cl", "voronoi-darts", doubles, {}},
@@ -133,6 +137,8 @@ KernelProgram kernel_program(const std::string& file, const std::vector<KernelVa
                (constant.has_more || std::ranges::find(constant.values, value.value) != constant.values.end());
     };
     KernelProgram program{file, listed.work, "", listed.needs};
+    program.needs.double_precision |= std::ranges::any_of(
+        values, [](const KernelValue& value) { return value.name == doubles_constant && value.value == "1"; });
     for (const KernelValue& value : values)
         program.options += (program.options.empty() ? "-D " : " -D ") + value.name + "=" + value.value;
     if (!std::ranges::equal(listed.constants, values, is_listed))

@@ -111,8 +111,8 @@ SamplerSpec lloyd_sampler()
     spec.parameters = parameters();
     spec.check = check_lloyd;
     describe_start(spec, relaxation_memory);
-    spec.kernels = {"point_grid.cl",      "voronoi_2d.cl", "voronoi_3d_fast.cl",
-                    "voronoi_3d_slow.cl", "relaxation.cl", "repulsion.cl"};
+    spec.kernels = {"point_grid.cl", "voronoi_2d.cl", "relaxation.cl", "repulsion.cl"};
+    spec.kernels_in_space = {"voronoi_3d_fast.cl", "voronoi_3d_slow.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<LloydSampler>(given, request, engine, device);

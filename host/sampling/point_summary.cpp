@@ -20,7 +20,8 @@ NeededBuffers PointSummary::Buffers::needed(std::size_t points, std::size_t iter
 
 PointSummary::PointSummary(Device device, int dimension, std::size_t points, std::size_t iterates)
     : points_(points),
-      summarize_(device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "summarize_points"))
+      summarize_(device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}, doubles_of(device)}),
+                               "summarize_points"))
 {
     reserve(device, buffers_.needed(points, iterates));
 }

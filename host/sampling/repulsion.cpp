@@ -40,7 +40,7 @@ struct RepulsionState
           summary(device, dimension, points)
     {
         reserve(device, buffers.needed(dimension, points));
-        const KernelProgram program = kernel_program("repulsion.cl", {{"DIMENSION", dimension}});
+        const KernelProgram program = kernel_program("repulsion.cl", {{"DIMENSION", dimension}, doubles_of(device)});
         push = device.kernel(program, "push_points");
         keep = device.kernel(program, "keep_points");
     }

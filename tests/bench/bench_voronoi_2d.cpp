@@ -65,6 +65,40 @@ void kernels(benchmark::State& state)
     state.counters["slow"] = static_cast<double>(voronoi.slow_points());
 }
 
+/// The kernels of VoronoiKernels as devices with and without double precision have them (range 2: 1 or 0), see
+/// kernels/common/reals.clh.
+void kernels_of_devices(benchmark::State& state)
+{
+    const PointSet& points = points_of(state);
+    const std::size_t n = points.size();
+    Device device = Device::open({}, threads);
+    const std::uint32_t size = VoronoiKernels::cells_per_axis(2, n);
+    PointGrid grid(device, 2, n, size, 64);
+    grid.load(points);
+    grid.sort();
+    const KernelProgram program = kernel_program("voronoi_2d.cl", {{"DOUBLES", state.range(2)}});
+    Kernel forget = device.kernel(program, "forget_slow");
+    Kernel fast = device.kernel(program, "find_centroids_fast");
+    Kernel slow = device.kernel(program, "find_centroids");
+    Buffer<double> areas = device.buffer<double>(n);
+    Buffer<double> displacements = device.buffer<double>(2 * n);
+    Buffer<double> energies = device.buffer<double>(n);
+    Buffer<double> squared_near = device.buffer<double>(n);
+    Buffer<std::uint32_t> list = device.buffer<std::uint32_t>(n);
+    Buffer<std::uint32_t> count = device.buffer<std::uint32_t>(1);
+    Buffer<std::uint32_t> unknown = device.buffer<std::uint32_t>(1);
+    const float width = std::nextafter(static_cast<float>(0x1p32 / size), 0.0f);
+    constexpr std::uint32_t run = 64;
+    for (auto _ : state) {
+        forget.run(1, 1, count, unknown);
+        fast.run((grid.cells() + run - 1) / run, 1, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(),
+                 grid.part(), width, run, areas, displacements, energies, squared_near, list, count);
+        slow.run(256, 1, grid.positions(), grid.ids(), grid.starts(), grid.part(), list, count, areas, displacements,
+                 energies, squared_near, unknown);
+        device.finish();
+    }
+}
+
 void sets(benchmark::internal::Benchmark* benchmark)
 {
     for (const std::int64_t n : {16384, 262144}) {
@@ -76,6 +110,12 @@ void sets(benchmark::internal::Benchmark* benchmark)
 BENCHMARK(cgal_periodic)->Apply(sets);
 BENCHMARK(cgal_ghosts)->Apply(sets);
 BENCHMARK(kernels)->Apply(sets);
+BENCHMARK(kernels_of_devices)
+    ->Args({16384, 1, 0})
+    ->Args({16384, 1, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Repetitions(5);
 
 }
 }
@@ -86,6 +126,8 @@ int main(int argc, char** argv)
         argc, argv,
         {{"16,384 well-spread points: CGAL periodic / kernels", "cgal_periodic/16384/1", "kernels/16384/1", 40},
          {"16,384 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/16384/1", "kernels/16384/1", 8},
+         {"16,384 well-spread points: without double precision, time of integers / doubles",
+          "kernels_of_devices/16384/1/0", "kernels_of_devices/16384/1/1", 0},
          {"262,144 well-spread points: CGAL periodic / kernels", "cgal_periodic/262144/1", "kernels/262144/1", 40},
          {"262,144 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/262144/1", "kernels/262144/1", 6},
          {"16,384 random points: CGAL periodic / kernels", "cgal_periodic/16384/0", "kernels/16384/0", 20},

@@ -13,6 +13,6 @@ timeout 240 "$build/device_benchmark" "$POISSONLAB_DEVICE" | tee "$section"
 
 tests='Small/DartThrowing.*:Small/RelaxationDartThrowing.*:Small/ClassDartSets.AreTheSame*:Small/VariedDartSets.AreTheSame*'
 tests+=':Small/SurfaceDartSets.AreTheSame*'
-if ! grep -q 'needs double precision' "$section"; then tests+=':Small/VoronoiCells2d.*:LloydRelaxation.*'; fi
+tests+=':Small/VoronoiCells2d.*:Small/RelaxedBits.*:LloydRelaxation.*'
 timeout 240 "$build/test_sampling" --gtest_filter="$tests" --gtest_brief=1
 PYTHONDONTWRITEBYTECODE=1 python3 "$(dirname "$0")/device_section.py" "$page" "$section"

@@ -26,7 +26,7 @@ plain kernels come to there, and methods beside that.
 # A heading, and the words by which its ratios are known; the first that fits has a ratio.
 SECTIONS = [
     ("Spectra, beside FFTW", "FFTW"),
-    ("Voronoi centroids, beside CGAL and voro++", "CGAL|voro"),
+    ("Voronoi centroids, beside CGAL and voro++", "CGAL|voro|double precision"),
     ("Memory", "peak, MiB"),
     ("Points that follow densities", "warping|objects in|lights|stippling|search of 20"),
     ("Dart throwing", "darts|saturation|at 0.75|after 1"),

@@ -48,17 +48,16 @@ protected:
         return run(out, environment, "all.toml");
     }
 
-    /// A device with few resources makes what PoCL makes.
-    void expect_the_same(const Methods& methods, int dimension = 2) const
+    /// A device with few resources, or with others that are said, makes what PoCL makes.
+    void expect_the_same(const Methods& methods, int dimension = 2,
+                         const std::string& resources =
+                             "SMALL_DEVICE_LOCAL=16384 SMALL_DEVICE_ALLOCATION=268435456 SMALL_DEVICE_GROUP=64 "
+                             "SMALL_DEVICE_UNITS=1 SMALL_DEVICE_DIVIDES=0") const
     {
         const Outcome whole = run_all("whole", "", methods, dimension);
         ASSERT_EQ(whole.status, 0) << whole.error;
         ::setenv("POISSONLAB_CACHE", path("other cache").c_str(), 1); // for tile sets
-        const Outcome outcome =
-            run_all("small",
-                    small_device("SMALL_DEVICE_LOCAL=16384 SMALL_DEVICE_ALLOCATION=268435456 SMALL_DEVICE_GROUP=64 "
-                                 "SMALL_DEVICE_UNITS=1 SMALL_DEVICE_DIVIDES=0"),
-                    methods, dimension);
+        const Outcome outcome = run_all("small", small_device(resources), methods, dimension);
         EXPECT_EQ(outcome.status, 0) << outcome.error;
         EXPECT_EQ(lasting_files(path("small")), lasting_files(path("whole")));
     }
@@ -75,12 +74,18 @@ TEST_F(SmallDevice, GivesTheSameSetsInThePlane) { expect_the_same(in_plane); }
 TEST_F(SmallDevice, GivesTheSameSetsInSpace) { expect_the_same(in_space, 3); }
 TEST_F(SmallDevice, GivesTheSameTiles) { expect_the_same(by_tiles); }
 
+TEST_F(SmallDevice, WithoutDoublePrecisionRelaxesTheSameSets)
+{
+    expect_the_same({{"lloyd", in_plane.at("lloyd")}}, 2, "SMALL_DEVICE_DOUBLES=0");
+}
+
 /// The list of `devices` holds: these methods run, and all others say why they do not.
 TEST_F(SmallDevice, WithoutDoublePrecisionMakesWhatItCan)
 {
     const std::string single = small_device("SMALL_DEVICE_DOUBLES=0");
     const auto listed = device(single).at("methods").get<std::set<std::string>>();
-    EXPECT_THAT(listed, IsSupersetOf({"dart-throwing", "relaxation-dart-throwing"}));
+    EXPECT_THAT(listed, IsSupersetOf({"dart-throwing", "relaxation-dart-throwing", "lloyd"}));
+    EXPECT_EQ(device(single).at("methods_only_in_plane"), nlohmann::json{"lloyd"});
     EXPECT_THAT(device("").at("methods").get<std::set<std::string>>(), IsSupersetOf({"dart-throwing", "lloyd"}));
 
     const Outcome outcome = run_all("out", single, in_plane);
@@ -100,8 +105,8 @@ TEST_F(SmallDevice, WithoutDoublePrecisionMakesWhatItCan)
 
 TEST_F(SmallDevice, WithoutDoublePrecisionIsToldInOneLine)
 {
-    const Outcome outcome = run_all("out", small_device("SMALL_DEVICE_DOUBLES=0"), {{"lloyd", "iterations = 1"}});
-    expect_one_line(outcome, 3, "lloyd needs double precision, which ");
+    const Outcome outcome = run_all("out", small_device("SMALL_DEVICE_DOUBLES=0"), {{"lloyd", "iterations = 1"}}, 3);
+    expect_one_line(outcome, 3, "lloyd in 3D needs double precision, which ");
     EXPECT_THAT(outcome.error, HasSubstr("the reference engine needs none"));
     EXPECT_FALSE(std::filesystem::exists(path("out") / "results.json"));
 }

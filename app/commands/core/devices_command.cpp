@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
 #include "host/device/device_needs.hpp"
+#include "host/settings/method_needs.hpp"
 #include "host/settings/sampler_registry.hpp"
 
 #include <fmt/format.h>
@@ -28,18 +29,22 @@ std::string version_of_driver(const DeviceInfo& device)
     return device.driver_version.empty() ? "" : "driver " + device.driver_version;
 }
 
-/// The methods with kernels, in the order of help: those that run on a device and those that do not.
+/// The methods with kernels, in the order of help: those that run on a device, those of them that do not in 3D, and
+/// those that do not run.
 struct RunningMethods
 {
-    std::vector<std::string> run, fail;
+    std::vector<std::string> run, only_in_plane, fail;
 };
 
 RunningMethods methods_on(const DeviceInfo& device)
 {
     RunningMethods methods;
-    for (const SamplerSpec& sampler : sampler_registry())
-        if (!sampler.kernels.empty())
-            (can_run(needs_of(sampler.kernels), device) ? methods.run : methods.fail).push_back(sampler.name);
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        if (sampler.kernels.empty()) continue;
+        (can_run(needs_in(sampler, 2), device) ? methods.run : methods.fail).push_back(sampler.name);
+        if (can_run(needs_in(sampler, 2), device) && !can_run(needs_in(sampler, 3), device))
+            methods.only_in_plane.push_back(sampler.name);
+    }
     return methods;
 }
 
@@ -47,8 +52,10 @@ RunningMethods methods_on(const DeviceInfo& device)
 std::vector<std::string> commands_that_fail_on(const DeviceInfo& device)
 {
     std::set<std::string> of_methods, commands;
-    for (const SamplerSpec& sampler : sampler_registry())
+    for (const SamplerSpec& sampler : sampler_registry()) {
         of_methods.insert(sampler.kernels.begin(), sampler.kernels.end());
+        of_methods.insert(sampler.kernels_in_space.begin(), sampler.kernels_in_space.end());
+    }
     for (const KernelFile& file : kernel_files())
         if (!of_methods.contains(file.name) && !can_run(file.needs, device)) commands.insert(file.work);
     return {commands.begin(), commands.end()};
@@ -58,12 +65,13 @@ std::vector<std::string> commands_that_fail_on(const DeviceInfo& device)
 void print_methods(const DeviceInfo& device)
 {
     const RunningMethods methods = methods_on(device);
-    if (methods.fail.empty()) {
+    if (methods.fail.empty() && methods.only_in_plane.empty()) {
         print_line("methods", {"all"});
         return;
     }
     print_line("lacks", {lacking(all_kernel_needs(), device)});
     print_line("methods", methods.run.empty() ? std::vector<std::string>{"none"} : methods.run);
+    print_line("only in 2D", methods.only_in_plane);
     print_line("not", methods.fail);
     print_line("nor", commands_that_fail_on(device));
 }
@@ -98,6 +106,7 @@ nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
             {"max_work_group_size", device.max_work_group_size},
             {"double_precision", device.has_double_precision},
             {"methods", methods_on(device).run},
+            {"methods_only_in_plane", methods_on(device).only_in_plane},
             {"unusable", printable(device.unusable)}};
 }
 

@@ -46,9 +46,11 @@ DeviceMemory DomainBuffers::memory_of_torus()
 }
 
 PointMover::PointMover(Device device, const Domain& domain, int dimension, std::size_t work_group_size)
-    : work_group_size_(work_group_size), domain_(device, domain, dimension),
-      move_(device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "move_points"))
-{}
+    : work_group_size_(work_group_size), domain_(device, domain, dimension)
+{
+    const KernelValue doubles = domain.forbidden.empty() ? doubles_of(device) : KernelValue("DOUBLES", 1);
+    move_ = device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}, doubles}), "move_points");
+}
 
 void PointMover::move(PointGrid& grid, const Buffer<double>& displacements, bool slides)
 {

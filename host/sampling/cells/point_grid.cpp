@@ -73,7 +73,7 @@ PointGrid::PointGrid(Device device, int dimension, std::size_t points, const Gri
     buffers_.fixed_point.write(std::vector<std::uint32_t>(buffers_.fixed_point.size()));
     buffers_.counts.write(std::vector<std::uint32_t>(part.held));
 
-    const KernelProgram program = kernel_program("point_grid.cl", {{"DIMENSION", dimension}});
+    const KernelProgram program = kernel_program("point_grid.cl", {{"DIMENSION", dimension}, doubles_of(device_)});
     count_ = device_.kernel(program, "count_points");
     scan_ = device_.kernel(program, "scan_counts");
     scan_totals_ = device_.kernel(program, "scan_totals");

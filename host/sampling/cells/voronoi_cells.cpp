@@ -52,8 +52,9 @@ VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points,
       work_group_size_(work_group_size)
 {
     reserve(device, buffers_.needed(dimension, points));
-    const KernelProgram fast = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_fast.cl", {});
-    const KernelProgram slow = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_slow.cl", {});
+    const KernelProgram in_plane = kernel_program("voronoi_2d.cl", {doubles_of(device)});
+    const KernelProgram fast = dimension == 2 ? in_plane : kernel_program("voronoi_3d_fast.cl", {});
+    const KernelProgram slow = dimension == 2 ? in_plane : kernel_program("voronoi_3d_slow.cl", {});
     forget_slow_ = device.kernel(slow, "forget_slow");
     find_fast_ = device.kernel(fast, "find_centroids_fast");
     find_slow_ = device.kernel(slow, "find_centroids");

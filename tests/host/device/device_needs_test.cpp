@@ -40,7 +40,7 @@ TEST(DeviceNeeds, OfADeviceThatCannotBeUsedAreNotMet)
 TEST(DeviceNeeds, AreThoseOfAllFilesTogether)
 {
     EXPECT_FALSE(needs_of({"dart_throwing.cl", "darts_in_order.cl"}).double_precision);
-    EXPECT_TRUE(needs_of({"dart_throwing.cl", "voronoi_2d.cl"}).double_precision);
+    EXPECT_TRUE(needs_of({"dart_throwing.cl", "power_cells.cl"}).double_precision);
     EXPECT_EQ(needs_of({"tile_darts.cl"}), all_kernel_needs());
     EXPECT_THROW(needs_of({"voronoi_1d.cl"}), std::logic_error);
 }
@@ -60,7 +60,7 @@ TEST(DeviceNeeds, AreSaidWithADeviceThatMeetsThem)
 TEST(DeviceNeeds, AreAskedBeforeAKernelIsBuilt)
 {
     Device device = Device::open();
-    KernelProgram program = kernel_program("voronoi_2d.cl", {});
+    KernelProgram program = kernel_program("voronoi_2d.cl", {{"DOUBLES", 1}});
     program.needs.local_bytes = std::uint64_t{1} << 40;
     try {
         device.kernel(program, "find_centroids");
