@@ -181,7 +181,7 @@ Command analyze_command(const std::string& typed)
               "REGION"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "
-              "default: yes, with a word where the closest pairs say no",
+              "default: yes, with a message where the closest pairs say no",
               "yes|no"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
              {"--in-pieces", &o->in_pieces,

@@ -58,7 +58,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     for (WordReader words(text); words.next();) {
         double value = 0;
         if (!parse_number(words.word(), value) || !std::isfinite(value))
-            throw InputError(fmt::format("isohedral draw: {} {}: \"{}\" is no number", option, shortened(text),
+            throw InputError(fmt::format("isohedral draw: {} {}: \"{}\" is not a number", option, shortened(text),
                                          shortened(words.word())));
         numbers.push_back(value);
     }
