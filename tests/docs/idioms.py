@@ -10,6 +10,7 @@ from pathlib import Path
 PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "docs/tutorials/*.md", "docs/gallery/*.md", "runtime/*.md",
          "runtime/tile_sets/*.md", "configs/*/*.md")
 SOURCES = ("app", "analysis", "base", "experiment", "host", "reports", "results", "tiles", "python/poissonlab", "lab")
+HELP = re.compile(r'(?:^|[ {(,])"((?:What|Which|Whose|Of|Who) [a-z][^"]*)"', re.M)  # of options
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 
 
@@ -61,6 +62,9 @@ def main():
         read += 1
         wrong += [f"{path.relative_to(source)}:{line}: \"{words}\": write: {advice}"
                   for line, words, advice in found(text, table)]
+    for path in sorted((source / "app/commands").rglob("*.cpp")):
+        wrong += [f"{path.relative_to(source)}: \"{words}\": write: begin with what it is: The folder ..., For pictures: ..."
+                  for words in HELP.findall(path.read_text(encoding="utf-8"))]
     print(*wrong, f"{read} files, {len(wrong)} idioms", sep="\n")
     sys.exit(1 if wrong or read < 100 else 0)
 

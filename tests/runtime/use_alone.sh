@@ -76,3 +76,13 @@ int main()
 END
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic ranges.cpp -o ranges
 [ "$(./ranges)" = "$quarter $least $squared" ]
+
+# For Windows, where a compiler for it is there.
+windows=${WINDOWS_COMPILER_PREFIX:-x86_64-w64-mingw32}
+if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
+  "$windows-gcc" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines.exe
+  for file in example scatter ranges; do
+    "$windows-g++" -std=c++11 -Wall -Wextra -Werror -pedantic -static "$file.cpp" -o "$file.exe"
+  done
+  echo "compiled for Windows"
+fi

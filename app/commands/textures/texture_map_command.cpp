@@ -302,7 +302,7 @@ Command texture_map_command()
     return {
         "map", mapped.summary,
         joined(
-            {{{"DIR", &o->folder, "What texture build made, or a picture"},
+            {{{"DIR", &o->folder, "The folder of a texture set, from texture build, or a picture"},
               allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
                        Integers{1, most_map_pixels}),
               {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
@@ -313,10 +313,10 @@ Command texture_map_command()
               {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
               {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
               {"--laid", &o->laid,
-               "Of sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. Of "
+               "For sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. For "
                "pictures: such a window instead of the plane",
                "N"},
-              allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
+              allowing({"--samples", &o->samples, "Samples of a pixel along each axis; default: 1", "N"},
                        Integers{1, most_map_samples}),
               allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
                        Integers{1, most_map_frames}),
