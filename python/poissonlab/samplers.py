@@ -16,9 +16,9 @@ from . import _poissonlab, hints, toml
 from ._poissonlab import InputError
 
 DEFAULT_POINTS = 16384
-OTHER_POINTS = 4096  #: like the first a square, a cube and a power of 2
+OTHER_POINTS = 4096  #: also a square, a cube and a power of 2
 
-#: What configs have for every method, beside its own parameters.
+#: The keys that configs have for every method, beside its own parameters.
 SHARED_KEYS = {"order", "region", "planar", "crs", "overlap", "buffer"}
 
 
