@@ -302,7 +302,7 @@ class Analyses(FolderTest):
     def test_refuse_in_the_numbers_of_the_caller(self):
         points = 10 * sets_of(1, 50)[0]
         points[7, 1] = 9.5
-        for options, words in (({}, r": must be a number in \[0, 1\); the numbers go from .*: domain=\(0, 10\).* would fit$"),
+        for options, words in (({}, r": must be a number in \[0, 1\); the numbers go from .*: domain=\(\S+, \S+\).* would fit$"),
                                ({"domain": 9.5}, r"^points: realization 0: point 7: 9.5: must be a number in \[0, 9.5\)"),
                                ({"domain": (10, 0)}, r"^domain: \(10, 0\): must be two numbers, the second above"),
                                ({"domain": (0, 1, 2)}, r"^domain: \(0, 1, 2\): must be \(low, high\)")):
