@@ -134,7 +134,7 @@ def taking_kind(build, make):
     kind, *others = make.__signature__.parameters.values()
     first = kind.replace(kind=inspect.Parameter.POSITIONAL_OR_KEYWORD, default="corner", annotation=hints.Hint("str"))
     build.__signature__ = make.__signature__.replace(parameters=[first, *others])
-    build.__doc__ += "\n" + make.__doc__.split("\n\n", 1)[1].split("\n", 1)[1]
+    build.__doc__ = inspect.cleandoc(build.__doc__) + "\n" + make.__doc__.split("\n\n", 1)[1].split("\n", 1)[1]
     return build
 
 
