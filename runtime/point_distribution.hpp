@@ -183,9 +183,7 @@ private:
         if (const char* problem = ptiles_open(&set, bytes.data(), bytes.size())) fail(name, problem);
         if (set.dimension != 2) fail(name, "tiles of space: must be a tile set in the plane");
         if (!set.ranks) fail(name, "the set is not ranked: tiles build --ranked makes one that is");
-        std::uint64_t squared = 0; // the proven distance, in units of 1/65536 tile: byte 40 of the header
-        for (int i = 7; i >= 0; --i) squared = squared << 8 | static_cast<unsigned char>(bytes[40 + i]);
-        proven_distance_ = std::sqrt(static_cast<double>(squared)) / 65536;
+        proven_distance_ = ptiles_min_distance(&set);
         sort_by_rank(name);
         set.points = nullptr; // the bytes go
         set.ranks = nullptr;

@@ -20,6 +20,10 @@ export class TileSet {
   /** How many tiles the set has. */
   readonly tiles: number;
   readonly pointsPerTile: number;
+  /** The minimum distance of every tiling that the file promises; 0: none. */
+  readonly minDistance: number;
+  /** The power spectrum of tilings goes to 0 with this power of the frequency, at least. */
+  readonly exponent: number;
   /** The stored number u is the coordinate low + step * u, in units of 1/65536 tile. */
   readonly low: number;
   readonly step: number;

@@ -23,6 +23,8 @@ typedef struct ptiles_set
     const uint16_t* ranks;  /* of each point in its tile, in the order of points; 0: the set is not ranked */
     uint32_t classes;       /* 0: points have none; else see ptiles_class */
     const unsigned char* class_points; /* of each class in a tile, four bytes each */
+    uint64_t squared_min_distance;     /* that the file promises, in units of 1/65536 tile; see ptiles_min_distance */
+    uint32_t equal_moments;            /* order up to which all tiles have the same moments; see ptiles_exponent */
 } ptiles_set;
 
 /* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0:
@@ -74,6 +76,24 @@ static inline uint32_t ptiles_class(const ptiles_set* set, uint32_t index)
     return c;
 }
 
+/* The minimum distance of every tiling, in tiles, to within a unit in the last place: no two points are nearer. `poissonlab
+ * tiles verify` proves it. 0: the file promises none. */
+static inline double ptiles_min_distance(const ptiles_set* set)
+{
+    const double squared = (double)set->squared_min_distance;
+    double root = squared > 1 ? squared : 1, next = (root + squared / root) / 2;
+    if (set->squared_min_distance == 0) return 0;
+    for (; next < root; next = (root + squared / root) / 2) root = next; /* Newton's method, from above */
+    return root / 65536.0;
+}
+
+/* The power spectrum of tilings goes to 0 with this power of the frequency, at least: 2, or 4, 6, 8 where the tiles of the set
+ * have equal moments. */
+static inline uint32_t ptiles_exponent(const ptiles_set* set) { return 2 * (set->equal_moments + 1); }
+
+/* Whether any density of the set is spread evenly: see ptiles_in_window. */
+static inline int ptiles_is_ranked(const ptiles_set* set) { return set->ranks != 0; }
+
 /* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be
  * used; otherwise what is wrong. Checks all numbers that are used here, not the checksum. */
 static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_t size)
@@ -92,6 +112,8 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     set->tiles = ptiles_word(bytes + 28);
     set->points_per_tile = ptiles_word(bytes + 32);
     set->points = (const uint16_t*)(const void*)(bytes + 128);
+    set->squared_min_distance = ptiles_word(bytes + 40) | (uint64_t)ptiles_word(bytes + 44) << 32;
+    set->equal_moments = version > 1 ? ptiles_word(bytes + 112) : 0;
     const uint32_t chains = version > 1 ? ptiles_word(bytes + 88) : 0; /* between tiles: no, or yes */
     set->low = chains ? -32768 : 0;
     set->step = chains ? 2 : 1;

@@ -52,6 +52,10 @@ const PoissonTiles = (() => {
       check(this.colors > 0 && this.tiles > 0 && this.pointsPerTile > 0 && this.pointsPerTile <= 65536 &&
                 (this.kind === 2 || this.tiles === tileCount(this.kind, this.dimension, this.colors)),
             "numbers of colours, tiles and points that do not fit together");
+      /** The minimum distance of every tiling that the file promises, in tiles; 0: none. */
+      this.minDistance = Math.sqrt(word(40) + 2 ** 32 * word(44)) / 65536;
+      /** The power spectrum of tilings goes to 0 with this power of the frequency, at least. */
+      this.exponent = 2 * (of2(112) + 1);
       const points = this.tiles * this.pointsPerTile;
       const beforeRanks = points * this.dimension + (chains ? 2 * this.colors * this.colors : 0);
       const end = 128 + 2 * (beforeRanks + (ranked ? points : 0));

@@ -21,8 +21,8 @@ InputError unknown_word(const std::string& command, const std::string& option, c
                                   fmt::join(known, "\", \""), did_you_mean(word, known)));
 }
 
-Option seed_option(std::uint64_t& seed) { return {"--seed", &seed, "Which of all results; default: 1", "S"}; }
-Option seed_option(std::uint32_t& seed) { return {"--seed", &seed, "Which of all results; default: 1", "S"}; }
+Option seed_option(std::uint64_t& seed) { return {"--seed", &seed, "The seed of random numbers; default: 1", "S"}; }
+Option seed_option(std::uint32_t& seed) { return {"--seed", &seed, "The seed of random numbers; default: 1", "S"}; }
 Option quiet_option(bool& is_quiet) { return {"--quiet", &is_quiet, "Print nothing but errors"}; }
 Option json_option(bool& as_json, const std::string& help) { return {"--json", &as_json, help}; }
 

@@ -25,7 +25,7 @@ MappedFile::MappedFile(const std::filesystem::path& path)
     const bool is_file = ::fstat(file, &info) == 0 && S_ISREG(info.st_mode);
     if (!is_file) {
         ::close(file);
-        throw InputError::at({path.string()}, "is no file");
+        throw InputError::at({path.string()}, "is not a file");
     }
     const auto size = static_cast<std::size_t>(info.st_size);
     void* const begin = size > 0 ? ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file, 0) : nullptr;

@@ -31,7 +31,7 @@ const char* word_for(hid_t type)
     case H5T_ENUM:
         return "is one of a list of words";
     default:
-        return "is no number";
+        return "is not a number";
     }
 }
 

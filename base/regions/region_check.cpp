@@ -107,7 +107,7 @@ private:
     {
         CheckedRing checked{{}, polygon, hole, name};
         for (const auto& [x, y] : ring) {
-            if (!std::isfinite(x) || !std::isfinite(y)) throw problem(name + " has a coordinate that is no number");
+            if (!std::isfinite(x) || !std::isfinite(y)) throw problem(name + " has a coordinate that is not a number");
             const CheckPoint corner(x, y);
             if (checked.corners.empty() || corner != checked.corners.back()) checked.corners.push_back(corner);
         }

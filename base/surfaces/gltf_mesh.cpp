@@ -123,8 +123,8 @@ private:
             soup_.points.push_back(moved_by(movement, {numbers[i], numbers[i + 1], numbers[i + 2]}));
             for (const double c : soup_.points.back())
                 if (!std::isfinite(c))
-                    throw attributes.error("POSITION",
-                                           fmt::format("row {} has a coordinate that is no finite number", i / 3 + 1));
+                    throw attributes.error(
+                        "POSITION", fmt::format("row {} has a coordinate that is not a finite number", i / 3 + 1));
         }
     }
 
@@ -140,7 +140,7 @@ private:
             soup_.texture_points.push_back({numbers[i], 1 - numbers[i + 1]});
             if (!std::isfinite(numbers[i]) || !std::isfinite(numbers[i + 1]))
                 throw attributes.error("TEXCOORD_0",
-                                       fmt::format("row {} has a coordinate that is no finite number", i / 2 + 1));
+                                       fmt::format("row {} has a coordinate that is not a finite number", i / 2 + 1));
         }
         return true;
     }

@@ -47,7 +47,7 @@ private:
         MeshPoint point{};
         for (double& c : point) c = number(i);
         const double weight = keyword_.has_weights ? number(i) : 1;
-        if (!is_divided(point, weight)) fail(fmt::format("vertex {} has a coordinate that is no finite number", i));
+        if (!is_divided(point, weight)) fail(fmt::format("vertex {} has a coordinate that is not a finite number", i));
         const int others = 3 * keyword_.has_normals + 4 * keyword_.has_colors + 2 * keyword_.has_texture;
         for (int k = 0; k < others; ++k) number(i);
         soup_.points.push_back(point);

@@ -145,7 +145,7 @@ PolygonSoup read_binary_stl(const MeshBytes& file)
                 c = static_cast<double>(load<float>(corners, std::endian::little));
                 corners.remove_prefix(4);
                 if (!std::isfinite(c))
-                    fail(fmt::format("triangle {} has a coordinate that is no finite number", t + 1));
+                    fail(fmt::format("triangle {} has a coordinate that is not a finite number", t + 1));
             }
             stl.add_corner(place);
         }

@@ -25,8 +25,10 @@ def exported(package):
 
 
 def signature(function):
-    arguments = [argument.arg for argument in function.args.posonlyargs + function.args.args
-                 + function.args.kwonlyargs if argument.arg not in ("self", "cls")]
+    of = function.args
+    arguments = [argument.arg for argument in of.posonlyargs + of.args if argument.arg not in ("self", "cls")]
+    arguments += ["*" + of.vararg.arg] if of.vararg else []
+    arguments += [argument.arg for argument in of.kwonlyargs]
     return f"{function.name}({', '.join(arguments)})"
 
 
@@ -34,32 +36,55 @@ def print_module(package, module, title):
     tree = ast.parse((package / module).read_text(encoding="utf-8"))
     print(f"## {title}\n\n| name | |\n| --- | --- |")
     for node in public(tree.body):
-        if node.name not in exported(package):
+        if node.name not in exported(package) | {"Sampler", "Made"}:
             continue
         if isinstance(node, ast.FunctionDef):
             print(f"| `pl.{signature(node)}` | {summary(node)} |")
             continue
-        print(f"| **`pl.{node.name}`** | {summary(node)} |")
+        where = "pl.distribute" if node.name == "Made" else "pl"
+        print(f"| **`{where}.{node.name}`** | {summary(node)} |")
+        for name, words in attributes(node).items():
+            print(f"| `{node.name}.{name}` | {words} |")
         for part in public(node.body):
             print(f"| `{node.name}.{part.name if is_property(part) else signature(part)}` | {summary(part)} |")
     print()
 
 
 def is_property(node):
-    return any(isinstance(decorator, ast.Name) and decorator.id == "property" for decorator in node.decorator_list)
+    return any(isinstance(decorator, ast.Name) and decorator.id in ("property", "cached_property")
+               for decorator in node.decorator_list)
+
+
+def attributes(node):
+    """The attributes of a class that have no code of their own, with what its docstring says of each: lines that begin
+    with their names, and go on where the next line is indented."""
+    declared = [part.target.id for part in node.body if isinstance(part, ast.AnnAssign)]
+    said = {}
+    for line in (ast.get_docstring(node) or "").splitlines():
+        names, colon, words = line.partition(": ")
+        if colon and all(name.isidentifier() for name in names.split(", ")):
+            current = [name for name in names.split(", ") if name in declared]
+            said |= {name: words for name in current}
+        elif line.startswith("    ") and said:
+            said |= {name: f"{said[name]} {line.strip()}" for name in current}
+        else:
+            current = []
+    return {name: said.get(name, "").replace("|", "\\|") for name in declared}
 
 
 def main():
     package = Path(sys.argv[1])
     print("# Python: every name\n\n`import poissonlab as pl`; `help(pl.NAME)` says more, with shapes and units. What to do "
           "with them: [Python](python.md).\n")
+    print_module(package, "samplers.py", "Making sets")
     print_module(package, "analysis.py", "Measuring")
     print_module(package, "results.py", "Runs and their results")
     print_module(package, "tiles.py", "Tile sets")
     print_module(package, "points.py", "Point files")
-    print("Every method is a class, named on its page under Methods, and every kind of distribution a function of\n"
-          "`pl.distribute`: [keys of configs](kinds.md) are their arguments.\n\n"
-          "`pl.InputError`, `pl.DeviceError` and `pl.StorageError` are what goes wrong.")
+    print_module(package, "kinds.py", "Distributions, tilings, textures")
+    print("Every method is a class with what `Sampler` has, named on its page under Methods. `pl.distribute`, `pl.tilings`,\n"
+          "`pl.texture.build()` and `pl.tiles.build()` make the [kinds of work](kinds.md), whose keys are their arguments,\n"
+          "and return `Made`.\n\n`pl.InputError`, `pl.DeviceError` and `pl.StorageError` are raised where something is wrong.")
 
 
 main()

@@ -65,8 +65,8 @@ void box_key(Keys& keys, AnalysisOptions& o, int dimension)
 void check_box(const Keys& keys, const AnalysisOptions& o, bool is_any_in_region)
 {
     if (o.box_sides.empty()) return;
-    if (o.region || is_any_in_region) throw keys.invalid("box", "does not go with a region, which is no torus");
-    if (o.window) throw keys.invalid("box", "does not go with window = true: a window is no torus");
+    if (o.region || is_any_in_region) throw keys.invalid("box", "does not go with a region, which is not periodic");
+    if (o.window) throw keys.invalid("box", "does not go with window = true: a window is not periodic");
     if (o.tiles > 0) throw keys.invalid("box", "does not go with tiles, which are squares (cubes)");
     if (o.zone_plate) throw keys.invalid("box", "does not go with zone_plate = true: the zone plate is a square");
 }

@@ -45,7 +45,7 @@ public:
         const auto options = said_by_call([&] { return overridden_region(changes, {}); });
         for (std::size_t i = 0; i < arrays.size(); ++i) {
             const std::string name = fmt::format("{}: realization {}", label, i);
-            sets_.push_back(point_set_of(arrays[i], name, options.has_value()));
+            sets_.push_back(point_set_of(arrays[i], name, options.has_value(), argument_words));
         }
         if (sets_.empty()) throw InputError(label + ": there are no points");
         if (const auto axis = flat_axis(sets_)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_file.hpp"
 
 #include <pybind11/numpy.h>
 
@@ -37,8 +38,14 @@ pybind11::array_t<T> column_of(const std::vector<Item>& items, Member Item::*mem
 pybind11::array_t<double> array_of(PointSet points);
 
 /// The set of an array of shape (points, 2) or (points, 3) with coordinates in [0, 1), or any numbers where they are in
-/// units of their own. `name` is how messages call it. Throws InputError.
-PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_own_units = false);
+/// units of their own. `name` is how messages call it, and `words` how arguments that would fit are written. Throws
+/// InputError.
+PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_own_units = false,
+                      const PointOptions& words = {});
+
+/// How messages about coordinates call the arguments.
+inline constexpr PointOptions argument_words{
+    .domain = "domain=({}, {})", .region = "region=\"rectangle {} {} {} {}\"", .particles = "particles={}"};
 
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape)

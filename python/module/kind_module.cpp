@@ -29,11 +29,24 @@ namespace py = pybind11;
 namespace poissonlab {
 namespace {
 
+/// The name of what values of a key are, for hints of types.
+const char* kind_of_key(const KeySpec& spec)
+{
+    if (!spec.own.empty() || spec.is_spread) return "own";
+    if (!spec.parts.empty()) return "list";
+    if (spec.is_region) return "region";
+    if (spec.is_file || spec.is_formula) return "file";
+    return kind_of(spec.value);
+}
+
 py::dict description_of_key(const KeySpec& spec)
 {
     py::dict description;
     description["key"] = spec.value.key;
     description["name"] = spec.alias.empty() ? spec.value.key : spec.alias;
+    description["kind"] = kind_of_key(spec);
+    description["default"] = spec.parts.empty() ? default_of(spec.value) : py::none();
+    description["is_required"] = spec.is_required;
     description["help"] = key_help(spec);
     return description;
 }

@@ -31,10 +31,6 @@ std::optional<PointDomain> domain_of(const Ranges& given)
     throw InputError("domain: must be (low, high), or such a range for each axis");
 }
 
-/// How messages about files call the arguments.
-constexpr PointOptions argument_words{
-    .domain = "domain=({}, {})", .region = "region=\"rectangle {} {} {} {}\"", .particles = "particles={}"};
-
 /// A domain that is given may have sides that differ; one that the file declares must be a square.
 std::vector<PointSet> read_sets_of(const std::filesystem::path& file, const PointReading& how)
 {

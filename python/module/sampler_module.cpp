@@ -19,9 +19,7 @@
 namespace py = pybind11;
 
 namespace poissonlab {
-namespace {
 
-/// The name of a parameter's kind, for hints of types.
 const char* kind_of(const ParameterSpec& spec)
 {
     switch (spec.kind) {
@@ -44,7 +42,6 @@ const char* kind_of(const ParameterSpec& spec)
     }
 }
 
-/// The default as Python has it: a sampler by its name.
 py::object default_of(const ParameterSpec& spec)
 {
     if (!spec.otherwise) return py::none();
@@ -58,6 +55,8 @@ py::object default_of(const ParameterSpec& spec)
         },
         *spec.otherwise);
 }
+
+namespace {
 
 py::dict description_of(const ParameterSpec& spec)
 {

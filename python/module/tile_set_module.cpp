@@ -87,6 +87,8 @@ public:
         parameters["tiles"] = p.tiles;
         parameters["points_per_tile"] = p.points_per_tile;
         parameters["relative_radius"] = p.relative_radius;
+        parameters["min_distance"] = std::sqrt(static_cast<double>(set_.squared_min_distance)) / 65536;
+        parameters["exponent"] = 2 * (p.equal_moments + 1);
         parameters["ranked"] = p.ranked;
         parameters["class_points"] = p.classes.points;
         return parameters;

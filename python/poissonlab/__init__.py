@@ -15,7 +15,7 @@ interpreter's lock, one call at a time, and ends on Ctrl-C. Other processes can 
 not forked: multiprocessing.get_context("spawn").
 """
 
-from . import distribute, texture, tilings
+from . import distribute, hints as _hints, texture, tilings
 from . import samplers as _samplers
 from ._poissonlab import DeviceError, InputError, StorageError
 from ._poissonlab import version as __version__
@@ -32,3 +32,5 @@ __all__ = [
     "distribute", "read_points", "run", "texture", "tiles", "tilings", "write_points",
     *_samplers.__all__,
 ]
+
+_hints.show([globals()[_name] for _name in __all__] + [open])

@@ -1,5 +1,7 @@
 """What is measured on point sets: spectra, curves over frequency and distance, and the catalogue of measures."""
 
+from __future__ import annotations
+
 import base64
 import html
 import os
@@ -7,83 +9,148 @@ import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Union
 
 import numpy
-import numpy.typing
+from numpy.typing import ArrayLike
 
-from . import _poissonlab, toml
+from . import _poissonlab, toml, views
 from .points import Domain, ranges_of
 
 #: What becomes an array, the name of a point file, or several of either.
-Points = Union[numpy.typing.ArrayLike, str, "os.PathLike[str]", list["str | os.PathLike[str]"]]
+Points = Union[ArrayLike, str, "os.PathLike[str]", "list[str | os.PathLike[str]]"]
 
 
 class Radial(NamedTuple):
     """Power over frequency: the spectrum in rings (3D: shells) around frequency zero. Arrays of shape (rings,).
 
     Lagae, Tile-Based Methods in Computer Graphics, 2007, equations 6.3 to 6.5.
+
+    frequency: the middle of the ring, in cycles per unit length
+    power: mean power; 1 for white noise
+    error: standard error of the power over the realizations; 0 for a single one
+    anisotropy_db: variance over squared mean in the ring, in decibels
+    samples: frequencies in the ring (int64)
     """
 
-    frequency: numpy.ndarray      #: the middle of the ring, in cycles per unit length
-    power: numpy.ndarray          #: mean power; 1 for white noise
-    error: numpy.ndarray          #: standard error of the power over the realizations; 0 for a single one
-    anisotropy_db: numpy.ndarray  #: variance over squared mean in the ring, in decibels
-    samples: numpy.ndarray        #: frequencies in the ring (int64)
+    frequency: numpy.ndarray
+    power: numpy.ndarray
+    error: numpy.ndarray
+    anisotropy_db: numpy.ndarray
+    samples: numpy.ndarray
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw power over frequency with its standard error, with Matplotlib: on axes or in a new figure. style: keywords
+        of Axes.plot(). Returns the axes."""
+        return views.plot_curve(ax, self.frequency, self.power, (self.power - self.error, self.power + self.error),
+                                ("frequency, cycles per unit length", "power"), style)
+
+    to_dataframe = views.to_dataframe
 
 
 class PairCorrelation(NamedTuple):
-    """Pairs of points over their distance, over those of independent points. Arrays of shape (bins,)."""
+    """Pairs of points over their distance, over those of independent points. Arrays of shape (bins,).
 
-    distance: numpy.ndarray  #: the middle of the bin, in unit lengths
-    value: numpy.ndarray     #: g; 1 for independent points
-    error: numpy.ndarray     #: standard error over the realizations; 0 for a single one
-    pairs: numpy.ndarray     #: pairs in the bin, mean over the sets
+    distance: the middle of the bin, in unit lengths
+    value: g; 1 for independent points
+    error: standard error over the realizations; 0 for a single one
+    pairs: pairs in the bin, mean over the sets
+    """
+
+    distance: numpy.ndarray
+    value: numpy.ndarray
+    error: numpy.ndarray
+    pairs: numpy.ndarray
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the function with its standard error: see Radial.plot()."""
+        return views.plot_curve(ax, self.distance, self.value, (self.value - self.error, self.value + self.error),
+                                ("distance, unit lengths", "pair correlation"), style)
+
+    to_dataframe = views.to_dataframe
 
 
 class NumberVariance(NamedTuple):
     """How much the number of points in a disk (3D: ball) varies from place to place. Arrays of shape (radii,).
 
     Torquato and Stillinger, Physical Review E 68, 041113, 2003. Independent points have points * (1 - V), V the volume.
+
+    radius: of the balls, in unit lengths
+    points: mean number of points in the ball
+    variance: of that number, mean over the sets
+    error: standard error over the realizations; 0 for a single one
     """
 
-    radius: numpy.ndarray    #: in unit lengths
-    points: numpy.ndarray    #: mean number of points in the ball
-    variance: numpy.ndarray  #: of that number, mean over the sets
-    error: numpy.ndarray     #: standard error over the realizations; 0 for a single one
+    radius: numpy.ndarray
+    points: numpy.ndarray
+    variance: numpy.ndarray
+    error: numpy.ndarray
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the variance with its standard error, both axes logarithmic: see Radial.plot()."""
+        ax = views.plot_curve(ax, self.radius, self.variance, (self.variance - self.error, self.variance + self.error),
+                              ("radius, unit lengths", "number variance"), style)
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+        return ax
+
+    to_dataframe = views.to_dataframe
 
 
 class RegionCurves(NamedTuple):
     """Curves of points in a region over distance, in the region's units. Arrays of shape (distances,).
 
     Of each curve, `_low` and `_high` are the least and the largest of random sets of as many points in the region.
+
+    distance: in units of the region
+    k_isotropic: Ripley's K with his isotropic correction, in squares of these units
+    pair_correlation: g by a kernel; 1 for independent points
+    k: K with the translation correction; pi r^2 for independent points
+    nearest: G, the share of points with a neighbour that near
+    empty_space: F, the share of places with a point that near
+    j: (1 - G) / (1 - F); nan where fewer than a thousandth of places are left
     """
 
-    distance: numpy.ndarray               #: in units of the region
-    k_isotropic: numpy.ndarray            #: Ripley's K with his isotropic correction, in squares of these units
-    pair_correlation: numpy.ndarray       #: g by a kernel; 1 for independent points
+    distance: numpy.ndarray
+    k_isotropic: numpy.ndarray
+    pair_correlation: numpy.ndarray
     pair_correlation_low: numpy.ndarray
     pair_correlation_high: numpy.ndarray
-    k: numpy.ndarray                      #: K with the translation correction; pi r^2 for independent points
+    k: numpy.ndarray
     k_low: numpy.ndarray
     k_high: numpy.ndarray
-    nearest: numpy.ndarray                #: G, the share of points with a neighbour that near
+    nearest: numpy.ndarray
     nearest_low: numpy.ndarray
     nearest_high: numpy.ndarray
-    empty_space: numpy.ndarray            #: F, the share of places with a point that near
+    empty_space: numpy.ndarray
     empty_space_low: numpy.ndarray
     empty_space_high: numpy.ndarray
-    j: numpy.ndarray                      #: (1 - G) / (1 - F); nan where fewer than a thousandth of places are left
+    j: numpy.ndarray
     j_low: numpy.ndarray
     j_high: numpy.ndarray
 
+    def plot(self, ax: Any = None, *, curve: str = "pair_correlation", **style: Any) -> Any:
+        """Draw one of the curves, and the range of random sets as a band around it: see Radial.plot()."""
+        value = getattr(self, curve)
+        low, high = (getattr(self, f"{curve}_{end}", value) for end in ("low", "high"))
+        return views.plot_curve(ax, self.distance, value, (low, high),
+                                ("distance, units of the region", curve.replace("_", " ")), style)
+
+    to_dataframe = views.to_dataframe
+
 
 class Measure(NamedTuple):
-    """One number that is measured on a series."""
+    """One number that is measured on a series.
+
+    value: the mean over the realizations
+    error: standard error over the realizations; None where it is not known
+    each: of each realization, shape (realizations,); empty where one number stands for all
+    name, unit, meaning: what it is, in words
+    """
 
     value: float
-    error: Optional[float]  #: standard error over the realizations; None where it is not known
-    each: numpy.ndarray     #: of each realization, shape (realizations,); empty where one number stands for all
+    error: float | None
+    each: numpy.ndarray
     name: str
     unit: str
     meaning: str
@@ -177,7 +244,7 @@ class Analysis:
         return RegionCurves(**frozen_columns(self._source.region()))
 
     @cached_property
-    def spectrum(self) -> Optional[numpy.ndarray]:
+    def spectrum(self) -> numpy.ndarray | None:
         """The mean power of each frequency, shape (M, M), in 3D (M, M, M); None where it is not there.
 
         Row v, column u is the frequency (u - M/2, v - M/2) in cycles per unit length; in 3D the slice comes first. In
@@ -188,7 +255,7 @@ class Analysis:
         return frozen_columns(self._source.spectra(False)).get("")
 
     @cached_property
-    def spectrum_variance(self) -> Optional[numpy.ndarray]:
+    def spectrum_variance(self) -> numpy.ndarray | None:
         """The variance of each power between realizations, like `spectrum`; None for one realization."""
         variance = frozen_columns(self._source.spectra(True)).get("")
         return None if variance is None or variance.size == 0 else variance
@@ -197,6 +264,41 @@ class Analysis:
     def spectrum_planes(self) -> dict[str, numpy.ndarray]:
         """Planes of an opened 3D spectrum by their names, such as "xy" and "xy_32", each of shape (M, M)."""
         return {name: plane for name, plane in frozen_columns(self._source.spectra(False)).items() if name}
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw with Matplotlib. Returns the axes, or an array of those of a new figure.
+
+        On axes: the radial power, named by the label, or the pair correlation where no spectrum was made; style: keywords
+        of Axes.plot(). Without axes: points, spectrum, power and pair correlation, as far as they are there.
+        """
+        if ax is not None:
+            curves = (self.radial, self.pair_correlation, self.region)
+            curve = next((each for each in curves if len(each[0])), self.radial)
+            return curve.plot(ax, **{"label": self.label, **style})
+        panels = self._panels()
+        figure = views.needed("matplotlib.pyplot", "plot").figure(figsize=(4 * len(panels), 4), layout="constrained")
+        figure.suptitle(self.label)
+        return numpy.array([draw(figure.add_subplot(1, len(panels), i + 1, **options))
+                            for i, (draw, options) in enumerate(panels)])
+
+    def _panels(self):
+        """How the pictures of the figure are drawn, and what axes these need."""
+        panels = [(lambda ax: views.plot_points(ax, self.sets[0], {}),
+                   {"projection": "3d"} if self.dimension == 3 else {})] if self.sets else []
+        spectrum = self.spectrum if self.spectrum is not None else self.spectrum_planes.get("xy")
+        if spectrum is not None:
+            plane = spectrum[len(spectrum) // 2] if spectrum.ndim == 3 else spectrum
+            side = len(plane) // 2
+            panels.append((lambda ax: views.plot_image(ax, plane, {"vmin": 0, "vmax": 2, "origin": "lower",
+                                                                   "extent": (-side, side, -side, side)}), {}))
+        return panels + [(curve.plot, {}) for curve in (self.radial, self.pair_correlation, self.region) if len(curve[0])]
+
+    def to_dataframe(self) -> Any:
+        """The measures as a DataFrame of pandas, where it is there: a row a measure, by its key, with value, error, unit,
+        name and meaning."""
+        columns = ("value", "error", "unit", "name", "meaning")
+        return views.table_of({column: [getattr(measure, column) for measure in self.measures.values()]
+                               for column in columns}, index=list(self.measures))
 
     def figure(self) -> str:
         """The classic figure as HTML: points, power spectrum, radial power, anisotropy. Needs gnuplot."""
@@ -214,7 +316,7 @@ class Analysis:
     def _repr_html_(self):
         return self.figure()
 
-    def report(self, folder: "str | os.PathLike[str]") -> None:
+    def report(self, folder: str | os.PathLike[str]) -> None:
         """Write the output folder of `poissonlab analyze` for these sets, with the report, folder/index.html."""
         if not hasattr(self._source, "report"):
             raise _poissonlab.InputError("report: these results have a report of their own: Results.report()")
@@ -226,17 +328,23 @@ class Analysis:
         return f"<poissonlab.Analysis {self.label!r}: {self.realizations} x {self.points} points{measured}>"
 
 
-def to_unit(points, ranges):
-    """Coordinates of a domain in [0, 1). Those beyond its ends stay beyond."""
-    if len(ranges) > 1 and points.ndim == 2 and points.shape[1] != len(ranges):
+def to_unit(points, ranges, name):
+    """Coordinates of a domain in [0, 1). `name` begins messages, which have the numbers of the caller."""
+    if points.ndim != 2:
+        return points
+    if len(ranges) > 1 and points.shape[1] != len(ranges):
         raise _poissonlab.InputError(f"analyze: points have {points.shape[1]} coordinates where the domain has "
                                      f"{len(ranges)} ranges: must have one for each axis")
-    low, high = numpy.asarray(ranges).T
-    mapped = (points - low) / (high - low)
-    return numpy.where(points < high, numpy.minimum(mapped, 1 - 2.0**-53), mapped)
+    low, high = numpy.broadcast_to(numpy.asarray(ranges), (points.shape[1], 2)).T
+    outside = numpy.argwhere(~((points >= low) & (points < high)))
+    if len(outside):
+        point, axis = outside[0]
+        raise _poissonlab.InputError(f"{name}: point {point}: {points[point, axis]}: must be a number in "
+                                     f"[{low[axis]:.6g}, {high[axis]:.6g}), the domain")
+    return numpy.minimum((points - low) / (high - low), 1 - 2.0**-53)
 
 
-def sets_of(points, ranges, particles):
+def sets_of(points, ranges, particles, label):
     """The sets that an argument stands for, a list of arrays of shape (points, dimension)."""
     is_one = isinstance(points, (str, os.PathLike)) or (isinstance(points, numpy.ndarray) and points.ndim == 2)
     items = [points] if is_one else list(points)
@@ -247,7 +355,9 @@ def sets_of(points, ranges, particles):
     arrays = [numpy.asarray(item, dtype=float) for item in items]
     if arrays and arrays[0].ndim < 2:  # its items are points
         arrays = [numpy.asarray(items, dtype=float)]
-    return arrays if ranges is None or numpy.isinf(ranges[0][0]) else [to_unit(array, ranges) for array in arrays]
+    if ranges is None or numpy.isinf(ranges[0][0]):
+        return arrays
+    return [to_unit(array, ranges, f"{label}: realization {i}") for i, array in enumerate(arrays)]
 
 
 def box_options(ranges, periodic, options):
@@ -268,17 +378,17 @@ def window_options(sets, options):
     return {"region": "rectangle 0 0 1 1"} if is_planar and not is_of_squares else {"window": True}
 
 
-def analyze(points: Points, *, label: str = "points", domain: Optional[Domain] = None,
-            box: Optional[Sequence[float]] = None, periodic: Optional[bool] = None, particles: Optional[int] = None,
+def analyze(points: Points, *, label: str = "points", domain: Domain | None = None,
+            box: float | Sequence[float] | None = None, periodic: bool | None = None, particles: int | None = None,
             **options: Any) -> Analysis:
     """Measure point sets, wherever they come from, as `poissonlab analyze` does.
 
     points: one set, an array of shape (n, d); several, of shape (k, n, d) or a list of arrays; or the name of a point
         file or of several. All sets must have the same number of points.
     label: the name for readers, and for messages.
-    domain: (low, high), the range of all coordinates; default: (0, 1), or what a file says. Or such a range for each
-        axis: where sides differ, the sets lie in a periodic rectangle or box, and lengths of results are in roots of
-        its area (volume), frequencies in cycles over that.
+    domain: (low, high), the range of all coordinates, or its upper end alone where they begin at 0, such as domain=10;
+        default: (0, 1), or what a file says. Or such a range for each axis: where sides differ, the sets lie in a periodic
+        rectangle or box, and lengths of results are in roots of its area (volume), frequencies in cycles over that.
     box: the sides of such a rectangle or box alone, in the unit of the points: coordinates are from 0 to these.
     periodic: whether the sets go on across their border as on a torus. False: they are measured within the square
         (cube). Default: as on a torus, with a warning where the closest pairs meet across the border.
@@ -292,16 +402,17 @@ def analyze(points: Points, *, label: str = "points", domain: Optional[Domain] =
         for name, value in (("domain", domain), ("box", box)):
             if value is not None:
                 raise _poissonlab.InputError(f"analyze: {name}: does not go with region, whose units points are in")
-        domain = (-numpy.inf, numpy.inf)  # as they are
+        domain = [(-numpy.inf, numpy.inf)]  # as they are
     if box is not None:
         if domain is not None:
             raise _poissonlab.InputError("analyze: box: does not go with domain, which has sides of its own")
-        domain = [(0, side) for side in box]
-        if len(domain) not in (2, 3) or not all(0 < side < numpy.inf for side in box):
-            raise _poissonlab.InputError("analyze: box: must be (width, height), in 3D (width, height, depth), numbers "
-                                         "above 0")
+        sides = numpy.atleast_1d(numpy.asarray(box, dtype=float))  # of a square or cube one
+        domain = [(0, side) for side in sides.tolist()]
+        if sides.ndim != 1 or len(domain) not in (1, 2, 3) or not all(0 < side < numpy.inf for side in sides):
+            raise _poissonlab.InputError("analyze: box: must be a side, (width, height), or in 3D (width, height, "
+                                         "depth), numbers above 0")
     ranges = ranges_of(domain)
-    sets = sets_of(points, ranges, particles)
+    sets = sets_of(points, ranges, particles, label)
     options = box_options(ranges, periodic, options)
     if periodic is not None and options.get("region") is not None:
         raise _poissonlab.InputError("analyze: periodic: does not go with region: nothing goes around a torus there")

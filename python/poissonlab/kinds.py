@@ -1,5 +1,7 @@
 """Functions for kinds of work, made from the kinds' own descriptions: see poissonlab.distribute."""
 
+from __future__ import annotations
+
 import inspect
 import pathlib
 import shutil
@@ -8,25 +10,43 @@ import weakref
 
 import numpy
 
-from . import _poissonlab, toml
-from .samplers import seed_of
+from . import _poissonlab, hints, toml, views
+from ._poissonlab import InputError
+from .samplers import refuse_unknown, seed_of
 
 
 class Made:
-    """What a kind of work came to.
+    """The result of a kind of work. What there is not is None.
 
-    label: its name in reports; facts: what it was made from, sentences.
-    numbers: what was measured, by key; titles says what each is.
-    pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
-    points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
-    region's own, of space with shape (n, 3); None where there are none.
-    distances: of points whose minimum distance varies: that at each, in the region's units; else None.
-    classes: of points with classes: the class of each, uint32; else None.
-    normals: of points on surfaces: the normal of each one's triangle, (N, 3); else None.
-    mask: of masks: an array of shape (rows, columns); else None.
-    tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south; else None.
-    files: the paths of all files, which are there as long as this object is; save() keeps them.
+    label: its name in reports
+    facts: what it was made from, sentences
+    numbers: what was measured, by key
+    titles: what each number is, by key
+    pictures: arrays of shape (height, width, channels), uint8, by name
+    captions: what each picture shows, by name
+    points: the places that were made, shape (n, 2), in units of the longest side, y upwards; those of regions in the
+        region's own units, those of space with shape (n, 3)
+    distances: of points whose minimum distance varies: that at each, in the region's units
+    classes: of points with classes: the class of each, uint32
+    normals: of points on surfaces: the normal of each one's triangle, (n, 3)
+    mask: of masks: an array of shape (rows, columns)
+    tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south
+    files: the paths of all files, which are there as long as this object is; save() keeps them
     """
+
+    label: str
+    facts: list[str]
+    numbers: dict[str, float]
+    titles: dict[str, str]
+    pictures: dict[str, numpy.ndarray]
+    captions: dict[str, str]
+    points: numpy.ndarray | None
+    distances: numpy.ndarray | None
+    classes: numpy.ndarray | None
+    normals: numpy.ndarray | None
+    mask: numpy.ndarray | None
+    tiles: numpy.ndarray | None
+    files: list[pathlib.Path]
 
     def __init__(self, folder, made):
         self._folder = folder
@@ -51,6 +71,27 @@ class Made:
         """Copy all files to a folder, which is made where it is not there. Returns its path."""
         return pathlib.Path(shutil.copytree(self._folder, folder, dirs_exist_ok=True))
 
+    def plot(self, ax=None, *, picture=None, **style):
+        """Draw with Matplotlib, on axes or in a new figure. Returns the axes.
+
+        picture: the name of one of `pictures`; default: points, a mask or tiles, where there are some, else the first
+        picture. style: keywords of Axes.scatter() for points, of Axes.imshow() for the others.
+        """
+        if picture is None and self.points is not None:
+            return views.plot_points(ax, self.points, {"c": self.classes, **style} if self.classes is not None else style)
+        values = next((each for each in (self.mask, self.tiles) if each is not None and picture is None), None)
+        if values is None:
+            values = self.pictures[picture or next(iter(self.pictures), "")]
+        return views.plot_image(ax, values, style)
+
+    def to_dataframe(self):
+        """The points as a DataFrame of pandas, where it is there: x, y (and z), class, distance and normals, as far as
+        they are there."""
+        if self.points is None:
+            raise InputError(f"to_dataframe: {self.label}: there are no points")
+        return views.table_of({"position": self.points, "class": self.classes, "distance": self.distances,
+                               "normal": self.normals})
+
     def __repr__(self):
         return f"<poissonlab.Made {self.label!r}: {', '.join(self.facts)}>"
 
@@ -58,15 +99,14 @@ class Made:
 def function_of(description, name):
     """The function of a kind: keyword arguments are its keys."""
 
-    def make(*, rng=1, engine="opencl", device=None, **values):
-        unknown = values.keys() - keys.keys()
-        if unknown:
-            raise TypeError(f"{name}() has no parameter {sorted(unknown)[0]!r}")
+    def make(*, rng=None, engine="opencl", device=None, **values):
+        refuse_unknown(name, values, [*keys, *hints.COMMON])
+        seed = seed_of(rng, name)
         text = "".join(f"{keys[key]['key']} = {toml.value_of(value)}\n"
                        for key, value in values.items() if value is not None)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="poissonlab-"))
         try:
-            made = _poissonlab.make(name, description["table"], description["word"], text, seed_of(rng), engine,
+            made = _poissonlab.make(name, description["table"], description["word"], text, seed, engine,
                                     "" if device is None else str(device), folder)
             return Made(folder, made)
         except BaseException:
@@ -77,17 +117,25 @@ def function_of(description, name):
     make.__name__ = make.__qualname__ = name
     make.__doc__ = documentation_of(description)
     make.__signature__ = inspect.Signature(
-        [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None) for key in keys]
-        + [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=value)
-           for key, value in {"rng": 1, "engine": "opencl", "device": None}.items()])
+        [hints.keyword_of(key, each["kind"], each["default"], each["is_required"]) for key, each in keys.items()]
+        + [hints.keyword(key, *each) for key, each in hints.COMMON.items()], return_annotation=hints.Hint("Made"))
     return make
 
 
 def documentation_of(description):
     """The text of a kind's function."""
     lines = [f"{description['summary']}.", "", "Returns Made. rng, engine and device: see Sampler."]
-    lines += [f"{key['name']}: {key['help']}." for key in description["keys"]]
+    lines += [f"{key['name']}: {hints.words_of(key['help'])}." for key in description["keys"]]
     return "\n".join(lines)
+
+
+def taking_kind(build, make):
+    """The function `build`, whose first argument is the kind, with the signature and the documentation of all keys."""
+    kind, *others = make.__signature__.parameters.values()
+    first = kind.replace(kind=inspect.Parameter.POSITIONAL_OR_KEYWORD, default="corner", annotation=hints.Hint("str"))
+    build.__signature__ = make.__signature__.replace(parameters=[first, *others])
+    build.__doc__ = inspect.cleandoc(build.__doc__) + "\n" + make.__doc__.split("\n\n", 1)[1].split("\n", 1)[1]
+    return build
 
 
 def functions_of(table, names):

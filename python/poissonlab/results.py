@@ -1,12 +1,15 @@
 """Output folders: running configs, and results as arrays."""
 
+from __future__ import annotations
+
 import html
+import math
 import os
 import warnings
 from collections.abc import Iterator, Mapping
-from typing import Any, Optional
+from typing import Any
 
-from . import _poissonlab, toml
+from . import _poissonlab, toml, views
 from .analysis import Analysis
 
 
@@ -16,7 +19,7 @@ class Results(Mapping[str, Analysis]):
     Of a collection, names have the folder of their run before them: "fig-6-26/lloyd-i-16".
     """
 
-    def __init__(self, folder: "str | os.PathLike[str]") -> None:
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
         self._folder = os.fspath(folder)
         self._runs = _poissonlab.open(folder)
         self._series = {}
@@ -40,11 +43,31 @@ class Results(Mapping[str, Analysis]):
         """The text of the config; empty for sets that were made elsewhere, and for collections."""
         return self._runs[0].config if len(self._runs) == 1 else ""
 
-    def report(self, out: "str | os.PathLike[str] | None" = None) -> str:
+    def report(self, out: str | os.PathLike[str] | None = None) -> str:
         """Write the report again, into the output folder or into another one. Returns the path of its first page."""
         out = self._folder if out is None else os.fspath(out)
         _poissonlab.report(self._folder, out)
         return os.path.join(out, "index.html")
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the radial power of all series in one picture, with Matplotlib: on axes or in a new figure. style: keywords
+        of Axes.plot(). Returns the axes."""
+        ax = views.axes_of(ax)
+        for series in self._series.values():
+            series.plot(ax, **style)
+        ax.legend()
+        return ax
+
+    def to_dataframe(self) -> Any:
+        """The measures as a DataFrame of pandas, where it is there: a row a series, by its name, with label, points,
+        realizations, and a column for each measure's value."""
+        keys = dict.fromkeys(key for series in self._series.values() for key in series.measures)
+        columns = {name: [getattr(series, name) for series in self._series.values()]
+                   for name in ("label", "points", "realizations")}
+        for key in keys:
+            columns[key] = [series.measures[key].value if key in series.measures else math.nan
+                            for series in self._series.values()]
+        return views.table_of(columns, index=list(self._series))
 
     def __getitem__(self, name: str) -> Analysis:
         return self._series[name]
@@ -69,13 +92,13 @@ class Results(Mapping[str, Analysis]):
                 f"<th>relative radius</th></tr>{''.join(rows)}</table>")
 
 
-def open(folder: "str | os.PathLike[str]") -> Results:
+def open(folder: str | os.PathLike[str]) -> Results:
     """Read an output folder of `poissonlab run` or `analyze`, or of a collection. Raises InputError."""
     return Results(folder)
 
 
-def run(config: "str | os.PathLike[str]", out: "str | os.PathLike[str] | None" = None, *,
-        changes: Optional[dict[str, Any]] = None, device: "str | int | None" = None, threads: int = 0,
+def run(config: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, *,
+        changes: dict[str, Any] | None = None, device: str | int | None = None, threads: int = 0,
         report: bool = True) -> Results:
     """Run the experiment of a config, or those of a collection, as `poissonlab run` does.
 

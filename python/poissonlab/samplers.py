@@ -5,31 +5,59 @@ Conventions are those of scipy.stats.qmc: keywords only, `d` and `rng`, `random(
 points.
 """
 
+import difflib
 import inspect
 import operator
+import re
 
 import numpy
 
-from . import _poissonlab, toml
+from . import _poissonlab, hints, toml
 from ._poissonlab import InputError
 
 DEFAULT_POINTS = 16384
+OTHER_POINTS = 4096  #: also a square, a cube and a power of 2
+
+#: The keys that configs have for every method, beside its own parameters.
+SHARED_KEYS = {"order", "region", "planar", "crs", "overlap", "buffer"}
 
 
-def seed_of(rng):
-    """The seed, from 0 to 2**63 - 1, that an `rng` argument stands for."""
-    if rng is None:
-        rng = numpy.random.default_rng()
-    if isinstance(rng, numpy.random.Generator):
-        return int(rng.integers(2**63 - 1, endpoint=True))
-    return operator.index(rng)
+def seed_of(rng, name):
+    """The seed, from 0 to 2**63 - 1, that the `rng` of a call stands for. `name` begins messages."""
+    allowed = "must be an integer from 0 to 2**63 - 1, a numpy.random.Generator, which draws one, or None"
+    if hasattr(rng, "__index__"):
+        if not 0 <= operator.index(rng) < 2**63:
+            raise InputError(f"{name}: rng = {rng}: {allowed}")
+        return operator.index(rng)
+    if isinstance(rng, numpy.random.RandomState):
+        return int(rng.randint(0, 2**63 - 1, dtype=numpy.int64))
+    try:
+        generator = numpy.random.default_rng(rng)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: rng = {rng!r}: {allowed}") from None
+    return int(generator.integers(2**63 - 1, endpoint=True))
+
+
+def refuse_unknown(name, given, known):
+    """Raise TypeError where a keyword is none of these."""
+    for key in given:
+        if key in known:
+            continue
+        if key in ("seed", "random_state"):
+            raise TypeError(f"{name}() has no parameter {key!r}: it is called rng, as in {name}(rng={given[key]!r})")
+        if key in ("n", "points", "samples"):
+            raise TypeError(f"{name}() has no parameter {key!r}: random(n) takes the number of points")
+        near = difflib.get_close_matches(key, known, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else f": it has {', '.join(known)}"
+        raise TypeError(f"{name}() has no parameter {key!r}{hint}")
 
 
 class Sampler:
     """Makes the realizations of a method, one after the other. Make an object of one of the classes below it.
 
     d: 2 or 3, the dimension.
-    rng: the seed, from 0 to 2**63 - 1, as in configs; a numpy.random.Generator, which draws one; None for any.
+    rng: the seed, an integer from 0 to 2**63 - 1 as in configs, which makes the same sets each time; or a
+        numpy.random.Generator, which draws one. Default: None, other sets each time; `seed` says which it was.
     engine: "opencl", or "reference" for plain sequential C++ that makes the same points.
     device: part of an OpenCL device's name, or its number in `poissonlab devices`; None for the default.
     Other keywords are the parameters of the method, as in configs. A parameter that takes a method takes a name, a dict
@@ -38,21 +66,21 @@ class Sampler:
 
     _description = None  # of the module, in the classes below
 
-    def __init__(self, *, d=2, rng=1, engine="opencl", device=None, **parameters):
+    def __init__(self, *, d=2, rng=None, engine="opencl", device=None, **parameters):
         if self._description is None:
             raise TypeError("Sampler is what all methods have in common: make an object of a method")
-        reserved = {"sampler", "label", "points"} & parameters.keys()
-        if reserved:
-            raise TypeError(f"{type(self).__name__}() has no parameter {sorted(reserved)[0]!r}")
+        name = type(self).__name__
+        own = list(self.__signature__.parameters)
+        refuse_unknown(name, {key: value for key, value in parameters.items() if key not in SHARED_KEYS}, own)
         self.d = d
-        self.seed = seed_of(rng)
+        self.seed = seed_of(rng, name)
         self.engine = engine
         self.device = device
         self.parameters = {key: value for key, value in parameters.items() if value is not None}
         self._realization = 0
         self._maker = None
         self._points = None
-        self._prepare(None if self._description["has_own_points"] else DEFAULT_POINTS)
+        self._check()
 
     @property
     def name(self):
@@ -150,13 +178,38 @@ class Sampler:
         lines += [f"{toml.key_of(key)} = {toml.value_of(value)}" for key, value in self.parameters.items()]
         return "\n".join(lines) + "\n"
 
+    def _check(self):
+        """Check the parameters. What depends on the number of points is left to random(), which is told one: a message
+        that two numbers have in common does not depend on it."""
+        try:
+            self._prepare(None)
+        except InputError as error:
+            if self._description["has_own_points"]:
+                raise
+            try:
+                self._prepare(OTHER_POINTS)
+            except InputError as other:
+                if str(other) == str(error):
+                    raise
+            self._maker = self._points = None
+
     def _prepare(self, n):
         """Check the parameters, and have a maker for sets of n points."""
         if n is None and not self._description["has_own_points"]:
             n = DEFAULT_POINTS
         if self._maker is None or n != self._points:
-            self._maker = _poissonlab.SetMaker(type(self).__name__, self.config(n))
+            self._maker = self._maker_of(n)
             self._points = n
+
+    def _maker_of(self, n):
+        """The maker for sets of n points. Messages call arguments as this class does, not as configs do."""
+        name = type(self).__name__
+        try:
+            return _poissonlab.SetMaker(name, self.config(n))
+        except InputError as error:
+            words = str(error).removeprefix(f"{name}: ").removeprefix(f'sampler = "{self.name}": ')
+            words = re.sub(r"^points\b|\banalysis\.points\b", "n", re.sub(r"\bdimension\b", "d", words))
+            raise InputError(f"{name}: {words}") from None
 
     def __getstate__(self):
         """All but the maker, which holds a device: copies and other processes make their own."""
@@ -169,27 +222,17 @@ class Sampler:
         return f"{type(self).__name__}({', '.join(f'{key}={value!r}' for key, value in shown.items())})"
 
 
-# How signatures and stubs show the kinds of parameters.
-HINTS = {"number": "float", "integer": "int", "boolean": "bool", "text": "str", "choice": "str",
-         "paths": "str | os.PathLike[str] | Sequence[str | os.PathLike[str]]", "command": "str | Sequence[str]",
-         "sampler": "Sampler | str | dict[str, Any]"}
-
-COMMON = {"d": ("int", 2), "rng": ("int | numpy.random.Generator | None", 1), "engine": ("str", "opencl"),
-          "device": ("str | None", None)}
-
-
 def class_name(name):
     """DartThrowing of dart-throwing."""
     return "".join(word.capitalize() for word in name.split("-"))
 
 
 def signature_of(description):
-    """The keywords of a method's class. A parameter without a value is left out, so that its default holds."""
-    keywords = {}
-    for parameter in description["parameters"]:
-        keywords[parameter["key"]] = (HINTS[parameter["kind"]] + " | None", None)
-    return inspect.Signature([inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=hint)
-                              for key, (hint, default) in {**keywords, **COMMON}.items()])
+    """The keywords of a method's class."""
+    own = [hints.keyword_of(each["key"], each["kind"], each["default"],
+                            each["default"] is None and not each["unless_given"]) for each in description["parameters"]]
+    common = {"d": ("int", 2), **hints.COMMON}
+    return inspect.Signature(own + [hints.keyword(key, *each) for key, each in common.items()])
 
 
 def documentation_of(description):
@@ -204,7 +247,7 @@ def documentation_of(description):
         more = f"; {parameter['unless_given']}" if parameter["unless_given"] else ""
         if parameter["default"] is None and not more:
             more = "; needed"
-        lines.append(f"{parameter['key']}: {parameter['help']}{more}.")
+        lines.append(f"{parameter['key']}: {hints.words_of(parameter['help'] + more)}.")
     return "\n".join(lines)
 
 

@@ -10,13 +10,16 @@ from .kinds import Made
 _build = _kinds.functions_of("texture", {})["texture"]
 
 
-def build(kind="corner", /, **keys):
-    """Make texture tiles, and measure their seams. kind: "corner", "wang" or "omega", or an endless texture without tiles:
-    "repeated", "offsets", "hexagons", "blended" or "quilted". See help(texture.keys)."""
+def build(kind="corner", **keys):
+    """Make texture tiles, and measure their seams, or an endless texture without tiles.
+
+    Returns Made. rng, engine and device: see Sampler."""
     return _build(kind=kind, **keys)
 
 
-#: The function that build() calls, with all keys: help(texture.keys).
+_kinds.taking_kind(build, _build)
+
+#: The function that build() calls.
 keys = _build
 
 #: endless("hexagons", exemplar=..., window=[0, 0, 1920, 1080]): a window of an endless texture by other methods than tiles.

@@ -1,50 +1,81 @@
 """Poisson disk tile sets: endless point sets with a proven minimum distance, looked up wherever one likes."""
 
+from __future__ import annotations
+
 import operator
 import os
 from collections.abc import Callable
-from typing import NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Union
 
 import numpy
-import numpy.typing
+from numpy.typing import ArrayLike
 
-from . import _poissonlab
+from . import _poissonlab, views
+from . import hints as _hints
 from . import kinds as _kinds
 from ._poissonlab import InputError
 from .toml import geojson_of
 
 
 class TilePoints(NamedTuple):
-    """Points of a tiling, arrays with one item or row a point."""
+    """Points of a tiling, arrays with one item or row a point.
 
-    position: numpy.ndarray  #: in tiles, shape (n, d), float64
-    tile: numpy.ndarray      #: the place of its tile, shape (n, d), int32
-    index: numpy.ndarray     #: its number in the tile, uint32
-    id: numpy.ndarray        #: random bits that stay with the point, such as for its looks, uint32
-    level: numpy.ndarray     #: the density, from 0 to 1, above which the point is there, float64
+    position: in tiles, shape (n, d), float64
+    tile: the place of its tile, shape (n, d), int32
+    index: its number in the tile, uint32
+    id: random bits that stay with the point, such as for its looks, uint32
+    level: the density, from 0 to 1, above which the point is there, float64
+    """
 
-
-class NearestPoints(NamedTuple):
-    """The nearest points of positions, arrays with one item or row a position; see TilePoints."""
-
-    distance: numpy.ndarray  #: in tiles, float64
     position: numpy.ndarray
     tile: numpy.ndarray
     index: numpy.ndarray
     id: numpy.ndarray
     level: numpy.ndarray
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the points with Matplotlib, on axes or in a new figure. style: keywords of scatter(). Returns the axes."""
+        return views.plot_points(ax, self.position, style)
+
+    to_dataframe = views.to_dataframe
+
+
+class NearestPoints(NamedTuple):
+    """The nearest points of positions, arrays with one item or row a position.
+
+    distance: in tiles, float64
+    position, tile, index, id, level: of the nearest point, see TilePoints
+    """
+
+    distance: numpy.ndarray
+    position: numpy.ndarray
+    tile: numpy.ndarray
+    index: numpy.ndarray
+    id: numpy.ndarray
+    level: numpy.ndarray
+
+    plot = TilePoints.plot
+    to_dataframe = views.to_dataframe
+
 
 class Certificate(NamedTuple):
-    """The proof of a tile set, in exact integers: it holds for every tiling."""
+    """The proof of a tile set, in exact integers: it holds for every tiling.
 
-    min_distance: float           #: no two points of any tiling are nearer, in tiles
-    squared_min_distance: int     #: the same squared, in units of 1/65536 tile
-    relative_radius: float        #: of that distance
-    largest_empty_radius: float   #: no circle (ball) that is empty in any tiling has a larger radius, in tiles
+    min_distance: no two points of any tiling are nearer, in tiles
+    squared_min_distance: its square, in units of 1/65536 tile
+    relative_radius: of that distance
+    largest_empty_radius: no circle (ball) that is empty in any tiling has a larger radius, in tiles
+    tiles, points_per_tile: the size of the set
+    class_distances: the minimum distance of each pair of classes, in tiles, shape (classes, classes)
+    """
+
+    min_distance: float
+    squared_min_distance: int
+    relative_radius: float
+    largest_empty_radius: float
     tiles: int
     points_per_tile: int
-    class_distances: numpy.ndarray  #: the same of each pair of classes, in tiles, shape (classes, classes)
+    class_distances: numpy.ndarray
 
 
 def checked_seed(seed):
@@ -55,7 +86,7 @@ def checked_seed(seed):
 
 
 #: A part of all points, or a function of coordinates that says it for each place.
-Density = Union[float, Callable[..., numpy.typing.ArrayLike]]
+Density = Union[float, Callable[..., ArrayLike]]
 
 
 class TileSet:
@@ -63,19 +94,33 @@ class TileSet:
 
     Every seed is another tiling of all the plane (3D: of space). Lengths are in tiles. The points are those of
     runtime/poisson_tiles.h and of `poissonlab tiles points`, bit for bit. No OpenCL is needed.
+
+    kind: "corner", "edge", "template" or "sphere".
+    dimension: 2 or 3.
+    colors, tiles, points_per_tile: how many there are.
+    relative_radius: of the least distance that was asked for when the set was built.
+    min_distance: the least distance between points of any tiling that the file promises, in tiles, which verify() proves;
+        0: none.
+    exponent: power goes to 0 with this power of the frequency, at least; see docs/chain-tiles.md.
+    ranked: whether any density is spread evenly.
+    class_points: the points of each class in a tile; empty where points have no classes.
     """
 
-    def __init__(self, file: "str | os.PathLike[str]") -> None:
+    kind: str
+    dimension: int
+    colors: int
+    tiles: int
+    points_per_tile: int
+    relative_radius: float
+    min_distance: float
+    exponent: int
+    ranked: bool
+    class_points: list[int]
+
+    def __init__(self, file: str | os.PathLike[str]) -> None:
         self._set = _poissonlab.TileSet(file)
-        parameters = self._set.parameters()
-        self.kind = parameters["kind"]                        #: "corner", "edge", "template" or "sphere"
-        self.dimension = parameters["dimension"]              #: 2 or 3
-        self.colors = parameters["colors"]
-        self.tiles = parameters["tiles"]                      #: how many tiles the set has
-        self.points_per_tile = parameters["points_per_tile"]
-        self.relative_radius = parameters["relative_radius"]  #: that was asked for when it was built
-        self.ranked = parameters["ranked"]                    #: whether any density is spread evenly
-        self.class_points = parameters["class_points"]        #: of each class in a tile; empty: points have no classes
+        for name, value in self._set.parameters().items():
+            setattr(self, name, value)
 
     def window(self, *window: float, seed: int = 1, density: Density = 1.0) -> numpy.ndarray:
         """The positions of all points in a window.
@@ -108,7 +153,7 @@ class TileSet:
         kept = found.level < numpy.asarray(density(*found.position.T), dtype=float)
         return TilePoints(*(column[kept] for column in found))
 
-    def in_region(self, region, *, min_distance: Optional[float] = None, points: Optional[int] = None, seed: int = 1,
+    def in_region(self, region, *, min_distance: float | None = None, points: int | None = None, seed: int = 1,
                   density: Density = 1.0, planar: bool = False, crs: str = "") -> TilePoints:
         """The points in a region of the plane, in its own coordinates: those of `poissonlab tiles points --region`.
 
@@ -141,7 +186,7 @@ class TileSet:
         kept = columns.level < numpy.asarray(density(*columns.position.T), dtype=float)
         return TilePoints(*(column[kept] for column in columns))
 
-    def nearest(self, positions: numpy.typing.ArrayLike, *, seed: int = 1) -> NearestPoints:
+    def nearest(self, positions: ArrayLike, *, seed: int = 1) -> NearestPoints:
         """The nearest point of each position: a Worley texture without a table of its own.
 
         positions: in tiles, shape (n, d), or (d,) for one.
@@ -149,7 +194,7 @@ class TileSet:
         """
         return NearestPoints(**self._set.nearest(numpy.atleast_2d(positions), checked_seed(seed)))
 
-    def class_of(self, index: numpy.typing.ArrayLike) -> numpy.ndarray:
+    def class_of(self, index: ArrayLike) -> numpy.ndarray:
         """The classes of points by their numbers in their tiles: tiles.class_of(tiles.points(0, 0, 9, 9).index).
 
         Sets built with class_points have them, such as trees, bushes and stones. Returns an array of uint32.
@@ -177,15 +222,16 @@ class TileSet:
 _build = _kinds.function_of_command("tiles build", "build")
 
 
-def build(kind="corner", /, **keys):
+def build(kind="corner", **keys):
     """Build a tile set, and prove its minimum distance: poissonlab.tiles.build("corner", colors=3, points=64).
 
-    kind: "corner", "edge", "template" or "sphere". Other parameters are those of `poissonlab tiles build`: help(tiles.keys)
-    has them all. Returns a TileSet; rng, engine and device: see Sampler.
-    """
+    Returns a TileSet; rng, engine and device: see Sampler."""
     made = _build(kind=kind, **keys)  # its file is there as long as it is
     return TileSet(made.files[0])
 
 
-#: The function that build() calls, with all keys: help(tiles.keys).
+_kinds.taking_kind(build, _build)
+build.__signature__ = build.__signature__.replace(return_annotation=_hints.Hint("TileSet"))
+
+#: The function that build() calls, which returns Made.
 keys = _build

@@ -4,6 +4,7 @@
 The build calls it with the file to write, once the module is there.
 """
 
+import inspect
 import os
 import pathlib
 import sys
@@ -21,10 +22,10 @@ class Sampler:
     d: int
     seed: int
     engine: str
-    device: str | None
+    device: str | int | None
     parameters: dict[str, Any]
-    def __init__(self, *, d: int = 2, rng: int | numpy.random.Generator | None = 1, engine: str = "opencl",
-                 device: str | None = None, **parameters: Any) -> None: ...
+    def __init__(self, *, d: int = 2, rng: int | numpy.random.Generator | None = None, engine: str = "opencl",
+                 device: str | int | None = None, **parameters: Any) -> None: ...
     @property
     def name(self) -> str: ...
     @property
@@ -48,14 +49,16 @@ class Sampler:
 
 def stub_of(name, method):
     """The stub of a method's class."""
-    keywords = ",\n                 ".join(f"{keyword.name}: {keyword.annotation} = {shown(keyword.default)}"
+    keywords = ",\n                 ".join(f"{keyword.name}: {keyword.annotation}{shown(keyword.default)}"
                                          for keyword in method.__signature__.parameters.values())
     return f"\nclass {name}(Sampler):\n    def __init__(self, *, {keywords}) -> None: ...\n"
 
 
 def shown(value):
-    """A default as a stub has it."""
-    return f'"{value}"' if isinstance(value, str) else repr(value)
+    """A default as a stub has it, behind its sign; nothing where the parameter is needed."""
+    if value is inspect.Parameter.empty:
+        return ""
+    return f' = "{value}"' if isinstance(value, str) else f" = {value!r}"
 
 
 def write_whole(file, text):

@@ -191,7 +191,7 @@ std::vector<PaperClaim> claims_about_tilings()
     const std::vector<PaperClaim> hashes{
         {"3.4-parts", "3.4",
          "With a small and a large table, and the size of the large one as range, the period has almost identical "
-         "parts; with the small one as range it has not.",
+         "parts; with the small one as range it does not.",
          "below a tenth and above half of what independent values differ by", almost_identical_parts},
         {"3.4-time", "3.4",
          "The time of a combined hash function is roughly proportional to the number of tables; a program is not as "

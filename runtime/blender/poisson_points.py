@@ -68,6 +68,8 @@ class TileSet:
             return "numbers of colours, tiles and points that do not fit together"
         #: No two points of any tiling are nearer, in tiles; 0: the file has no proof.
         self.min_distance = (words[10] + words[11] * 2.0**32)**0.5 / 65536
+        #: Power goes to 0 with this power of the frequency, at least.
+        self.exponent = 2 * ((words[28] if version > 1 else 0) + 1)
         return self._read_points(data, chains, ranked, words[9] if version > 2 else None)
 
     def _read_points(self, data, chains, ranked, classes):

@@ -23,6 +23,7 @@ var colors: int = 0
 var tile_count: int = 0
 var points_per_tile: int = 0
 var min_distance: float = 0.0 # no two points of any tiling are nearer, in tiles; 0: the file has no proof
+var exponent: int = 2 # power goes to 0 with this power of the frequency, at least
 var below: int = 0 # units of 1/65536 tile that points are below their tile's square at most
 var above: int = 0
 var ranked: bool = false
@@ -94,6 +95,7 @@ func _read_header(bytes, version: int) -> String:
 	ranked = has_ranks == 1
 	_low = -32768 if chains == 1 else 0
 	_step = 2 if chains == 1 else 1
+	exponent = 2 * ((_word(bytes, 112) if version > 1 else 0) + 1)
 	min_distance = sqrt(_word(bytes, 40) + 4294967296.0 * _word(bytes, 44)) / 65536.0
 	return ""
 

@@ -69,7 +69,7 @@ TEST_F(IsohedralCommand, WrongArguments)
                  "isohedral draw: --parameters 1,2: must be as many as IH16 has: 1; the comma of \"1,2\" is no "
                  "decimal point: must be 1.2");
     expect_error({"draw", "16", "--parameters", "x", "--out", "a.png"},
-                 "isohedral draw: --parameters x: \"x\" is no number");
+                 "isohedral draw: --parameters x: \"x\" is not a number");
     expect_error({"draw", "16", "--curve", "0.5", "--out", "a.png"},
                  "isohedral draw: --curve 0.5: must be points, two numbers each");
     expect_error({"draw", "20", "--curve", "0.5,0", "--curve", "0.5,0", "--out", "a.png"},

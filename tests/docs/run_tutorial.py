@@ -1,7 +1,8 @@
 """Runs the commands of a tutorial as a reader would: run_tutorial.py PAGE SOURCE PROGRAM FOLDER
 
 A block after `<!-- save FILE -->` is written to the file, one after `<!-- run -->` is run, and has to end with status 0.
-`<!-- run: OPTIONS -->` adds options to the command, which make it small. `./lab` is the program; configs and runtime
+`<!-- run: OPTIONS -->` adds options to the command, which make it small, and
+`<!-- run: WORDS -> OTHERS -->` puts other words in the place of its own. `./lab` is the program; configs and runtime
 are those of the checkout.
 """
 
@@ -26,7 +27,11 @@ def main():
         if action == "save":
             (folder / name).write_text(text, encoding="utf-8")
             continue
-        if options:
+        if options and " -> " in options:
+            own, _, others = options.partition(" -> ")
+            assert own in text, f"{page.name}: there is no {own}"
+            text = text.replace(own, others)
+        elif options:
             text = text.rstrip("\n") + " " + options
         command = ["/usr/bin/python3", "-c", text] if language == "python" else ["bash", "-euo", "pipefail", "-c", text]
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)

@@ -3,9 +3,11 @@
 import contextlib
 import base64
 import ctypes
+import importlib.util
 import re
 import struct
 import unittest
+import unittest.mock
 import warnings
 import xml.etree.ElementTree
 
@@ -289,6 +291,47 @@ class Analyses(FolderTest):
             analysis = pl.analyze(flat)
         self.assertEqual(analysis.dimension, 2)
         self.assertEqual(analysis.min_distance[0], pl.analyze(points).min_distance[0])
+
+    def test_take_the_end_of_a_domain_alone(self):
+        points = sets_of(1, 50)[0]
+        for options in ({"domain": 8}, {"domain": (0, 8)}, {"box": 8}, {"box": (8, 8)}):
+            self.assert_same_bytes(pl.analyze(8 * points, **options).sets[0], points)
+        pl.write_points(self.folder / "set.txt", points)
+        self.assert_same_bytes(pl.read_points(self.folder / "set.txt", domain=2)[0], points / 2)
+
+    def test_refuse_in_the_numbers_of_the_caller(self):
+        points = 10 * sets_of(1, 50)[0]
+        points[7, 1] = 9.5
+        for options, words in (({}, r": must be a number in \[0, 1\); the numbers go from .*: domain=\(\S+, \S+\).* would fit$"),
+                               ({"domain": 9.5}, r"^points: realization 0: point 7: 9.5: must be a number in \[0, 9.5\)"),
+                               ({"domain": (10, 0)}, r"^domain: \(10, 0\): must be two numbers, the second above"),
+                               ({"domain": (0, 1, 2)}, r"^domain: \(0, 1, 2\): must be \(low, high\)")):
+            with self.subTest(**options), self.assertRaisesRegex(pl.InputError, words):
+                pl.analyze(points, **options)
+
+    def test_are_drawn_on_axes(self):
+        analysis = pl.analyze(sets_of(2, 50), label="Mine")
+        for curve, x, y in ((analysis.radial, "frequency", "power"), (analysis.pair_correlation, "distance", "value"),
+                            (analysis.number_variance, "radius", "variance")):
+            ax = unittest.mock.MagicMock()
+            ax.plot.return_value = [unittest.mock.MagicMock()]
+            self.assertIs(curve.plot(ax, color="red"), ax)
+            (drawn_x, drawn_y), style = ax.plot.call_args
+            self.assert_same_bytes(drawn_x, getattr(curve, x))
+            self.assert_same_bytes(drawn_y, getattr(curve, y))
+            self.assertEqual(style, {"color": "red"})
+            low, high = ax.fill_between.call_args.args[1:]
+            numpy.testing.assert_allclose((low + high) / 2, drawn_y)
+        ax.reset_mock()
+        analysis.plot(ax)
+        self.assertEqual(ax.plot.call_args.kwargs, {"label": "Mine"})
+        pl.TilePoints(analysis.sets[0], *[None] * 4).plot(ax)
+        self.assertEqual(ax.scatter.call_args.args[0].tolist(), analysis.sets[0][:, 0].tolist())
+
+    @unittest.skipIf(importlib.util.find_spec("pandas"), "pandas is there")
+    def test_say_what_tables_need(self):
+        with self.assertRaisesRegex(ImportError, "^to_dataframe: needs pandas: python3-pandas in Debian, or pip install"):
+            pl.analyze(sets_of(1, 50)).radial.to_dataframe()
 
     def test_refuse_what_is_no_set(self):
         points = sets_of(1, 50)[0]

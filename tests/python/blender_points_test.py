@@ -50,6 +50,7 @@ class BlenderPoints(FolderTest):
         tiles = poisson_points.TileSet((FOLDER / "corner-c3-n64-r075.ptiles").read_bytes())
         proof = pl.TileSet(FOLDER / "corner-c3-n64-r075.ptiles").verify()
         self.assertAlmostEqual(tiles.min_distance, proof.min_distance, places=12)
+        self.assertEqual(tiles.exponent, pl.TileSet(FOLDER / "corner-c3-n64-r075.ptiles").exponent)
 
     def test_know_every_kind_of_tiles(self):
         for words in ("edge --colors 2 --points 9", "template --tiles 5 --points 16 --ranked",

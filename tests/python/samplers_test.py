@@ -24,11 +24,11 @@ SAMPLERS = {
     "darts in space": (lambda: pl.DartThrowing(d=3, relative_radius=0.6, rng=7), 200),
     "reference": (lambda: pl.DartThrowing(relative_radius=0.7, rng=7, engine="reference"), 300),
     "relaxed darts": (lambda: pl.Lloyd(iterations=3, start=pl.DartThrowing(relative_radius=0.6), repulsion=True,
-                                       until_relative_radius=0.8), 128),
+                                       until_relative_radius=0.8, rng=1), 128),
     "hierarchy": (lambda: pl.RelaxationDartThrowing(rng=2**63 - 1), 200),
     "jittered": (lambda: pl.Jittered(rng=0), 256),
-    "sobol": (lambda: pl.Sobol(), 64),
-    "elimination": (lambda: pl.SampleElimination(), 100),
+    "sobol": (lambda: pl.Sobol(rng=1), 64),
+    "elimination": (lambda: pl.SampleElimination(rng=1), 100),
 }
 
 
@@ -93,7 +93,16 @@ class Samplers(FolderTest):
         self.assertEqual(pl.Random(rng=numpy.int64(5)).seed, 5)
         drawn = pl.Random(rng=numpy.random.default_rng(1)).seed
         self.assertEqual(drawn, int(numpy.random.default_rng(1).integers(2**63 - 1, endpoint=True)))
-        self.assertNotEqual(pl.Random(rng=None).seed, pl.Random(rng=None).seed)
+        self.assertEqual(pl.Random(rng=numpy.random.RandomState(3)).seed, pl.Random(rng=numpy.random.RandomState(3)).seed)
+        self.assertNotEqual(pl.Random().seed, pl.Random().seed)
+        drawn = pl.Random()
+        self.assert_same_bytes(drawn.random(20), pl.Random(rng=drawn.seed).random(20))
+
+    def test_leave_what_depends_on_the_number_of_points_to_it(self):
+        for few, make in ((4, lambda: pl.VoronoiDarts(relative_radius=0.7)), (4, lambda: pl.BestCandidate(candidates=9))):
+            self.assertEqual(len(make().random(few)), few)
+        with self.assertRaisesRegex(pl.InputError, "^DartThrowing: needs relative_radius"):
+            pl.DartThrowing()
 
     def test_say_what_they_are(self):
         self.assertEqual(repr(pl.DartThrowing(relative_radius=0.7, rng=2)),
@@ -101,7 +110,7 @@ class Samplers(FolderTest):
         self.assertIn("relative_radius: ", pl.DartThrowing.__doc__)
 
     def test_read_files(self):
-        sets = [pl.Random().random(50) for _ in range(2)]
+        sets = [pl.Random(rng=i).random(50) for i in range(2)]
         files = [self.folder / f"{i}.npy" for i in range(2)]
         for file, points in zip(files, sets):
             numpy.save(file, points)
@@ -110,11 +119,11 @@ class Samplers(FolderTest):
         self.assert_same_bytes(sampler.random(), sets[1])
         with self.assertRaisesRegex(pl.InputError, "^File: realization 2: must be from 0 to 1$"):
             sampler.random()
-        with self.assertRaisesRegex(pl.InputError, "^File: points = 50: does not go with the sampler"):
+        with self.assertRaisesRegex(pl.InputError, "^File: n = 50: does not go with the sampler"):
             sampler.reset().random(50)
 
     def test_sets_of_several_sizes_are_no_array(self):
-        sampler = pl.DartThrowing(min_distance=0.06, stop="saturation")
+        sampler = pl.DartThrowing(min_distance=0.06, stop="saturation", rng=1)
         sizes = {len(sampler.random(200)) for _ in range(5)}
         self.assertGreater(len(sizes), 1)
         self.assertTrue(sampler.sizes_vary)
@@ -127,7 +136,6 @@ class Errors(FolderTest):
     MISTAKES = [
         ("dart-throwing", "DartThrowing", {"relative_radius": 1.5}),
         ("dart-throwing", "DartThrowing", {"relative_radius": "wide"}),
-        ("dart-throwing", "DartThrowing", {"relative_radios": 0.7}),
         ("lloyd", "Lloyd", {"iterations": -1}),
         ("lloyd", "Lloyd", {"iterations": 2.5}),
         ("lloyd", "Lloyd", {"start": "darts"}),
@@ -153,13 +161,17 @@ class Errors(FolderTest):
                 self.assertEqual(words, said.split(": ", 1)[1])
 
     def test_are_about_all_arguments(self):
-        with self.assertRaisesRegex(pl.InputError, "^Random: dimension = 4: must be"):
+        with self.assertRaisesRegex(pl.InputError, "^Random: d = 4: must be"):
             pl.Random(d=4)
-        with self.assertRaisesRegex(pl.InputError, "^Random: seed = -1: must be"):
-            pl.Random(rng=-1)
+        for rng in (-1, 2**63):
+            with self.assertRaisesRegex(pl.InputError, f"^Random: rng = {rng}: must be an integer from 0"):
+                pl.Random(rng=rng)
+        for rng in (1.5, "x"):
+            with self.assertRaisesRegex(TypeError, "^Random: rng = .*: must be an integer from 0"):
+                pl.Random(rng=rng)
         with self.assertRaisesRegex(pl.InputError, "^Random: engine = .*: must be"):
             pl.Random(engine="steam")
-        with self.assertRaisesRegex(pl.InputError, "^Random: points = 0: must be"):
+        with self.assertRaisesRegex(pl.InputError, "^Random: n = 0: must be"):
             pl.Random().random(0)
         with self.assertRaisesRegex(pl.InputError, "^DartThrowing: a list of values makes several series"):
             pl.DartThrowing(relative_radius=[0.6, 0.7])
@@ -169,6 +181,10 @@ class Errors(FolderTest):
             pl.Random().realizations(0, 10)
         with self.assertRaisesRegex(TypeError, "no parameter 'points'"):
             pl.Random(points=3)
+        with self.assertRaisesRegex(TypeError, r"no parameter 'seed': it is called rng, as in Random\(rng=3\)"):
+            pl.Random(seed=3)
+        with self.assertRaisesRegex(TypeError, "no parameter 'relative_radios'; did you mean 'relative_radius'"):
+            pl.DartThrowing(relative_radios=0.7)
         with self.assertRaisesRegex(TypeError, "make an object of a method"):
             pl.Sampler()
 
@@ -241,14 +257,14 @@ class Interrupts(unittest.TestCase):
     SCRIPT = """
 import signal, time
 import poissonlab as pl
-before = pl.DartThrowing(relative_radius=0.7).random(500)
+before = pl.DartThrowing(relative_radius=0.7, rng=1).random(500)
 print("ready", flush=True)
 try:
     {work}
     print("was not interrupted")
 except KeyboardInterrupt:
     print("interrupted", flush=True)
-assert (pl.DartThrowing(relative_radius=0.7).random(500) == before).all()
+assert (pl.DartThrowing(relative_radius=0.7, rng=1).random(500) == before).all()
 try:
     signal.raise_signal(signal.SIGINT)
     print("the interpreter's handler is gone")

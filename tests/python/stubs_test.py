@@ -14,7 +14,8 @@ def keywords_of(stub):
     """The keywords of a class in the stubs, each with its type and default as text."""
     constructor = next(part for part in stub.body if isinstance(part, ast.FunctionDef) and part.name == "__init__")
     arguments = constructor.args
-    return [(name.arg, ast.literal_eval(ast.unparse(default)), ast.unparse(name.annotation))
+    return [(name.arg, inspect.Parameter.empty if default is None else ast.literal_eval(default),
+             ast.unparse(name.annotation))
             for name, default in zip(arguments.kwonlyargs, arguments.kw_defaults)]
 
 
@@ -38,6 +39,18 @@ class Stubs(unittest.TestCase):
             expected = [(key.name, key.default, ast.unparse(ast.parse(key.annotation, mode="eval")))
                         for key in signature.parameters.values()]
             self.assertEqual(keywords_of(stub), expected, name)
+
+    def test_types_read_well_in_help(self):
+        shown = str(inspect.signature(poissonlab.DartThrowing))
+        self.assertIn("relative_radius: float | None = None, stop: str = 'points'", shown)
+        self.assertIn("rng: int | numpy.random.Generator | None = None", shown)
+        self.assertIn("(*, iterations: int, start: ", str(inspect.signature(poissonlab.Lloyd)))
+        for value in (poissonlab.analyze, poissonlab.read_points, poissonlab.run, poissonlab.open, poissonlab.TileSet.points,
+                      poissonlab.distribute.darts, poissonlab.tiles.build):
+            shown = str(inspect.signature(value))
+            self.assertNotRegex(shown, "numpy._|Union|ForwardRef|: '", value)
+            self.assertIn("->", shown)
+        self.assertNotRegex(poissonlab.distribute.darts.__doc__, "in quotes|true or false")
 
     def test_the_base_has_what_its_class_has(self):
         stub = self.classes["Sampler"]

@@ -23,6 +23,7 @@ void main()
     pobjects_object o = pobjects_at(t, 0.1, home, vec3(0.25, 0.5, 0.0));
     vec3 u = pobjects_local(o.offset, 0.1 * pobjects_uniform(o.id, 3u), 1.0, 0.0, 1.0 + pobjects_normal(o.id, 4u));
     if (u.z > 0.5) ids[home.y] = o.index;
+    if (n.distance < ptiles_min_distance(numbers.x, 0u)) ids[home.z] = 0u;
     ids[home.x] = ptiles_level(t, ptiles_tile(t, n.tile), n.index, n.id) < 0.5 ? n.id : 0u;
 }
 END

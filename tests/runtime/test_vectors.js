@@ -9,7 +9,11 @@ const { TileSet, Tiling } = require(`${runtime}/poisson_tiles.js`);
 const [names, ...rows] = fs.readFileSync(`${runtime}/test_vectors.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
 for (const row of rows) {
   const v = Object.fromEntries(row.map((text, i) => [names[i], i > 0 ? Number(text) : text]));
-  const set = new TileSet(fs.readFileSync(`${runtime}/tile_sets/${v.set}.ptiles`));
+  const bytes = fs.readFileSync(`${runtime}/tile_sets/${v.set}.ptiles`);
+  const set = new TileSet(bytes);
+  if (set.minDistance !== Math.sqrt(Number(bytes.readBigUInt64LE(40))) / 65536 || !(set.minDistance > 0))
+    throw new Error(`${v.set}: ${set.minDistance}`);
+  if (set.exponent !== 2 * ((bytes[8] > 1 ? bytes.readUInt32LE(112) : 0) + 1)) throw new Error(`${v.set}: ${set.exponent}`);
   const tiling = new Tiling(set, v.seed, v.period);
   const place = [v.i, v.j, v.k];
   const tile = tiling.tile(...place);

@@ -7,7 +7,7 @@ set -euo pipefail
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cp "$1/poisson_tiles.h" "$1/point_distribution.hpp" "$1/example.cpp" "$1/tile_sets/corner-c4-n64-r075.ptiles" "$folder"
+cp "$1/poisson_tiles.h" "$1/poisson_tiles.hpp" "$1/point_distribution.hpp" "$1/example.cpp" "$1/tile_sets/corner-c4-n64-r075.ptiles" "$folder"
 cd "$folder"
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic example.cpp -o example
 lines() { ./example corner-c4-n64-r075.ptiles -3 2 40 25 "$@" | grep -vc '^#'; }
@@ -29,13 +29,17 @@ int main(void)
     const double place[2] = {1e6 + 0.5, -1e6};
     ptiles_point p;
     if (!file || ptiles_open(&t.set, bytes, fread(bytes, 1, sizeof bytes, file))) return 1;
-    printf("%.9g\n", ptiles_nearest(&t, place, &p));
+    printf("%.9g %.9g %u %d\n", ptiles_nearest(&t, place, &p), ptiles_min_distance(&t.set), ptiles_exponent(&t.set),
+           ptiles_is_ranked(&t.set));
     return 0;
 }
 END
 "$2" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines
-squared=$(./ten_lines)
-echo "squared distance $squared"
+read -r squared least exponent ranked <<<"$(./ten_lines)"
+echo "squared distance $squared, minimum distance $least, exponent $exponent, ranked $ranked"
+# By byte 40 of the file, and its order of equal moments at byte 112: docs/tile-set-file.md.
+awk -v d="$least" -v s="$(od -An -tu8 -j40 -N8 *.ptiles)" 'BEGIN { e = d * 65536 - sqrt(s); exit !(s > 0 && e * e < 1e-6) }'
+((exponent == 2 * ($(od -An -tu4 -j112 -N4 *.ptiles) + 1) && ranked == 1))
 awk -v d="$squared" 'BEGIN { exit !(d >= 0 && d < 0.015) }' # of the largest empty circle: 0.11 tiles
 
 cat >scatter.cpp <<'END'
@@ -56,3 +60,29 @@ END
 read -r all few <<<"$(./scatter)"
 echo "$all points of 50,000, $few at a quarter of the density"
 ((all > 49700 && all < 50300 && few > 12300 && few < 12700))
+
+cat >ranges.cpp <<'END'
+#include "poisson_tiles.hpp"
+#include <cstdio>
+int main()
+{
+    const ptiles::TileSet set("corner-c4-n64-r075.ptiles");
+    const ptiles::Tiling tiling(set);
+    int few = 0;
+    for (const ptiles_point& point : tiling.window({{-3, 2}}, {{37, 27}}, 0.25)) few += point.level < 0.25;
+    std::printf("%d %.9g %.9g\n", few, set.min_distance(), tiling.nearest({{1e6 + 0.5, -1e6}}).second);
+    return 0;
+}
+END
+"$3" -std=c++11 -Wall -Wextra -Werror -pedantic ranges.cpp -o ranges
+[ "$(./ranges)" = "$quarter $least $squared" ]
+
+# For Windows, where a compiler for it is there.
+windows=${WINDOWS_COMPILER_PREFIX:-x86_64-w64-mingw32}
+if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
+  "$windows-gcc" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines.exe
+  for file in example scatter ranges; do
+    "$windows-g++" -std=c++11 -Wall -Wextra -Werror -pedantic -static "$file.cpp" -o "$file.exe"
+  done
+  echo "compiled for Windows"
+fi

@@ -24,7 +24,8 @@ inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTi
     return {{static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles,
              p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang.below, overhang.above,
              tiles.ranks.empty() ? nullptr : tiles.ranks.data(), static_cast<std::uint32_t>(p.classes.count()),
-             reinterpret_cast<const unsigned char*>(p.classes.points.data())}, // whose machines are little-endian
+             reinterpret_cast<const unsigned char*>(p.classes.points.data()), // whose machines are little-endian
+             tiles.squared_min_distance, p.equal_moments},
             tiling.seed,
             tiling.period};
 }

@@ -136,7 +136,7 @@ private:
             return shift;
         }
         if (word.empty()) throw wrong(at_end() ? "ends too early" : fmt::format("has a \"{}\"", text_[place_]));
-        throw wrong(fmt::format("\"{}\" is no number of {} directions; known: {}", word, ring_.order(),
+        throw wrong(fmt::format("\"{}\" is not a number of {} directions; known: {}", word, ring_.order(),
                                 ring_.order() == 8    ? "i, sqrt2, @45"
                                 : ring_.order() == 10 ? "phi, @36"
                                                       : "i, sqrt3, @30"));

@@ -32,7 +32,7 @@ void append(std::string& bytes, T value)
 RecursiveTileSet tiles_in(std::string_view bytes)
 {
     if (!bytes.starts_with(recursive_magic) || bytes.size() < head_bytes + checksum_bytes)
-        throw InputError("is no file of recursive Wang tiles");
+        throw InputError("is not a file of recursive Wang tiles");
     const auto points = load<std::uint32_t>(bytes.substr(8), std::endian::little);
     if (points > max_recursive_points ||
         bytes.size() != head_bytes + even_wang_tiles * tile_bytes(points) + checksum_bytes)

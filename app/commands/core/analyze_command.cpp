@@ -165,7 +165,7 @@ Command analyze_command(const std::string& typed)
             "Analyse point sets made elsewhere and write a report",
             {{"FILE", &o->files, "Point sets, one series"},
              {"--out", &o->out, "The output folder; default: out/ and the label", "DIR"},
-             {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
+             {"--label", &o->label, "The name of the sets in the report; default: the first file's name", "TEXT"},
              {"--domain", &o->domain,
               "Range of all coordinates, such as 512 or -1:1, or one for each axis, such as \"0:2 0:1\": sets lie in a "
               "periodic rectangle (box); default: what a file says, or 0:1",
@@ -181,7 +181,7 @@ Command analyze_command(const std::string& typed)
               "REGION"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "
-              "default: yes, with a word where the closest pairs say no",
+              "default: yes, with a message where the closest pairs say no",
               "yes|no"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
              {"--in-pieces", &o->in_pieces,

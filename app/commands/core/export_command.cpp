@@ -38,17 +38,18 @@ void export_files(const ExportOptions& options)
 Command export_command()
 {
     const auto o = std::make_shared<ExportOptions>();
-    return {"export",
-            "Write plots for LaTeX and as CSV, and point sets as CSV and USD",
-            {{"DIR", &o->folders, "Folders that `run` or `analyze` wrote"},
-             {"--out", &o->out, "Where the files go", "DIR", required},
-             {"--plots", &o->plots, "Only plots"},
-             {"--points", &o->points, "Only point sets"},
-             {"--gallery", &o->gallery, "The tables of a gallery of reference curves instead"},
-             {"--claims", &o->claims, "What papers claim and what the results say of it, as claims.csv, instead"},
-             {"--quiet", &o->quiet, "Print nothing but errors and the path"}},
-            export_notes,
-            action_on(o, export_files)};
+    return {
+        "export",
+        "Write plots for LaTeX and as CSV, and point sets as CSV and USD",
+        {{"DIR", &o->folders, "Folders that `run` or `analyze` wrote"},
+         {"--out", &o->out, "Where the files go", "DIR", required},
+         {"--plots", &o->plots, "Only plots"},
+         {"--points", &o->points, "Only point sets"},
+         {"--gallery", &o->gallery, "The tables of a gallery of reference curves instead"},
+         {"--claims", &o->claims, "Write the claims of papers and what the results say of them, claims.csv, instead"},
+         {"--quiet", &o->quiet, "Print nothing but errors and the path"}},
+        export_notes,
+        action_on(o, export_files)};
 }
 
 }

@@ -79,7 +79,7 @@ std::string kind_page(const Kind& kind, const std::string& python)
 std::string kind_list()
 {
     std::string text =
-        "# Beside methods\n\nPoint sets are made by [methods](methods.md). Everything else that a config, "
+        "# Other kinds of work\n\nPoint sets are made by [methods](methods.md). Everything else that a config, "
         "a command or Python can ask for is a kind of work, with a page, a picture and an example; "
         "[keys of configs](kinds.md) has all keys on one page.\n";
     for (const auto& [table, title, python] : tables) {

@@ -18,7 +18,7 @@ using ManualPages = std::map<std::string, std::string>;
 /// A page a method, methods/NAME.md, and methods.md, which helps to choose one.
 ManualPages method_pages();
 
-/// A page a kind of work beside methods, kinds/TABLE-WORD.md, and beside-methods.md, which lists them. Pictures and
+/// A page for each other kind of work, kinds/TABLE-WORD.md, and beside-methods.md, which lists them. Pictures and
 /// examples are those of docs/kinds.
 ManualPages kind_pages();
 

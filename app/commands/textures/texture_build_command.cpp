@@ -48,7 +48,7 @@ void check_folder(const std::filesystem::path& folder)
 {
     std::error_code unknown;
     if (std::filesystem::exists(folder, unknown) && !std::filesystem::is_directory(folder, unknown))
-        throw InputError(fmt::format("texture build: --out {}: is no folder", folder.string()));
+        throw InputError(fmt::format("texture build: --out {}: is not a folder", folder.string()));
 }
 
 /// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.

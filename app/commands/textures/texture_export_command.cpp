@@ -182,7 +182,7 @@ void check_export(const TextureExportOptions& o)
         throw InputError("texture export: --relief: goes with --normals, whose heights it is for");
     std::error_code unknown;
     if (std::filesystem::exists(o.out, unknown) && !std::filesystem::is_directory(o.out, unknown))
-        throw InputError(fmt::format("texture export: --out {}: is no folder", o.out.string()));
+        throw InputError(fmt::format("texture export: --out {}: is not a folder", o.out.string()));
     const bool has_page = o.formats.empty() || std::ranges::find(o.formats, "page") != o.formats.end();
     if (has_page) check_own_page(o.out / page_name);
 }
@@ -224,11 +224,12 @@ Command texture_export_command()
     const auto o = std::make_shared<TextureExportOptions>();
     return {"export",
             "Write a texture set for engines: textures with levels within tiles, look-ups for shaders, a page",
-            {{"DIR", &o->folder, "What texture build made"},
+            {{"DIR", &o->folder, "The folder of a texture set, from texture build"},
              {"--formats", &o->formats, "dds, ktx2, png, glsl, hlsl, wgsl, mtlx or page; may be repeated; default: all",
               "NAME"},
              {"--normals", &o->normals, "The companion whose heights get normals", "NAME"},
-             {"--relief", &o->relief, "Of heights: texels from black to white, or from 0 to 1; default: 8", "TEXELS"},
+             {"--relief", &o->relief,
+              "The height of a companion from black to white, or from 0 to 1, in texels; default: 8", "TEXELS"},
              {"--out", &o->out, "The folder of the files", "DIR", required},
              quiet_option(o->quiet),
              json_option(o->as_json)},

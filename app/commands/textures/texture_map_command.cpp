@@ -301,28 +301,28 @@ Command texture_map_command()
     const auto o = std::make_shared<TextureMapOptions>(mapped);
     return {
         "map", mapped.summary,
-        joined(
-            {{{"DIR", &o->folder, "What texture build made, or a picture"},
-              allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
-                       Integers{1, most_map_pixels}),
-              {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
-              {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
-              {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
-              {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
-              {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
-              {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
-              {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
-              {"--laid", &o->laid,
-               "Of sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. Of "
-               "pictures: such a window instead of the plane",
-               "N"},
-              allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
-                       Integers{1, most_map_samples}),
-              allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
-                       Integers{1, most_map_frames}),
-              {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
-              {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
-             o->options()}),
+        joined({{{"DIR", &o->folder, "The folder of a texture set, from texture build, or a picture"},
+                 allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
+                          Integers{1, most_map_pixels}),
+                 {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
+                 {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
+                 {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
+                 {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
+                 {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
+                 {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
+                 {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+                 {"--laid", &o->laid,
+                  "For sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. "
+                  "For "
+                  "pictures: such a window instead of the plane",
+                  "N"},
+                 allowing({"--samples", &o->samples, "Samples of a pixel along each axis; default: 1", "N"},
+                          Integers{1, most_map_samples}),
+                 allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
+                          Integers{1, most_map_frames}),
+                 {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
+                 {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
+                o->options()}),
         texture_map_notes, action_on(o, map_texture_plane)};
 }
 

@@ -58,11 +58,11 @@ Command texture_tile_command()
     const auto o = std::make_shared<TextureTileOptions>();
     return {"tile",
             "Draw a window of a tiling with texture tiles",
-            {{"DIR", &o->folder, "What texture build made"},
+            {{"DIR", &o->folder, "The folder of a texture set, from texture build"},
              {"--window", &o->window, "The tiles to draw: lower left one, width and height", "X Y W H", required, 4},
-             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
-             {"--marks", &o->marks, "Of tiles with marked corners: a picture over the window, marked where it is light",
-              "PICTURE"},
+             {"--seed", &o->seed, "The seed of the tiling; default: 1", "S"},
+             {"--marks", &o->marks,
+              "For tiles with marked corners: a picture over the window, marked where it is light", "PICTURE"},
              {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
             texture_tile_notes,
             action_on(o, tile_texture)};

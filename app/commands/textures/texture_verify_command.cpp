@@ -84,11 +84,12 @@ void verify_texture(const TextureVerifyOptions& options)
 Command texture_verify_command()
 {
     const auto o = std::make_shared<TextureVerifyOptions>();
-    return {"verify",
-            "Prove from its files that the tiles of a texture set fit together",
-            {{"DIR", &o->folder, "What texture build made"}, {"--json", &o->json, "Print JSON"}},
-            texture_verify_notes,
-            action_on(o, verify_texture)};
+    return {
+        "verify",
+        "Prove from its files that the tiles of a texture set fit together",
+        {{"DIR", &o->folder, "The folder of a texture set, from texture build"}, {"--json", &o->json, "Print JSON"}},
+        texture_verify_notes,
+        action_on(o, verify_texture)};
 }
 
 }

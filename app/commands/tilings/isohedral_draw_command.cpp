@@ -58,7 +58,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     for (WordReader words(text); words.next();) {
         double value = 0;
         if (!parse_number(words.word(), value) || !std::isfinite(value))
-            throw InputError(fmt::format("isohedral draw: {} {}: \"{}\" is no number", option, shortened(text),
+            throw InputError(fmt::format("isohedral draw: {} {}: \"{}\" is not a number", option, shortened(text),
                                          shortened(words.word())));
         numbers.push_back(value);
     }
@@ -144,7 +144,7 @@ Command isohedral_draw_command()
              {"--parameters", &o->parameters, "Where the corners are: one number for each parameter", "X,Y,..."},
              {"--curve", &o->curves, "The points of a curve; once for each, in their order", "\"X,Y X,Y ...\""},
              {"--random", &o->random, "Random parameters and curves"},
-             {"--seed", &o->seed, "What --random and all follow from; default: 1", "S"},
+             {"--seed", &o->seed, "The seed of random shapes; default: 1", "S"},
              {"--window", &o->window, "Width and height, in sides of a square as large as the tile; default: 12 12",
               "W H", optional, 2},
              {"--out", &o->out, "The picture (.svg, .png)", "FILE", required}},

@@ -181,7 +181,7 @@ void check_obstacles(const Obstacles& obstacles, const std::string& name)
     if (obstacles.count() == 0) throw InputError(name + ": has no point, line or polygon to keep away from");
     const auto check_place = [&](const std::array<double, 2>& place) {
         if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
-            throw InputError(name + ": has a coordinate that is no number");
+            throw InputError(name + ": has a coordinate that is not a number");
     };
     std::ranges::for_each(obstacles.points, check_place);
     for (const RegionRing& line : obstacles.lines) std::ranges::for_each(line, check_place);

@@ -117,7 +117,7 @@ void add_class_spectra(std::size_t points, const ClassSpectra& spectra, Distribu
                     fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
     if (!spectra.mean.cross.empty())
         files.add_marks("cross-power.json", cross_picture(points, spectra),
-                        fmt::format("Cross power of pairs of classes, {}: 0 where they know nothing of each other, "
+                        fmt::format("Cross power of pairs of classes, {}: 0 where they are independent of each other, "
                                     "below 0 where one has its points between those of the other.",
                                     of),
                         result);

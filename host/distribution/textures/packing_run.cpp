@@ -240,7 +240,7 @@ DistributionResult make_packing(const PackingSettings& settings, std::uint64_t s
         return result;
     }
     const TilePacking packing = chosen_packing(settings, seed);
-    if (const auto fault = packing_fault(packing)) throw std::logic_error("a packing that is none: " + *fault);
+    if (const auto fault = packing_fault(packing)) throw std::logic_error("a packing that is not one: " + *fault);
     result.facts = {fmt::format("{} x {} places", packing.side(), packing.side()),
                     fmt::format("{} tiles, each once", packing.tiles.size())};
     add_indices(packing, files, result);

@@ -300,7 +300,7 @@ SamplerSpec command_sampler()
         {.key = needs_key,
          .kind = ParameterSpec::Kind::text,
          .help = "a command that ends with status 0 where the program can run, such as \"python3 -c 'import scipy'\"; "
-                 "where it cannot, the series is left out, with a word",
+                 "where it cannot, the series is left out, with a message",
          .unless_given = "by default a missing program is an error"},
     };
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };

@@ -157,7 +157,7 @@ TEST(PointFileDomain, ErrorsNameIt)
               "points.dat:1: 4:0: a domain is LOW:HIGH, two numbers, the first smaller");
     EXPECT_EQ(input_error_of("points.dat", "# domain -1.7e308:1.7e308\n1e308 0\n"),
               "points.dat:1: -1.7e308:1.7e308: a domain is LOW:HIGH, two numbers, the first smaller")
-        << "its width is no number";
+        << "its width is not a number";
 }
 
 TEST(PointFileCount, MayComeFirstAndMustBeRight)

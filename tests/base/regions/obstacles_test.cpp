@@ -48,7 +48,7 @@ TEST(ObstacleTexts, AreRefusedWhereTheyAreNone)
              {"POINT (1)", "is not WKT: 1: must be two numbers"},
              {"MULTIPOINT ((1 2), ( 3 ))", "is not WKT: 3: must be two numbers"},
              {"LINESTRING (1 2, 4)", "is not WKT: 4: must be two numbers"},
-             {"POINT (nan 1)", "has a coordinate that is no number"},
+             {"POINT (nan 1)", "has a coordinate that is not a number"},
              {"LINESTRING (1 2)", "a line must have two positions or more"},
              {R"({"type": "LineString", "coordinates": [[1000, 2]]})", "coordinates: must have two positions or more"},
              {R"({"type": "Point", "coordinates": [1000]})", "coordinates: must be a position: two numbers"},

@@ -114,7 +114,7 @@ TEST_F(BinaryMeshes, OfStlMayBeginWithSolid)
                 EndsWith("a.stl: is no STL: it is no text that begins with `solid`, and a binary file of 3 triangles, "
                          "as its head has it, has 234 bytes, this one 184"));
     EXPECT_THAT(refusal("a.stl", binary_stl("", 2, std::numeric_limits<float>::infinity())),
-                EndsWith("a.stl: triangle 1 has a coordinate that is no finite number"));
+                EndsWith("a.stl: triangle 1 has a coordinate that is not a finite number"));
 }
 
 TEST_F(BinaryMeshes, OfOffAreBigEndian)

@@ -84,7 +84,7 @@ TEST(RingExpression, SaysWhatIsWrong)
         {"", "ends too early"},
         {"1 +", "ends too early"},
         {"@30", "@30: degrees must be multiples of 36 here"},
-        {"sqrt3", "\"sqrt3\" is no number of 10 directions; known: phi, @36"},
+        {"sqrt3", "\"sqrt3\" is not a number of 10 directions; known: phi, @36"},
         {"(1", "lacks a )"},
         {"1)", "\")\" is not expected"},
         {"1 % 2", "has a \"%\""},
