@@ -16,6 +16,7 @@ struct Obstacles
     std::vector<std::array<double, 2>> points{};
     std::vector<RegionRing> lines{};       ///< open: the last corner is an end
     std::vector<RegionPolygon> polygons{}; ///< each valid by itself; they may overlap each other
+    std::vector<std::string> notes{};      ///< what was made of their file, a sentence each
 
     std::size_t count() const { return points.size() + lines.size() + polygons.size(); }
 };

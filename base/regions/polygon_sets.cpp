@@ -66,6 +66,20 @@ public:
         return owned(GEOSDifference_r(context_.get(), shape.get(), taken.get()));
     }
 
+    /// All lines in a shape.
+    void append_lines(const GEOSGeometry* shape, std::vector<RegionRing>& to) const
+    {
+        GEOSContextHandle_t context = context_.get();
+        const int type = GEOSGeomTypeId_r(context, shape);
+        if (type == GEOS_LINESTRING || type == GEOS_LINEARRING) {
+            if (GEOSisEmpty_r(context, shape) == 0) to.push_back(positions_of(shape));
+            return;
+        }
+        if (type != GEOS_MULTILINESTRING && type != GEOS_GEOMETRYCOLLECTION) return;
+        for (int i = 0; i < GEOSGetNumGeometries_r(context, shape); ++i)
+            append_lines(GEOSGetGeometryN_r(context, shape, i), to);
+    }
+
     Shape grown(const Shape& shape, double distance) const
     {
         return owned(GEOSBuffer_r(context_.get(), shape.get(), distance, edges_in_quarter));
@@ -118,11 +132,18 @@ private:
     /// The corners of a closed line, the first one once.
     RegionRing places_of(const GEOSGeometry* line) const
     {
+        RegionRing places = positions_of(line);
+        if (!places.empty()) places.pop_back();
+        return places;
+    }
+
+    RegionRing positions_of(const GEOSGeometry* line) const
+    {
         const GEOSCoordSequence* const sequence = GEOSGeom_getCoordSeq_r(context_.get(), line);
         unsigned count = 0;
         GEOSCoordSeq_getSize_r(context_.get(), sequence, &count);
-        RegionRing places(count > 0 ? count - 1 : 0);
-        for (unsigned i = 0; i < places.size(); ++i)
+        RegionRing places(count);
+        for (unsigned i = 0; i < count; ++i)
             GEOSCoordSeq_getXY_r(context_.get(), sequence, i, &places[i][0], &places[i][1]);
         return places;
     }
@@ -149,6 +170,24 @@ std::vector<RegionPolygon> united(const std::vector<RegionPolygon>& polygons)
 {
     const Geos geos;
     return polygons_of(geos, geos.united(geos.polygons(polygons)));
+}
+
+std::vector<RegionRing> lines_without(const std::vector<RegionRing>& lines, const std::vector<RegionPolygon>& polygons,
+                                      std::vector<std::size_t>& lines_of)
+{
+    const Geos geos;
+    const RegionBox box = box_of({polygons});
+    const Geos::Shape gone = geos.united(geos.polygons(polygons));
+    std::vector<RegionRing> rest;
+    lines_of.clear();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (do_boxes_meet(box, box_of({{{lines[i]}}})))
+            geos.append_lines(geos.without(geos.line(lines[i]), gone).get(), rest);
+        else
+            rest.push_back(lines[i]);
+        lines_of.resize(rest.size(), i);
+    }
+    return rest;
 }
 
 std::vector<RegionPolygon> grown(const Obstacles& things, double distance)

@@ -11,6 +11,10 @@ namespace poissonlab {
 /// polygon.
 std::vector<RegionPolygon> united(const std::vector<RegionPolygon>& polygons);
 
+/// What lines have outside of polygons; `lines_of` says of each part which line it is of.
+std::vector<RegionRing> lines_without(const std::vector<RegionRing>& lines, const std::vector<RegionPolygon>& polygons,
+                                      std::vector<std::size_t>& lines_of);
+
 /// Polygons of all places within `distance` of points, lines or polygons. Arcs have 90 edges in a quarter, whose
 /// middles are nearer by 3.8e-5 of the distance.
 std::vector<RegionPolygon> grown(const Obstacles& things, double distance);

@@ -22,7 +22,8 @@ struct RegionReading
     bool is_planar = false; ///< coordinates are lengths, whatever they look like and whatever the file says
     std::string crs{};      ///< the system of its coordinates as PROJ knows it, EPSG:31370; empty: what the file says
     PolygonOverlap overlap = PolygonOverlap::unite;
-    double buffer = 0; ///< by which lines, points and polygons are grown, in units of the plane; 0: not at all
+    bool is_along = false; ///< the region is its lines and outlines, instead of what these go around
+    double buffer = 0;     ///< by which lines, points and polygons are grown, in units of the plane; 0: not at all
 };
 
 }

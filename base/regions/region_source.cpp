@@ -1,6 +1,30 @@
 #include "base/regions/region_source.hpp"
 
+#include <cmath>
+
 namespace poissonlab {
+
+const std::vector<RegionRing>& lines_of(const PlaneRegion& region)
+{
+    static const std::vector<RegionRing> none;
+    return region.source ? region.source->lines : none;
+}
+
+double length_of(const std::vector<RegionRing>& lines)
+{
+    double length = 0;
+    for (const RegionRing& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i)
+            length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+    return length;
+}
+
+RegionBox box_around(const std::vector<RegionRing>& lines)
+{
+    PlaneRegion all;
+    for (const RegionRing& line : lines) all.polygons.push_back({line});
+    return box_of(all);
+}
 
 bool is_mapped(const PlaneRegion& region) { return region.source && region.source->map; }
 

@@ -39,12 +39,21 @@ struct RegionFeature
 
 struct RegionSource
 {
-    std::shared_ptr<const PlaneMap> map{}; ///< null: the plane has the file's coordinates
-    double distortion = 0;                 ///< the part by which the map changes lengths, at most
-    std::string system{};                  ///< the file's system of coordinates as PROJ knows it; empty: not said
-    std::vector<std::string> notes{};      ///< what was made of the file, a sentence each
-    std::vector<RegionFeature> features{}; ///< empty: the file has one at most
+    std::shared_ptr<const PlaneMap> map{};      ///< null: the plane has the file's coordinates
+    double distortion = 0;                      ///< the part by which the map changes lengths, at most
+    std::string system{};                       ///< the file's system of coordinates as PROJ knows it; empty: not said
+    std::vector<std::string> notes{};           ///< what was made of the file, a sentence each
+    std::vector<RegionFeature> features{};      ///< empty: the file has one at most
+    std::vector<RegionRing> lines{};            ///< open ones, of a region of points on lines, which has no polygons
+    std::vector<std::size_t> feature_of_line{}; ///< of each of them, where there are features
 };
+
+/// The lines of a region of points on lines; none of others.
+const std::vector<RegionRing>& lines_of(const PlaneRegion& region);
+
+/// The length of lines, and the box around them.
+double length_of(const std::vector<RegionRing>& lines);
+RegionBox box_around(const std::vector<RegionRing>& lines);
 
 /// Are the coordinates of its files longitudes and latitudes?
 bool is_mapped(const PlaneRegion& region);

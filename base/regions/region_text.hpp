@@ -36,10 +36,16 @@ void check_map_system(const std::string& name);
 /// each other.
 PlaneRegion region_of_svg_path(const std::string& text, const std::string& name);
 
+/// The lines of such a path, closed or not, which may cross.
+std::vector<RegionRing> lines_of_svg_path(const std::string& text, const std::string& name);
+
 /// The region of a file of SVG: what its shapes go around, each by its rule of filling, upright, in the units of its
 /// viewBox from the lower left corner on. Throws InputError, a line with the name and the line's number, for shapes
 /// that cross themselves or go around nothing, and for what is not known. Shapes may not overlap each other: see
 /// check_region().
 PlaneRegion region_of_svg_drawing(const std::string& content, const std::string& name);
+
+/// The lines of its shapes, which may cross.
+std::vector<RegionRing> lines_of_svg_drawing(const std::string& content, const std::string& name);
 
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace poissonlab {
 namespace {
@@ -32,12 +33,21 @@ std::array<std::size_t, 2> texture_columns(const PlyElement& vertices)
     return {no_column, no_column};
 }
 
-std::size_t corner_list(const PlyElement& element)
+/// The place of a list among the columns.
+std::size_t list_of(const PlyElement& element, std::string_view name, std::string_view other_name)
 {
-    const auto found = std::ranges::find_if(element.columns, [](const PlyColumn& column) {
-        return column.count && (column.name == "vertex_indices" || column.name == "vertex_index");
+    const auto found = std::ranges::find_if(element.columns, [&](const PlyColumn& column) {
+        return column.count && (column.name == name || column.name == other_name);
     });
     return found == element.columns.end() ? no_column : static_cast<std::size_t>(found - element.columns.begin());
+}
+
+std::size_t corner_list(const PlyElement& element) { return list_of(element, "vertex_indices", "vertex_index"); }
+
+/// Texture coordinates of the corners of a face, u and v of each, as MeshLab writes them.
+std::size_t texture_list(const PlyElement& element)
+{
+    return element.name == "face" ? list_of(element, "texcoord", "texcoord") : no_column;
 }
 
 class PlyReader
@@ -59,7 +69,7 @@ public:
             fail(fmt::format("row {} of the element `{}` has vertex {}, which is not there: they are 0 to {}",
                              farthest_row_, farthest_element_, farthest_,
                              static_cast<std::int64_t>(soup_.points.size()) - 1));
-        if (!soup_.texture_points.empty()) soup_.texture_corners = soup_.corners;
+        if (!has_texture_lists_ && !soup_.texture_points.empty()) soup_.texture_corners = soup_.corners;
         return std::move(soup_);
     }
 
@@ -74,7 +84,11 @@ private:
         columns_ = {column_of(*vertices, "x"), column_of(*vertices, "y"), column_of(*vertices, "z")};
         if (std::ranges::find(columns_, no_column) != columns_.end())
             fail("the element `vertex` must have the properties x, y and z");
-        if (file_.parts == MeshParts::faces_and_texture) texture_columns_ = texture_columns(*vertices);
+        const bool reads_texture = file_.parts == MeshParts::faces_and_texture;
+        has_texture_lists_ = reads_texture && std::ranges::any_of(header_.elements, [](const PlyElement& element) {
+                                 return texture_list(element) != no_column;
+                             });
+        if (reads_texture && !has_texture_lists_) texture_columns_ = texture_columns(*vertices);
         bool has_faces = false;
         for (const PlyElement& element : header_.elements) {
             if (element.name != "face" && element.name != "tristrips") continue;
@@ -89,8 +103,9 @@ private:
     {
         const bool is_vertex = element.name == "vertex", is_strips = element.name == "tristrips";
         const std::size_t list = is_strips || element.name == "face" ? corner_list(element) : no_column;
+        const std::size_t texture = has_texture_lists_ ? texture_list(element) : no_column;
         for (std::size_t row = 0; row < element.count; ++row) {
-            read_row(element, row, list);
+            read_row(element, row, list, texture);
             if (is_vertex) add_vertex();
             if (list == no_column) continue;
             for (const double corner : list_) check_corner(corner, is_strips, element, row);
@@ -102,11 +117,12 @@ private:
         }
     }
 
-    /// Takes the numbers of a row, and the entries of a list of it.
-    void read_row(const PlyElement& element, std::size_t row, std::size_t list)
+    /// Takes the numbers of a row, and the entries of two lists of it.
+    void read_row(const PlyElement& element, std::size_t row, std::size_t list, std::size_t texture)
     {
         rows_.next_row(element, row);
         list_.clear();
+        texture_list_.clear();
         values_.assign(element.columns.size(), 0);
         for (std::size_t c = 0; c < element.columns.size(); ++c) {
             const PlyColumn& column = element.columns[c];
@@ -117,6 +133,7 @@ private:
             for (std::size_t n = rows_.count(*column.count, column.type); n > 0; --n) {
                 const double value = rows_.value(column.type);
                 if (c == list) list_.push_back(value);
+                if (c == texture) texture_list_.push_back(finite(value, "a texture coordinate"));
             }
         }
         rows_.end_row();
@@ -154,6 +171,23 @@ private:
     {
         for (const double corner : corners) soup_.corners.push_back(static_cast<std::uint32_t>(corner));
         soup_.sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+        if (!has_texture_lists_) return;
+        if (!texture_list_.empty() && texture_list_.size() != 2 * corners.size())
+            rows_.fail(fmt::format("texcoord: has {} numbers, and must have two for each of {} corners",
+                                   texture_list_.size(), corners.size()));
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            soup_.texture_corners.push_back(
+                texture_list_.empty() ? no_texture_point
+                                      : texture_point(corners[i], {texture_list_[2 * i], texture_list_[2 * i + 1]}));
+    }
+
+    /// Corners that have a vertex and its texture coordinates in common share a texture point: no seam is there.
+    std::uint32_t texture_point(double corner, const TexturePoint& at)
+    {
+        const auto [found, is_new] = texture_numbers_.try_emplace(
+            {corner, at[0], at[1]}, static_cast<std::uint32_t>(soup_.texture_points.size()));
+        if (is_new) soup_.texture_points.push_back(at);
+        return found->second;
     }
 
     /// Each corner of a strip makes a triangle with the two before it; every other one is turned around.
@@ -177,8 +211,10 @@ private:
     PolygonSoup soup_;
     std::array<std::size_t, 3> columns_{};
     std::array<std::size_t, 2> texture_columns_{no_column, no_column};
-    std::vector<double> values_, list_; ///< of a row
-    double farthest_ = -1;              ///< the largest number of a vertex, and where it is
+    std::vector<double> values_, list_, texture_list_; ///< of a row
+    bool has_texture_lists_ = false;                   ///< then vertices' own texture coordinates are left alone
+    std::map<std::array<double, 3>, std::uint32_t> texture_numbers_; ///< by vertex, u and v
+    double farthest_ = -1; ///< the largest number of a vertex, and where it is
     std::size_t farthest_row_ = 0;
     std::string farthest_element_;
 };

@@ -1,4 +1,5 @@
 // Points and objects that follow densities, fill regions, and lie on surfaces; masks, cells, classes.
+#include "host/distribution/masks/mask_picture.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/modules/laboratory.hpp"
 
@@ -7,8 +8,8 @@ namespace poissonlab {
 void add_distributions(Laboratory& laboratory)
 {
     for (Kind (*const kind)() : {warp_kind, object_kind, self_similar_kind, rank_kind, dart_kind, region_point_kind,
-                                 class_kind, surface_point_kind, sampling_mask_kind, dither_mask_kind, cell_kind,
-                                 stippling_kind, hatching_kind, icon_kind, instance_kind})
+                                 class_kind, surface_point_kind, sampling_mask_kind, dither_mask_kind,
+                                 mask_picture_kind, cell_kind, stippling_kind, hatching_kind, icon_kind, instance_kind})
         laboratory.kinds.push_back(kind());
 }
 

@@ -109,12 +109,19 @@ public:
     }
 
     /// The points in a region, in its units. Of `points` and `min_distance`, one is 0.
-    py::dict in_region(const std::string& text, bool is_planar, const std::string& crs, double min_distance,
-                       std::uint64_t points, std::uint32_t seed, double density) const
+    py::dict in_region(const std::string& text, bool is_planar, const std::string& crs, const std::string& overlap,
+                       double buffer, double min_distance, std::uint64_t points, std::uint32_t seed,
+                       double density) const
     {
         if (set_.parameters.dimension != 2) throw InputError("in_region: these are tiles in space");
+        const auto overlaps = polygon_overlap_names.find(overlap);
+        if (!overlaps)
+            throw InputError(fmt::format("in_region: overlap = {}: must be union or refuse", printable(overlap)));
+        if (!(buffer >= 0 && buffer <= 1e12))
+            throw InputError(fmt::format("in_region: buffer = {}: must be a number from 0 to 1e12", buffer));
         return columns_of(without_lock([&] {
-            const PlaneRegion plane = read_region(text, {.is_planar = is_planar, .crs = crs});
+            const PlaneRegion plane =
+                read_region(text, {.is_planar = is_planar, .crs = crs, .overlap = *overlaps, .buffer = buffer});
             const auto region = std::make_shared<const FixedRegion>(plane);
             const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
             const RegionBox& box = region->box();
@@ -243,7 +250,8 @@ void add_tile_sets(py::module_& module)
         .def("parameters", &OpenTileSet::parameters)
         .def("window", &OpenTileSet::window, py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("density"))
         .def("in_region", &OpenTileSet::in_region, py::arg("region"), py::arg("is_planar"), py::arg("crs"),
-             py::arg("min_distance"), py::arg("points"), py::arg("seed"), py::arg("density"))
+             py::arg("overlap"), py::arg("buffer"), py::arg("min_distance"), py::arg("points"), py::arg("seed"),
+             py::arg("density"))
         .def("nearest", &OpenTileSet::nearest, py::arg("positions"), py::arg("seed"))
         .def("verify", &OpenTileSet::verify);
 }

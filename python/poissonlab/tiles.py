@@ -154,7 +154,8 @@ class TileSet:
         return TilePoints(*(column[kept] for column in found))
 
     def in_region(self, region, *, min_distance: float | None = None, points: int | None = None, seed: int = 1,
-                  density: Density = 1.0, planar: bool = False, crs: str = "") -> TilePoints:
+                  density: Density = 1.0, planar: bool = False, crs: str = "", overlap: str = "union",
+                  buffer: float = 0) -> TilePoints:
         """The points in a region of the plane, in its own coordinates: those of `poissonlab tiles points --region`.
 
         region: a file or a text, as distribute.darts takes them, GeoJSON as a dict, or an object with a `__geo_interface__`.
@@ -165,6 +166,8 @@ class TileSet:
         planar: whether coordinates that look like longitude and latitude are lengths.
         crs: the system of the region's coordinates, such as "EPSG:4326"; default: what the region says. Longitudes and
             latitudes are mapped to a plane of metres, and points are mapped back.
+        overlap: what becomes of polygons that overlap or share edges: their "union", or "refuse".
+        buffer: the region is what lies within this distance of its lines, points and polygons; 0: what is in these.
         """
         if (min_distance is None) == (points is None):
             raise InputError("in_region: needs min_distance or points, and not both")
@@ -178,8 +181,8 @@ class TileSet:
         if not 0 < number <= 1:
             raise InputError(f"in_region: density = {density}: must be a number above 0 and at most 1, or a function")
         text = geojson_of(region) or os.fspath(region)
-        found = self._set.in_region(text, bool(planar), crs, float(min_distance or 0), int(points or 0), checked_seed(seed),
-                                    number)
+        found = self._set.in_region(text, bool(planar), crs, overlap, float(buffer), float(min_distance or 0),
+                                    int(points or 0), checked_seed(seed), number)
         columns = TilePoints(**found)
         if not callable(density):
             return columns

@@ -56,6 +56,14 @@ protected:
         return run_program(folder_.path(), words);
     }
 
+    /// The text of a file that `--out` names.
+    std::string file_of(const std::string& arguments, const std::string& file) const
+    {
+        const Outcome outcome = run("tiles.ptiles " + arguments + " --out " + file);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return content_of(folder_.path() / file);
+    }
+
     std::vector<double> points_of(const std::string& arguments) const
     {
         const Outcome outcome = run("tiles.ptiles " + arguments + " --out points.txt");
@@ -82,6 +90,17 @@ protected:
 };
 
 /// The points that runtime/poisson_tiles.h finds, which are inside by another test, in another order.
+TEST_F(TilesInRegions, NameTheCoordinatesOfTheirFiles)
+{
+    const std::string globe = "--region 'SRID=4326;POLYGON ((4.70 50.86, 4.71 50.86, 4.71 50.87, 4.70 50.86))'";
+    EXPECT_TRUE(file_of(globe + " --min-distance 90", "a.csv").starts_with("longitude,latitude\n4.7"));
+    EXPECT_TRUE(file_of("--region 'disk 0 0 9' --min-distance 1", "a.csv").starts_with("x,y\n"));
+    const std::string belgian = "--region 'rectangle 150000 170000 150900 170900' --crs EPSG:31370 --min-distance 90";
+    const auto json = nlohmann::json::parse(file_of(belgian, "a.geojson"));
+    EXPECT_EQ(json.at("crs").at("properties").at("name"), "EPSG:31370");
+    EXPECT_FALSE(nlohmann::json::parse(file_of(globe + " --min-distance 90", "b.geojson")).contains("crs"));
+}
+
 TEST_F(TilesInRegions, HaveThePointsOfTheTilingThatAreInside)
 {
     const PlaneCorners outline{{-30, 10}, {40, -20}, {55, 45}, {0, 20}}, hole{{0, 5}, {20, 5}, {20, 15}, {0, 15}};

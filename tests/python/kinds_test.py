@@ -3,8 +3,10 @@
 import json
 import pathlib
 import shutil
+import struct
 import tempfile
 import unittest
+import zlib
 from xml.etree import ElementTree
 
 import numpy
@@ -22,6 +24,18 @@ def ratios_of_pairs(points, kept, distances):
     return numpy.linalg.norm(points[i] - points[j], axis=1) / kept(distances[i], distances[j])
 
 
+def grey_png(values):
+    """The bytes of a PNG of 8 bits."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    height, width = values.shape
+    rows = b"".join(b"\0" + row.tobytes() for row in values)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
 class Kinds(unittest.TestCase):
     def test_stippling_has_points_pictures_and_numbers(self):
         made = distribute.stipple(image="0.2 + 0.1*x", points=200, by="warping", engine="reference", rng=3)
@@ -36,16 +50,79 @@ class Kinds(unittest.TestCase):
         height, width = made.pictures["coverage"].shape[:2]
         self.assertAlmostEqual(200 * made.numbers["mark_area"] / (0.2 * width * height), 1, places=2)
 
+    def test_stipples_are_plotted(self):
+        made = distribute.stipple(image="0.2", points=200, by="warping", engine="reference", width="200mm", pen="0.5mm")
+        sheet = ElementTree.fromstring(next(f for f in made.files if f.name == "plot.svg").read_text())
+        self.assertEqual(sheet.get("width"), "200mm")
+        self.assertEqual(len([e for e in sheet.iter() if e.tag.endswith("circle")]), 200)
+        with self.assertRaisesRegex(poissonlab.InputError, "pen = .*goes with width"):
+            distribute.stipple(image="0.2", points=200, pen="0.5mm")
+
+    def test_mask_pictures_are_measured_as_numpy_does(self):
+        height, width = 24, 40
+        mask = numpy.random.default_rng(2).integers(0, 256, (height, width), dtype=numpy.uint8)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "mask.png"
+            file.write_bytes(grey_png(mask))
+            made = distribute.mask_picture(mask=file)
+        field = mask - mask.mean()
+        power = abs(numpy.fft.fft2(field))**2 / (field**2).sum()
+        v, u = numpy.meshgrid(numpy.fft.fftfreq(height), numpy.fft.fftfreq(width), indexing="ij")
+        length, rings = numpy.hypot(u, v), min(width, height) // 2
+        ring = numpy.rint(length * 2 * rings).astype(int)
+        ring[length > 0.5] = 0
+        kept = numpy.zeros_like(ring, dtype=bool)
+        for j in range(height // 2 + 1):
+            own = j == 0 or 2 * j == height
+            kept[j, :] = (2 * numpy.arange(width) <= width) if own else True
+        means, parts, middles = [], [], []
+        for k in range(1, rings + 1):
+            values = power[(ring == k) & kept]
+            means.append(values.mean())
+            parts.append(values.var(ddof=1) / values.mean()**2)
+            middles.append(k / (2 * rings))
+        means, parts, middles = map(numpy.array, (means, parts, middles))
+        low = middles < 0.125
+        self.assertAlmostEqual(made.numbers["low_power"], (means * middles)[low].sum() / middles[low].sum(), places=9)
+        self.assertAlmostEqual(made.numbers["anisotropy"], 10 * numpy.log10(parts[2:].mean()), places=9)
+        self.assertEqual(made.numbers["distinct_values"], len(numpy.unique(mask)))
+        even = abs(numpy.cumsum(numpy.bincount(mask.ravel(), minlength=256)) / mask.size - numpy.arange(1, 257) / 256)
+        self.assertAlmostEqual(made.numbers["histogram_error"], even.max(), places=12)
+        # Pixels below the first threshold, nearest ones on the torus.
+        below = numpy.argwhere(mask < numpy.sort(mask.ravel())[round(float(made.numbers["below_1"]))])
+        tree = scipy.spatial.cKDTree(below, boxsize=(height, width))
+        nearest = tree.query(below, 2)[0][:, 1]
+        self.assertAlmostEqual(made.numbers["least_distance_1"], nearest.min(), places=6)
+        densest = numpy.sqrt(2 / numpy.sqrt(3) * width * height / len(below))
+        self.assertAlmostEqual(made.numbers["mean_nearest_1"], nearest.mean() / densest, places=9)
+
     def test_the_same_seed_makes_the_same(self):
         first, again, other = (distribute.warp(density="x + 2", points=64, engine="reference", rng=seed).points
                                for seed in (1, 1, 2))
         numpy.testing.assert_array_equal(first, again)
         self.assertTrue((first != other).any())
 
+    def test_points_along_lines_of_the_globe(self):
+        roads = {"type": "FeatureCollection", "features": [
+            {"type": "Feature", "id": f"road {k}", "geometry": {"type": "LineString", "coordinates": line}}
+            for k, line in enumerate([[[4.70, 50.86], [4.72, 50.87]], [[4.70, 50.87], [4.72, 50.86]]])]}
+        made = distribute.darts(region=roads, along=True, min_distance=25, rng=2)
+        lengths, pairs = pyproj.Geod(ellps="WGS84"), numpy.triu_indices(len(made.points), 1)
+        apart = lengths.inv(*made.points[pairs[0]].T, *made.points[pairs[1]].T)[2]
+        self.assertGreaterEqual(apart.min(), 25 * (1 - made.numbers["distortion"]))
+        # Longitudes and latitudes of the two lines are linear in each other.
+        x, y = (made.points - [4.70, 50.86]).T / numpy.array([[0.02], [0.01]])
+        self.assertLess(numpy.minimum(abs(x - y), abs(x + y - 1)).max(), 1e-4)
+        length = sum(lengths.line_length(*numpy.array(f["geometry"]["coordinates"]).T) for f in roads["features"])
+        self.assertAlmostEqual(made.numbers["length"] / length, 1, places=4)
+        self.assertAlmostEqual(len(made.points) / (0.7476 * length / 25), 1, delta=0.1)
+        with self.assertRaisesRegex(poissonlab.InputError, "along: goes with method darts|along.*darts"):
+            distribute.points(region=roads, along=True, method="lloyd", points=9)
+
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "cells"})
+                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "cells"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 

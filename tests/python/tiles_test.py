@@ -64,6 +64,24 @@ class TileSets(FolderTest):
         self.assertEqual({*map(tuple, some.position)}, of_program("--points", 321, "--density", 0.5))
         left = tiles.in_region("disk 0 0 9", min_distance=1, density=lambda x, y: numpy.where(x < 0, 1, 0))
         self.assertTrue((left.position[:, 0] < 0).all() and len(left.position) > 50)
+        road = "LINESTRING (0 0, 60 10, 90 50)"
+        corridor = tiles.in_region(road, min_distance=1, buffer=2, seed=3).position
+        program("tiles", "points", TILE_SET, "--region", road, "--buffer", 2, "--min-distance", 1, "--seed", 3, "--out", out)
+        self.assertEqual({*map(tuple, corridor)}, {*map(tuple, numpy.load(out))})
+        ends = numpy.array([[0, 0], [60, 10], [90, 50]], dtype=float)
+        gaps = []
+        for a, b in zip(ends[:-1], ends[1:]):
+            along = numpy.clip((corridor - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+            gaps.append(numpy.linalg.norm(corridor - a - along[:, None] * (b - a), axis=1))
+        self.assertLess(numpy.min(gaps, axis=0).max(), 2 + 1e-9)
+        twice = "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((1 0, 9 0, 9 8, 1 0)))"
+        self.assertGreater(len(tiles.in_region(twice, min_distance=1, planar=True).position), 9)
+        with self.assertRaisesRegex(pl.InputError, "overlap|share|cross"):
+            tiles.in_region(twice, min_distance=1, planar=True, overlap="refuse")
+        for wrong, message in (({"overlap": "join"}, "overlap = join: must be union or refuse"),
+                               ({"buffer": -1}, "buffer = -1: must be a number from 0")):
+            with self.assertRaisesRegex(pl.InputError, message):
+                tiles.in_region(road, min_distance=1, **wrong)
         with self.assertRaisesRegex(pl.InputError, "needs min_distance or points, and not both"):
             tiles.in_region("disk 0 0 9")
 

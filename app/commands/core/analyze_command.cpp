@@ -2,15 +2,18 @@
 #include "app/commands/command.hpp"
 #include "app/commands/core/finish_report.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/text/decimal_commas.hpp"
 #include "experiment/crew/thread_limit.hpp"
+#include "experiment/run/make_experiment.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
 #include "experiment/series/region_notes.hpp"
 #include "experiment/series/region_points.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -25,6 +28,9 @@ realizations must have as many points. Of a snapshot in several files, one is na
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`),
 with a range for each axis where the sides of a periodic box differ: `# domain 0:2 0:1`.
   poissonlab analyze set-*.dat --label "My method" --out mine
+A picture is measured as a mask of thresholds, for dithering or as a texture of blue noise: the power of its values,
+their histogram, and the pixels below thresholds.
+  poissonlab analyze blue-noise.png --channel R
 --set takes the keys of a config's [analysis] that are about the analysis:
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
   --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders (2D:
@@ -46,6 +52,7 @@ struct AnalyzeOptions
     std::string domain; ///< as for parse_domain(); empty: what the files say
     std::uint32_t particles = no_type;
     std::string region;   ///< as for read_region(); empty: sets fill their square
+    std::string channel;  ///< of a picture
     std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
     bool gallery = false;
@@ -113,9 +120,36 @@ void check_periodic(const AnalyzeOptions& options)
         throw InputError("analyze: --periodic does not go with --region: nothing goes around a torus there");
 }
 
+/// Measures a picture as a mask of thresholds, by the kind of work that does so.
+void analyze_mask(const AnalyzeOptions& options)
+{
+    const std::string name = printable(options.files.front().string());
+    if (options.files.size() > 1) throw InputError(fmt::format("analyze: {}: a picture is measured alone", name));
+    const bool has_others = !options.domain.empty() || options.particles != no_type || !options.region.empty() ||
+                            !options.periodic.empty() || !options.overrides.empty() || options.gallery ||
+                            options.in_pieces;
+    if (has_others)
+        throw InputError(fmt::format("analyze: {}: is a picture, which is measured as a mask of thresholds: --out, "
+                                     "--label, --channel, --threads and --quiet go with it",
+                                     name));
+    const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
+    const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
+    std::string text = fmt::format("title = {}\n[[distribution]]\nkind = \"mask-picture\"\nmask = {}\n", quoted(label),
+                                   quoted(options.files.front().string()));
+    if (!options.channel.empty()) text += fmt::format("channel = {}\n", quoted(options.channel));
+    Experiment experiment = make_experiment(parse_config(text, "analyze"), "", 0);
+    experiment.command = options.command;
+    const auto out = options.out.empty() ? std::filesystem::path("out") / safe_name(label) : options.out;
+    Progress progress(Progress::detect(options.quiet));
+    run_experiment(experiment, out, progress);
+    finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
+}
+
 void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
+    if (std::ranges::any_of(options.files, has_picture_name)) return analyze_mask(options);
+    if (!options.channel.empty()) throw InputError("analyze: --channel goes with a picture");
     std::optional<PointDomain> domain;
     if (!options.domain.empty()) {
         domain = parse_domain(options.domain);
@@ -179,6 +213,7 @@ Command analyze_command(const std::string& typed)
               "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
               "X0 Y0 X1 Y1, disk X Y RADIUS",
               "REGION"},
+             {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "
               "default: yes, with a message where the closest pairs say no",

@@ -32,12 +32,14 @@ or, of space, where points have x, y and z,
 Longitude and latitude, which GeoJSON without a crs has by its standard, are mapped to a plane of metres around the
 region, and points are written in them; --crs EPSG:4326 says so of other files, --planar that coordinates are lengths.
 Polygons that overlap or share edges become their union. --buffer 2 makes a region of what lies within 2 of lines,
-points and polygons.
+points and polygons. With --along points lie on its lines, and on the outlines of its polygons, at distances straight
+through the plane.
 Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT, and
 points of CSV, NPY and other point files. They are never in polygons, and nearer than --obstacle-distance to none: by
 default than --min-distance to points.
   poissonlab distribute darts --region park.geojson --min-distance 4 --out trees.csv --out trees.geojson
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
+  poissonlab distribute darts --region roads.geojson --along --min-distance 25 --out lamps.geojson
   poissonlab distribute darts --region "ball 0 0 0 10" --min-distance 1 --boundary disks --out grains.ply
   poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv
   poissonlab distribute darts --region "rectangle 0 0 1 1" --min-distance "0.01+0.02*x" --out dots.svg --out dots.npy)help";
@@ -56,9 +58,7 @@ void throw_darts(const DartOptions& o)
     const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
     const std::string what = words_of(darts);
     o.say_note(what);
-    o.outs.say_notes(darts, [&](const std::string& note) { o.say_note(note); });
-    if (darts.obstacle_count() > 0 && darts.request.near_obstacles == 0)
-        o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
+    for (const std::string& note : darts.notes()) o.say_note(note);
     o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in {}",
                                     shortened(printable(settings.region)), o.seed(), what, units_of(darts)));
     if (o.prints_json()) print_numbers(dart_numbers(darts));

@@ -45,9 +45,7 @@ void make_points_of_region(const RegionPointOptions& o)
     const RegionDarts made = make_region_points(settings, o.seed(), o.place());
     const std::string what = words_of(made);
     o.say_note(what);
-    o.outs.say_notes(made, [&](const std::string& note) { o.say_note(note); });
-    if (made.obstacle_count() > 0 && made.request.near_obstacles == 0)
-        o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
+    for (const std::string& note : made.notes()) o.say_note(note);
     o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in {}",
                                    shortened(printable(settings.place.region)), region_methods[settings.method],
                                    o.seed(), what, units_of(made)));

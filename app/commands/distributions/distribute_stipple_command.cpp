@@ -66,74 +66,37 @@ std::array<int, 2> png_size(const KindOptions& o, const InkPicture& picture)
     return {wide, std::max(1, static_cast<int>(high))};
 }
 
-struct MarkOptions : KindOptions
+bool has_file(const KindOptions& o, const std::string& ending)
 {
-    using KindOptions::KindOptions;
-    std::string width, pen, dots, travel;
-
-    bool is_plotted() const { return !(width.empty() && pen.empty() && dots.empty() && travel.empty()); }
-    bool has_file(const std::string& ending) const
-    {
-        return std::ranges::any_of(outs.files(), [&](const auto& file) { return file.extension() == ending; });
-    }
-};
-
-double length_on_paper(const MarkOptions& o, const char* option, const std::string& text)
-{
-    const std::optional<double> length = millimetres_of(text);
-    if (!length)
-        throw InputError(fmt::format("{}: {} {}: must be a length such as 200mm, 20cm or 8in", o.command(), option,
-                                     shortened(printable(text))));
-    return *length;
+    return std::ranges::any_of(o.outs.files(), [&](const auto& file) { return file.extension() == ending; });
 }
 
-/// The sheet that options describe. Throws InputError, before any work is done.
-PlotSheet plot_sheet(const MarkOptions& o)
+/// Throws InputError where options for plotters have no file to go to, before any work is done.
+void check_plot(const KindOptions& o, const StippleSettings& settings)
 {
-    PlotSheet sheet;
-    if (!o.width.empty()) sheet.width = length_on_paper(o, "--width", o.width);
-    if (!o.pen.empty()) sheet.pen = length_on_paper(o, "--pen", o.pen);
-    if (!o.dots.empty()) sheet.dots = value_of_word(o.command(), "--dots", o.dots, dot_forms);
-    if (!o.travel.empty()) sheet.travel = value_of_word(o.command(), "--travel", o.travel, pen_travels);
-    if (sheet.pen > 0 && sheet.width == 0)
-        throw InputError(fmt::format("{}: --pen {}: goes with --width", o.command(), printable(o.pen)));
-    if (o.is_plotted() && !o.has_file(".svg") && !o.has_file(".dxf"))
-        throw InputError(fmt::format("{}: {}: goes with an --out that ends in .svg or .dxf", o.command(),
-                                     !o.width.empty()  ? "--width"
-                                     : !o.dots.empty() ? "--dots"
-                                                       : "--travel"));
-    return sheet;
+    if (!settings.plot || has_file(o, ".svg") || has_file(o, ".dxf")) return;
+    throw InputError(fmt::format("{}: {}: goes with an --out that ends in .svg or .dxf", o.command(),
+                                 settings.plot->width > 0                  ? "--width"
+                                 : settings.plot->dots == DotForm::strokes ? "--dots"
+                                                                           : "--travel"));
 }
 
-/// Tells a person at the plotter the size of the sheet and the way of the pen between marks.
-std::string plot_words(const Plot& plot)
-{
-    const std::string unit = plot.sheet.width > 0 ? "mm" : "pixels";
-    std::string words = fmt::format("{:.4g} x {:.4g} {}; the pen's way between marks is {:.4g} {}", plot.width,
-                                    plot.height, unit, plot.way, unit);
-    if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({:.4g} as made)", plot.way_as_made);
-    if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
-        words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
-                             plot.widest_hole);
-    return words;
-}
-
-void write_marks(const MarkOptions& o, const std::string& image, const PlotSheet& sheet, const InkPicture& picture,
+void write_marks(const KindOptions& o, const StippleSettings& settings, const InkPicture& picture,
                  const Stippling& stippling)
 {
     const auto [wide, high] = png_size(o, picture);
     std::optional<Plot> plot;
-    if (o.is_plotted() || o.has_file(".dxf"))
-        plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, sheet);
+    if (settings.plot || has_file(o, ".dxf"))
+        plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, settings.plot.value_or(PlotSheet{}));
     if (plot && !o.is_quiet()) fmt::print(o.prints_json() ? stderr : stdout, "{}\n", plot_words(*plot));
     for (const std::filesystem::path& file : o.outs.files()) {
-        if (file.extension() == ".svg" && o.is_plotted())
+        if (file.extension() == ".svg" && settings.plot)
             write_whole_file(file, plot_svg(*plot));
         else if (file.extension() == ".svg")
             write_whole_file(file, drawing_svg(draw_marks(mark_picture(picture, stippling), {})));
         else if (file.extension() == ".dxf")
-            write_whole_file(file,
-                             plot_dxf(*plot, fmt::format("poissonlab {} --image {}", o.command(), printable(image))));
+            write_whole_file(
+                file, plot_dxf(*plot, fmt::format("poissonlab {} --image {}", o.command(), printable(settings.image))));
         else if (file.extension() == ".png")
             write_coverage(file,
                            coverage_of(stippling.marks, wide, high, static_cast<double>(wide) / picture.ink.width));
@@ -142,8 +105,8 @@ void write_marks(const MarkOptions& o, const std::string& image, const PlotSheet
                          static_cast<std::uint32_t>(std::max(picture.ink.width, picture.ink.height)),
                          fmt::format("poissonlab {} --image {}: {} middles of marks in units of the longest side of {} "
                                      "x {} pixels, y upwards",
-                                     o.command(), printable(image), stippling.places.size() / 2, picture.ink.width,
-                                     picture.ink.height));
+                                     o.command(), printable(settings.image), stippling.places.size() / 2,
+                                     picture.ink.width, picture.ink.height));
     }
 }
 
@@ -159,16 +122,16 @@ void say_tones(const KindOptions& o, bool has_strokes, const TonesOfMarks& tones
                100 * tones.too_dark, tones.darkest_ink, has_strokes ? "strokes can" : "dots", 100 * tones.overlap);
 }
 
-void stipple_picture(const MarkOptions& o)
+void stipple_picture(const KindOptions& o)
 {
     const auto settings = o.read<StippleSettings>();
-    const PlotSheet sheet = plot_sheet(o);
+    check_plot(o, settings);
     const InkPicture picture = read_ink(settings);
     o.say_note(picture.ink.note);
     const DistributionPlace place = o.place();
     const Stippling stippling = stipple(picture, settings, o.seed(), place);
     const Coverage coverage = coverage_of(stippling.marks, picture.ink.width, picture.ink.height, 1);
-    write_marks(o, settings.image, sheet, picture, stippling);
+    write_marks(o, settings, picture, stippling);
     const TonesOfMarks tones = tones_of(picture, settings, stippling, coverage, place);
     if (!o.prints_json()) return say_tones(o, settings.has_strokes, tones, stippling);
     DistributionNumbers numbers = mark_numbers(picture, settings, stippling, tones);
@@ -179,23 +142,8 @@ void stipple_picture(const MarkOptions& o)
 
 Command mark_command(const char* word, const char* notes)
 {
-    const auto o =
-        std::make_shared<MarkOptions>(*find_kind("distribution", word), OutputFiles{{{".svg", ".png", ".dxf"}, true}});
-    Option dots{"--dots", &o->dots, "Dots in .svg files for plotters are circles (the default) or short strokes",
-                "FORM"};
-    dots.words = dot_forms.all();
-    Option travel{"--travel", &o->travel, "The order of marks for plotters: nearest (the default) or as-made", "ORDER"};
-    travel.words = pen_travels.all();
-    std::vector<Option> others{
-        o->outs.option(),
-        allowing({"--pixels", &o->pixels, "The width of a .png; default: the picture's", "W"},
-                 Integers{1, max_drawing_pixels}),
-        {"--width", &o->width, "The width on paper of an .svg or .dxf for plotters: 200mm, 20cm, 8in", "LENGTH"},
-        {"--pen", &o->pen, "The width of the pen's line: 0.3mm; default: marks are drawn as wide as they are",
-         "LENGTH"}};
-    if (std::string(word) == "stippling") others.push_back(std::move(dots));
-    others.push_back(std::move(travel));
-    return kind_command(o, std::move(others), notes, stipple_picture);
+    return kind_command(*find_kind("distribution", word), {{{".svg", ".png", ".dxf"}, true}}, notes, stipple_picture,
+                        "", {max_drawing_pixels, "the picture's"});
 }
 
 }

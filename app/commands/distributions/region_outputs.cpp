@@ -29,7 +29,8 @@ void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, 
     const PointSet points = darts.file_points();
     if (whole && whole->source && !whole->source->features.empty())
         return write_geojson_features(file, points, crs, comment, "feature",
-                                      ids_of_features(whole->source->features, darts.points));
+                                      darts.features.empty() ? ids_of_features(whole->source->features, darts.points)
+                                                             : darts.features);
     write_geojson_points(file, points.dimension, crs, comment,
                          [&](const PointSink& sink) { sink(points.coordinates); });
 }
@@ -63,12 +64,6 @@ void RegionOutputs::check(const std::string& command, bool varies) const
     if (distances.empty()) return;
     if (!varies) throw InputError("--distances: goes with a --min-distance that varies");
     checked_output(command, "--distances", distances, distance_formats());
-}
-
-void RegionOutputs::say_notes(const RegionDarts& darts, const std::function<void(const std::string&)>& say)
-{
-    if (!darts.request.land) return;
-    for (const std::string& note : notes_of(darts.request.land->whole)) say(note);
 }
 
 void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) const

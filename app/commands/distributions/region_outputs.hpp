@@ -4,7 +4,6 @@
 #include "app/commands/kind_options.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,9 +19,6 @@ struct RegionOutputs
 
     /// Throws InputError for names that cannot be written, and for --distances of points whose distance does not vary.
     void check(const std::string& command, bool varies) const;
-
-    /// Says what was made of the region's file.
-    static void say_notes(const RegionDarts& darts, const std::function<void(const std::string&)>& say);
 
     /// `comment` goes into point files. Files have the coordinates of the region's file; only .dxf and .usda, for
     /// programs that draw, have metres of the plane that longitude and latitude were mapped to.

@@ -63,8 +63,9 @@ void write_tile_points(const TilesPointsOptions& options)
     if (!crew->together([&] { work.emplace(options); })) return;
     if (crew->leads() && !options.work.is_quiet())
         for (const std::string& note : work->notes()) fmt::print(stderr, "poissonlab: note: {}\n", note);
-    const std::uint64_t count = work->has_classes() ? write_class_window(work->out, work->head, *work->points, *crew)
-                                                    : write_window(work->out, work->head, *work->points, *crew);
+    const std::uint64_t count = work->has_classes()
+                                    ? write_class_window(work->out, work->head, *work->points, *crew, work->plane())
+                                    : write_window(work->out, work->head, *work->points, *crew, work->plane());
     if (!crew->leads()) return;
     if (options.points > 0 && count != options.points && !options.work.is_quiet())
         fmt::print(stderr, "poissonlab: note: {} {}: no width of tiles has exactly {}\n", count, noun(count, "point"),

@@ -1,6 +1,8 @@
 #include "app/commands/tiles/window_file.hpp"
 
 #include "app/commands/placed_pieces.hpp"
+#include "base/points/point_file_formats.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/distribution/classes/class_files.hpp"
 
 #include <fmt/format.h>
@@ -47,9 +49,21 @@ std::uint64_t write_placed_window(const std::filesystem::path& path, PointFileHe
     return head.points;
 }
 
+/// Writes a file without known places, in the words of the region's coordinates.
+void write_streamed(const std::filesystem::path& path, int dimension, std::uint64_t count, const std::string& comment,
+                    const PlaneRegion* region, const std::function<void(const PointSink& sink)>& write)
+{
+    const std::string ending = path.extension();
+    if (region && is_mapped(*region) && ending == ".csv")
+        return write_csv_points(path, dimension, csv_header_globe, write);
+    if (region && ending == ".geojson") return write_geojson_points(path, dimension, region->crs, comment, write);
+    write_points_in_pieces(path, dimension, count, comment, write);
 }
 
-std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew)
+}
+
+std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew,
+                           const PlaneRegion* region)
 {
     if (has_known_places(path)) return write_placed_window(path, head, points, crew);
     std::uint64_t all = 0;
@@ -58,7 +72,7 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
         all = points.count_all();
         const std::string comment =
             head.side > 0 ? fmt::format("domain 0:{}\n{}", head.side, head.comment) : head.comment;
-        write_points_in_pieces(path, head.dimension, all, comment, [&](const PointSink& sink) {
+        write_streamed(path, head.dimension, all, comment, region, [&](const PointSink& sink) {
             std::vector<double> coordinates;
             for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {
                 points.make(piece, coordinates);
@@ -70,20 +84,21 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
 }
 
 std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, WindowPoints& points,
-                                 Crew& crew)
+                                 Crew& crew, const PlaneRegion* region)
 {
     std::uint64_t all = 0;
     crew.together([&] {
         if (!crew.leads()) return;
         all = points.count_all();
-        write_class_pieces(path, head.dimension, all, head.comment, [&](const ClassedPointSink& sink) {
+        const auto write = [&](const ClassedPointSink& sink) {
             std::vector<double> coordinates;
             std::vector<std::uint32_t> classes;
             for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {
                 points.make(piece, coordinates, &classes);
                 sink(coordinates, classes);
             }
-        });
+        };
+        write_class_pieces(path, head.dimension, all, head.comment, write, region);
     });
     return all;
 }

@@ -81,6 +81,7 @@ private:
         RegionRing line = positions_of(coordinates, place);
         if (line.size() < 2) throw problem(place, "must have two positions or more");
         found.shapes.lines.push_back(std::move(line));
+        if (!found.ids.empty()) found.feature_of_line.push_back(found.ids.size() - 1);
     }
 
     void add_polygon(const GeoJson& rings, const std::string& place)

@@ -16,8 +16,9 @@ struct RegionShapes
     std::string system{};           ///< the system of coordinates that the text names, as PROJ knows it; empty: none
     std::string crs_member{};       ///< the member `crs` of GeoJSON that names it
     std::vector<std::string> ids{}; ///< of features, as JSON
-    std::vector<std::size_t> feature_of{}; ///< of each polygon; empty: there are no features
-    bool has_further_numbers = false;      ///< heights or measures, which are left out
+    std::vector<std::size_t> feature_of{};      ///< of each polygon; empty: there are no features
+    std::vector<std::size_t> feature_of_line{}; ///< of each line; empty as well
+    bool has_further_numbers = false;           ///< heights or measures, which are left out
 };
 
 /// Reads points, lines and polygons; `name` is what messages call the text. Throws InputError; what it returns is not

@@ -97,13 +97,17 @@ const char* const no_region =
     "is neither GeoJSON nor WKT, nor a picture or drawing, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
     "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
 
-TypedRegion::TypedRegion(const std::string& text)
+TypedRegion::TypedRegion(const std::string& text, bool is_along)
 {
     const bool is_file = !is_region_text(text);
     name = is_file ? printable(text) : shortened(printable(text), 40);
     if (is_file && has_drawing_name(text)) {
         kind = TypedKind::shape;
-        shapes.shapes.polygons = region_of_svg_drawing(read_whole_file(text), name).polygons;
+        const std::string drawing = read_whole_file(text);
+        if (is_along)
+            shapes.shapes.lines = lines_of_svg_drawing(drawing, name);
+        else
+            shapes.shapes.polygons = region_of_svg_drawing(drawing, name).polygons;
         return;
     }
     if (is_file && has_picture_name(text)) {
@@ -120,6 +124,9 @@ TypedRegion::TypedRegion(const std::string& text)
     } else if (is_wkt_text(content)) {
         kind = TypedKind::wkt;
         shapes = shapes_of_wkt(content, name);
+    } else if (is_along && begins_with(content, "path ")) {
+        kind = TypedKind::shape;
+        shapes.shapes.lines = lines_of_svg_path(content, shortened(printable(content), 40));
     } else if (is_region_text(content)) {
         kind = TypedKind::shape;
         shapes.shapes.polygons = shape_of(content).polygons;

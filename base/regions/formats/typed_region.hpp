@@ -18,8 +18,8 @@ enum class TypedKind
 
 struct TypedRegion
 {
-    /// Reads it. Throws InputError.
-    explicit TypedRegion(const std::string& text);
+    /// Reads it; with `is_along` paths of SVG are lines, which need not be closed. Throws InputError.
+    explicit TypedRegion(const std::string& text, bool is_along = false);
 
     bool is_json() const { return kind == TypedKind::json; }
     bool is_wkt() const { return kind == TypedKind::wkt; }

@@ -61,10 +61,10 @@ public:
         RegionRing line;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const MappedPlace corner = mapped(map_, corners[i]);
-            add(line, corner);
+            add(line, corner, is_closed);
             if (i + 1 == corners.size() && !is_closed) break;
             const MappedPlace& next = corners[(i + 1) % corners.size()];
-            add_edge(line, {corners[i], corner}, {next, mapped(map_, next)}, 0);
+            add_edge(line, {corners[i], corner}, {next, mapped(map_, next)}, is_closed, 0);
         }
         return is_closed ? without_spike_at_ends(line) : line;
     }
@@ -89,25 +89,25 @@ private:
         return {begin, end};
     }
 
-    /// Leaves out what goes to a place and back: the seam of a map around a pole is drawn so.
-    static void add(RegionRing& line, const MappedPlace& place)
+    /// Leaves out what goes to a place and back in rings: the seam of a map around a pole is drawn so.
+    static void add(RegionRing& line, const MappedPlace& place, bool is_closed)
     {
         if (!line.empty() && line.back() == place) return;
-        if (line.size() > 1 && line[line.size() - 2] == place)
+        if (is_closed && line.size() > 1 && line[line.size() - 2] == place)
             line.pop_back();
         else
             line.push_back(place);
     }
 
     /// Adds the corners between two others. From either end they are the same to the last bit.
-    void add_edge(RegionRing& line, const Corner& a, const Corner& b, int halvings) const
+    void add_edge(RegionRing& line, const Corner& a, const Corner& b, bool is_closed, int halvings) const
     {
         const MappedPlace middle = between(a.typed, b.typed, 0.5);
         const Corner half{middle, mapped(map_, middle)};
         if (halvings == most_halvings || is_straight(a, half, b)) return;
-        add_edge(line, a, half, halvings + 1);
-        add(line, half.mapped);
-        add_edge(line, half, b, halvings + 1);
+        add_edge(line, a, half, is_closed, halvings + 1);
+        add(line, half.mapped, is_closed);
+        add_edge(line, half, b, is_closed, halvings + 1);
     }
 
     bool is_straight(const Corner& a, const Corner& half, const Corner& b) const

@@ -34,16 +34,21 @@ class RegionMaker
 {
 public:
     RegionMaker(const TypedRegion& typed, const RegionReading& reading)
-        : name_(typed.name), typed_(typed), reading_(reading), shapes_(typed.shapes.shapes)
+        : name_(typed.name), typed_(typed), reading_(reading), shapes_(typed.shapes.shapes),
+          feature_of_polygon_(typed.shapes.feature_of), feature_of_line_(typed.shapes.feature_of_line)
     {}
 
     PlaneRegion region()
     {
         note_left_out();
+        if (reading_.is_along) take_outlines();
         const auto system = source_system(typed_, reading_);
         if (system && system->has_angles) shapes_ = laid_in_strip(std::move(shapes_), turn_of(*system), name_);
         remember_features();
-        unite();
+        if (reading_.is_along)
+            check_lines();
+        else
+            unite();
         if (system && system->has_angles) {
             map_to_plane(*system);
         } else if (system) {
@@ -51,7 +56,8 @@ public:
         }
         if (reading_.buffer > 0) grow();
         PlaneRegion made{shapes_.polygons};
-        if (reading_.buffer > 0 || source_.map) check_region(made, name_);
+        if (reading_.is_along) source_.lines = shapes_.lines;
+        if (!reading_.is_along && (reading_.buffer > 0 || source_.map)) check_region(made, name_);
         if (system) {
             made.crs = crs_member(typed_, *system);
             source_.system = system->text;
@@ -66,26 +72,53 @@ private:
     void note_left_out()
     {
         if (typed_.shapes.has_further_numbers) note("heights and measures of its positions are left out");
-        if (reading_.buffer > 0 || shapes_.polygons.empty()) return;
-        const std::size_t points = shapes_.points.size(), lines = shapes_.lines.size();
+        const bool has_some = !shapes_.polygons.empty() || (reading_.is_along && !shapes_.lines.empty());
+        if (reading_.buffer > 0 || !has_some) return;
+        const std::size_t points = shapes_.points.size(), lines = reading_.is_along ? 0 : shapes_.lines.size();
         if (points + lines == 0) return;
         const std::string point_words = fmt::format("{} {}", points, noun(points, "point"));
         const std::string line_words = fmt::format("{} {}", lines, noun(lines, "line"));
-        note(fmt::format("left out, as it has no inside: {}", points == 0  ? line_words
-                                                              : lines == 0 ? point_words
-                                                                           : point_words + " and " + line_words));
+        note(fmt::format("left out, as it has no {}: {}", reading_.is_along ? "length" : "inside",
+                         points == 0  ? line_words
+                         : lines == 0 ? point_words
+                                      : point_words + " and " + line_words));
         shapes_.points.clear();
-        shapes_.lines.clear();
+        if (!reading_.is_along) shapes_.lines.clear();
+    }
+
+    /// Polygons become their outlines and holes, after the lines.
+    void take_outlines()
+    {
+        for (std::size_t i = 0; i < shapes_.polygons.size(); ++i) {
+            const auto add = [&](RegionRing ring) {
+                ring.push_back(ring.front());
+                shapes_.lines.push_back(std::move(ring));
+                if (!feature_of_polygon_.empty()) feature_of_line_.push_back(feature_of_polygon_[i]);
+            };
+            add(shapes_.polygons[i].outline);
+            std::ranges::for_each(shapes_.polygons[i].holes, add);
+        }
+        shapes_.polygons.clear();
+    }
+
+    void check_lines() const
+    {
+        for (const RegionRing& line : shapes_.lines)
+            for (const auto& place : line)
+                if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+                    throw InputError(name_ + ": has a coordinate that is no number");
+        if (!(length_of(shapes_.lines) > 0))
+            throw InputError(name_ + ": has no line with a length that points could lie on");
     }
 
     /// Features are kept as they are typed, before polygons become their union.
     void remember_features()
     {
-        const std::vector<std::size_t>& feature_of = typed_.shapes.feature_of;
-        if (typed_.shapes.ids.size() < 2 || feature_of.empty()) return;
+        if (typed_.shapes.ids.size() < 2 || feature_of_polygon_.size() + feature_of_line_.size() == 0) return;
         for (const std::string& id : typed_.shapes.ids) source_.features.push_back({id});
-        for (std::size_t i = 0; i < feature_of.size(); ++i)
-            source_.features[feature_of[i]].polygons.push_back(shapes_.polygons[i]);
+        for (std::size_t i = 0; i < shapes_.polygons.size() && i < feature_of_polygon_.size(); ++i)
+            source_.features[feature_of_polygon_[i]].polygons.push_back(shapes_.polygons[i]);
+        if (reading_.is_along) source_.feature_of_line = feature_of_line_;
     }
 
     /// Checks polygons. Those that are valid each by itself, but not together, become their union; not those of
@@ -157,6 +190,7 @@ private:
     const TypedRegion& typed_;
     const RegionReading& reading_;
     Obstacles shapes_;
+    std::vector<std::size_t> feature_of_polygon_, feature_of_line_;
     RegionSource source_;
 };
 
@@ -210,14 +244,16 @@ Obstacles in_plane_of(const PlaneRegion& region, const Obstacles& obstacles, con
 {
     const auto map = map_to(region, from);
     if (!map) return obstacles;
+    const std::vector<std::string> notes = obstacles.notes;
     const bool has_angles = from ? from->has_angles : is_mapped(region);
     const double turn = turn_of(from && has_angles ? *from : map_system(region.source->system));
-    const Obstacles mapped =
+    Obstacles mapped =
         mapped_shapes(has_angles ? laid_in_strip(obstacles, turn, name) : obstacles, *map, box_of(region));
     const RegionBox box = box_of_all(mapped);
     if (!std::isfinite(box.longest()))
         throw InputError(name + ": has a place that the region's plane has not: they must be in the same part of the "
                                 "world");
+    mapped.notes = notes;
     return mapped;
 }
 
@@ -225,7 +261,7 @@ Obstacles in_plane_of(const PlaneRegion& region, const Obstacles& obstacles, con
 
 PlaneRegion read_region(const std::string& text, const RegionReading& reading)
 {
-    const TypedRegion typed(text);
+    const TypedRegion typed(text, reading.is_along);
     if (typed.kind == TypedKind::unknown) throw InputError(fmt::format("{}: {}", typed.name, no_region));
     return RegionMaker(typed, reading).region();
 }
@@ -235,8 +271,9 @@ void check_map_system(const std::string& name) { map_system(name); }
 Obstacles read_obstacles(const std::string& text, const RegionReading& reading, const PlaneRegion& region)
 {
     const TypedRegion typed(text);
-    const Obstacles obstacles =
-        typed.kind == TypedKind::unknown ? Obstacles{points_of_file(text)} : typed.shapes.shapes;
+    Obstacles obstacles = typed.kind == TypedKind::unknown ? Obstacles{points_of_file(text)} : typed.shapes.shapes;
+    if (typed.shapes.has_further_numbers)
+        obstacles.notes.push_back(typed.name + ": heights and measures of its positions are left out");
     check_obstacles(obstacles, typed.name);
     const auto system = obstacle_system(typed, reading);
     const bool is_known = region.source && !region.source->system.empty();

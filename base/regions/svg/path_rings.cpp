@@ -100,37 +100,47 @@ void PathRings::arcTo(double rx, double ry, double angle, bool is_large, bool sw
 void PathRings::closePath()
 {
     end_ = begin_;
+    if (!is_closed_ && !paths_.empty()) paths_.back().is_closed = true;
     is_closed_ = true;
 }
 
 std::vector<RegionRing> PathRings::rings(double tolerance, const std::string& name) const
 {
-    std::vector<RegionRing> rings;
+    std::vector<RegionRing> rings = lines(tolerance, name);
+    for (RegionRing& ring : rings)
+        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    std::erase_if(rings, [](const RegionRing& ring) { return ring.size() < 3; });
+    return rings;
+}
+
+std::vector<RegionRing> PathRings::lines(double tolerance, const std::string& name) const
+{
+    std::vector<RegionRing> lines;
     double all_pieces = 0;
-    for (const auto& path : paths_) {
-        RegionRing ring;
-        for (const auto& [end, curve] : path) {
+    for (const Path& path : paths_) {
+        RegionRing line;
+        for (const auto& [end, curve] : path.curves) {
             const double pieces = curve.at ? std::max(1.0, std::ceil(curve.pieces(tolerance))) : 1;
             if (curve.at) all_pieces += pieces;
             if (!(all_pieces <= most_pieces))
                 throw InputError(fmt::format("{}: a tolerance of {:.3g} is too small: curves would have more than "
                                              "{:g} pieces",
                                              name, tolerance, most_pieces));
-            for (double piece = 1; piece < pieces; ++piece) append_corner(ring, curve.at(piece / pieces));
-            append_corner(ring, end);
+            for (double piece = 1; piece < pieces; ++piece) append_corner(line, curve.at(piece / pieces));
+            append_corner(line, end);
         }
-        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-        if (ring.size() > 2) rings.push_back(std::move(ring));
+        if (path.is_closed) append_corner(line, path.curves.front().first);
+        if (line.size() > 1) lines.push_back(std::move(line));
     }
-    return rings;
+    return lines;
 }
 
 void PathRings::add(const Geom::Point& end, PathCurve curve)
 {
     // After a path was closed, the next one begins where that did, unless it moves.
-    if (is_closed_) paths_.push_back({{begin_, {}}});
+    if (is_closed_) paths_.push_back({{{begin_, {}}}});
     is_closed_ = false;
-    paths_.back().emplace_back(end, std::move(curve));
+    paths_.back().curves.emplace_back(end, std::move(curve));
     extend(end);
     end_ = end;
 }

@@ -45,11 +45,20 @@ public:
     /// many lines.
     std::vector<RegionRing> rings(double tolerance, const std::string& name) const;
 
+    /// Returns the lines of paths; those that are closed end where they begin. Throws InputError as well.
+    std::vector<RegionRing> lines(double tolerance, const std::string& name) const;
+
 private:
     void add(const Geom::Point& end, PathCurve curve);
     void extend(const Geom::Point& p);
 
-    std::vector<std::vector<std::pair<Geom::Point, PathCurve>>> paths_;
+    struct Path
+    {
+        std::vector<std::pair<Geom::Point, PathCurve>> curves;
+        bool is_closed = false;
+    };
+
+    std::vector<Path> paths_;
     Geom::Point begin_, end_;
     RegionBox box_;
     bool is_empty_ = true, is_closed_ = true;

@@ -188,8 +188,8 @@ private:
             throw InputError(fmt::format("{}: {}", shape, error.what()));
         }
         if (!outline)
-            throw InputError(fmt::format("{}: is not known here: regions are made of path, polygon, polyline, rect, "
-                                         "circle and ellipse, in groups (g)",
+            throw InputError(fmt::format("{}: is not known here: regions are made of path, polygon, polyline, line, "
+                                         "rect, circle and ellipse, in groups (g)",
                                          shape));
         if (context.is_hidden) return;
         shapes_.push_back({shape, *outline * context.to_sheet, context.is_even_odd});

@@ -39,19 +39,33 @@ PathOptions path_options(const std::string& text, const std::string& name)
     return options;
 }
 
-}
-
-PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
+/// Parses the data, and chooses a tolerance where there is none.
+PathRings parsed_path(PathOptions& options, const std::string& name)
 {
-    const PathOptions options = path_options(text, name);
     PathRings path;
     try {
         Geom::parse_svg_path(options.data.c_str(), path);
     } catch (const std::exception& error) {
         throw InputError(fmt::format("{}: is no path of SVG: {}", name, printable(error.what())));
     }
-    const double tolerance = options.tolerance > 0 ? options.tolerance : usual_path_tolerance * path.box().longest();
-    std::vector<RegionRing> rings = path.rings(tolerance, name);
+    if (!(options.tolerance > 0)) options.tolerance = usual_path_tolerance * path.box().longest();
+    return path;
+}
+
+}
+
+std::vector<RegionRing> lines_of_svg_path(const std::string& text, const std::string& name)
+{
+    PathOptions options = path_options(text, name);
+    const PathRings path = parsed_path(options, name);
+    return path.lines(options.tolerance, name);
+}
+
+PlaneRegion region_of_svg_path(const std::string& text, const std::string& name)
+{
+    PathOptions options = path_options(text, name);
+    const PathRings path = parsed_path(options, name);
+    std::vector<RegionRing> rings = path.rings(options.tolerance, name);
     if (rings.empty()) throw InputError(name + ": has no closed path: must be path M... of SVG, with an area");
     return filled_region(std::move(rings), options.is_even_odd, name);
 }

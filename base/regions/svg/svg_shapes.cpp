@@ -37,18 +37,30 @@ double length_of(const SvgAttributes& attributes, const std::string& key, double
     return *length;
 }
 
-/// Lines from corner to corner, closed.
-Geom::PathVector polygon_of(const SvgAttributes& attributes)
+/// Lines from corner to corner.
+Geom::PathVector polygon_of(const SvgAttributes& attributes, bool is_closed)
 {
+    const std::size_t least = is_closed ? 3 : 2;
     const auto found = attributes.find("points");
     const std::string text = found == attributes.end() ? "" : found->second;
     const auto numbers = svg_numbers(text);
-    if (!numbers || numbers->size() < 6 || numbers->size() % 2 != 0)
-        throw attribute_error("points", text, "must be pairs of numbers, three at least");
+    if (!numbers || numbers->size() < 2 * least || numbers->size() % 2 != 0)
+        throw attribute_error("points", text,
+                              is_closed ? "must be pairs of numbers, three at least"
+                                        : "must be pairs of numbers, two at least");
     Geom::PathBuilder path;
     path.moveTo({(*numbers)[0], (*numbers)[1]});
     for (std::size_t i = 2; i < numbers->size(); i += 2) path.lineTo({(*numbers)[i], (*numbers)[i + 1]});
-    path.closePath();
+    if (is_closed) path.closePath();
+    path.flush();
+    return path.peek();
+}
+
+Geom::PathVector line_of(const SvgAttributes& attributes)
+{
+    Geom::PathBuilder path;
+    path.moveTo({length_of(attributes, "x1"), length_of(attributes, "y1")});
+    path.lineTo({length_of(attributes, "x2"), length_of(attributes, "y2")});
     path.flush();
     return path.peek();
 }
@@ -173,7 +185,8 @@ std::optional<Geom::Affine> svg_transform(std::string_view text)
 std::optional<Geom::PathVector> svg_outline(const std::string& element, const SvgAttributes& attributes)
 {
     if (element == "path") return path_of(attributes);
-    if (element == "polygon" || element == "polyline") return polygon_of(attributes);
+    if (element == "polygon" || element == "polyline") return polygon_of(attributes, element == "polygon");
+    if (element == "line") return line_of(attributes);
     if (element == "rect") return rectangle_of_svg(attributes);
     if (element == "circle") {
         const double radius = length_of(attributes, "r");

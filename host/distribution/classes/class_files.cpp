@@ -3,6 +3,7 @@
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/regions/region_source.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,10 +45,13 @@ void append_point(std::string& to, const std::string& format, std::span<const do
     append_record(to, at, of);
 }
 
-std::string header_of(const std::string& format, int dimension, std::size_t points, const std::string& comment)
+std::string header_of(const std::string& format, int dimension, std::size_t points, const std::string& comment,
+                      const PlaneRegion* region)
 {
-    if (format == ".geojson") return geojson_begin("FeatureCollection", "", comment) + ",\"features\":[\n";
+    if (format == ".geojson")
+        return geojson_begin("FeatureCollection", region ? region->crs : "", comment) + ",\"features\":[\n";
     const bool is_solid = dimension == 3;
+    if (format == ".csv" && region && is_mapped(*region)) return fmt::format("{},class\n", csv_header_globe);
     if (format == ".csv") return is_solid ? "x,y,z,class\n" : "x,y,class\n";
     if (format == ".ply")
         return fmt::format("ply\nformat ascii 1.0\n{}element vertex {}\nproperty double x\nproperty double "
@@ -68,13 +72,14 @@ const std::vector<std::string>& class_file_ends()
 }
 
 void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
-                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source)
+                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source,
+                        const PlaneRegion* region)
 {
     const std::string format = file.extension().string();
     const auto axes = static_cast<std::size_t>(dimension);
     const bool is_geojson = format == ".geojson";
     write_whole_file_in_pieces(file, [&](const FileSink& sink) {
-        sink(header_of(format, dimension, points, comment));
+        sink(header_of(format, dimension, points, comment, region));
         bool is_first = true;
         source([&](std::span<const double> coordinates, std::span<const std::uint32_t> classes) {
             std::string piece;

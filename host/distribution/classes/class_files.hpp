@@ -1,6 +1,7 @@
 // Files of points that have classes.
 #pragma once
 
+#include "base/regions/plane_region.hpp"
 #include "host/sampling/classes/class_darts.hpp"
 
 #include <cstddef>
@@ -25,9 +26,11 @@ void write_class_file(const std::filesystem::path& file, const ClassedPoints& po
 using ClassedPointSink =
     std::function<void(std::span<const double> coordinates, std::span<const std::uint32_t> classes)>;
 
-/// Writes so many points, which `source` hands on in pieces, in one of these formats.
+/// Writes so many points, which `source` hands on in pieces, in one of these formats. Their coordinates are those
+/// of the region's file, if there is a region.
 void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
-                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source);
+                        const std::string& comment, const std::function<void(const ClassedPointSink&)>& source,
+                        const PlaneRegion* region = nullptr);
 
 /// The classes alone, as a NumPy array of uint32.
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points);

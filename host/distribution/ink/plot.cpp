@@ -152,6 +152,18 @@ Plot plot_of(const MarkGroup& marks, double width, double height, const PlotShee
     return plot;
 }
 
+std::string plot_words(const Plot& plot)
+{
+    const std::string unit = plot.sheet.width > 0 ? "mm" : "pixels";
+    std::string words = fmt::format("{:.4g} x {:.4g} {}; the pen's way between marks is {:.4g} {}", plot.width,
+                                    plot.height, unit, plot.way, unit);
+    if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({:.4g} as made)", plot.way_as_made);
+    if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
+        words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
+                             plot.widest_hole);
+    return words;
+}
+
 std::string plot_svg(const Plot& plot)
 {
     const std::string size =

@@ -6,6 +6,7 @@
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/regions/line_points.hpp"
 #include "host/distribution/regions/region_cells.hpp"
 #include "host/distribution/regions/space_points.hpp"
 #include "host/distribution/regions/varied_points.hpp"
@@ -25,20 +26,6 @@ namespace {
 /// Obstacles are kept this part of the minimum distance away at least: slits between walls that all but touch would
 /// take points otherwise, and to find whether they do takes boxes as small as the slit.
 constexpr double least_gap = 1.0 / 1024;
-
-/// How far points keep away from obstacles, in units of the region: from lines and edges of polygons, and from points.
-struct ObstacleDistances
-{
-    double lines = 0;
-    double points = 0;
-};
-
-ObstacleDistances obstacle_distances(const DartSettings& settings, double min_distance)
-{
-    const double least = settings.boundary == RegionBoundary::disks ? min_distance / 2 : min_distance * least_gap;
-    return {std::max(settings.obstacle_distance.value_or(0), least),
-            std::max(settings.obstacle_distance.value_or(min_distance), least)};
-}
 
 /// A box that is larger on all sides.
 RegionBox enlarged_box(RegionBox box, double by)
@@ -102,15 +89,34 @@ PointSet thrown(const DartThrowingRequest& request, const DistributionPlace& pla
 
 }
 
+ObstacleDistances obstacle_distances(const DartSettings& settings, double min_distance)
+{
+    const double least = settings.boundary == RegionBoundary::disks ? min_distance / 2 : min_distance * least_gap;
+    return {std::max(settings.obstacle_distance.value_or(0), least),
+            std::max(settings.obstacle_distance.value_or(min_distance), least)};
+}
+
+std::vector<std::string> RegionDarts::notes() const
+{
+    if (!request.land) return {};
+    std::vector<std::string> notes = notes_of(request.land->whole);
+    std::ranges::copy(request.land->obstacles.notes, std::back_inserter(notes));
+    if (obstacle_count() > 0 && request.near_obstacles == 0)
+        notes.emplace_back("no obstacle is near enough to matter: are they in the units of the region?");
+    return notes;
+}
+
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings)
 {
     if (settings.land) return settings.land;
     RegionLand land{read_region(settings.region, settings.reading), {}, {}};
     if (!settings.obstacles.empty()) land.obstacles = read_obstacles(settings.obstacles, settings.reading, land.whole);
-    const double longest = box_of(land.whole).longest();
+    const double longest =
+        settings.reading.is_along ? box_around(lines_of(land.whole)).longest() : box_of(land.whole).longest();
     if (settings.obstacle_distance.value_or(0) > longest)
         throw InputError(fmt::format("a distance of {:.6g} from them is more than the region's longest side, {:.6g}",
                                      *settings.obstacle_distance, longest));
+    if (settings.reading.is_along) return std::make_shared<const RegionLand>(std::move(land));
     land.rest = without_polygons(land.whole, land.obstacles.polygons);
     if (land.rest.polygons.empty()) throw InputError("they cover the region: nothing is left of it");
     return std::make_shared<const RegionLand>(std::move(land));
@@ -152,6 +158,7 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                std::uint32_t realization)
 {
+    if (settings.reading.is_along) return throw_line_darts(settings, seed, realization);
     if (settings.varies() || settings.is_in_space()) {
         RegionPointSettings points; // by darts
         points.place = settings;

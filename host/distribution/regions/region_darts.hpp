@@ -34,6 +34,15 @@ struct RegionLand
 /// obstacles is too large.
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings);
 
+/// How far points keep away from obstacles, in units of the region: from lines and edges of polygons, and from points.
+struct ObstacleDistances
+{
+    double lines = 0;
+    double points = 0;
+};
+
+ObstacleDistances obstacle_distances(const DartSettings& settings, double min_distance);
+
 /// The request for points, in units of the torus and in those of the region.
 struct RegionDartRequest
 {
@@ -57,9 +66,15 @@ struct RegionDarts
     double sure_distance = 0;  ///< that any two points have at least, in the region's units; 0: nothing is said
     std::shared_ptr<const VariedSet> varied{}; ///< where the distance varies
     std::shared_ptr<const FixedSpace> space{}; ///< the region where it is one of space: see space_points.hpp
+    double length = 0; ///< of the lines that points lie on, without obstacles; 0: they lie in a region
+    std::vector<std::string>
+        features{}; ///< of points on lines: the id of each one's feature, as JSON, if there are any
 
     /// The points as files have them: in longitude and latitude where the region was mapped from there.
     PointSet file_points() const { return request.land ? as_in_files(request.land->whole, points) : points; }
+
+    /// The sentences on what was made of the files of the region and of obstacles, and on obstacles that do not matter.
+    std::vector<std::string> notes() const;
 
     std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }
 };

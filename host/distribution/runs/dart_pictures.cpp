@@ -88,7 +88,8 @@ MarkGroup equal_dots(const RegionDarts& darts, const PicturePlaces& places, doub
 MarkPicture dart_picture(const RegionDarts& darts)
 {
     if (darts.space) return space_picture(darts);
-    const RegionBox& box = darts.request.region->box();
+    const RegionBox box =
+        darts.length > 0 ? box_around(lines_of(darts.request.land->whole)) : darts.request.region->box();
     const PicturePlaces places(box);
     MarkPicture picture = places.picture();
     MarkGroup lines{"#8a8f98"}, obstacles{"#c2410c"};
@@ -96,6 +97,8 @@ MarkPicture dart_picture(const RegionDarts& darts)
         places.add_ring(lines, polygon.outline);
         for (const RegionRing& hole : polygon.holes) places.add_ring(lines, hole);
     }
+    for (const RegionRing& line : lines_of(darts.request.land->whole))
+        for (std::size_t i = 1; i < line.size(); ++i) places.add_line(lines, line[i - 1], line[i]);
     for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land->obstacles, box))
         places.add_line(obstacles, {x0, y0}, {x1, y1});
     const double distance = darts.sure_distance > 0 ? darts.sure_distance : darts.request.min_distance;

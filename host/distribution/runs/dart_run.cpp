@@ -10,6 +10,7 @@
 #include "base/regions/region_text.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/regions/line_points.hpp"
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_points.hpp"
 #include "host/distribution/regions/space_points.hpp"
@@ -28,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace poissonlab {
@@ -75,10 +77,21 @@ void read_land(Keys& keys, DartSettings& s)
     keys.check("region", [&] { s.space = whole_space(s); });
 }
 
+/// Refuses what is about regions with an inside.
+void check_along(const Keys& keys, const DartSettings& s)
+{
+    for (const char* key : {"overlap", "buffer"})
+        if (keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("along"));
+    if (s.is_in_space()) throw keys.invalid("along", "goes with regions of the plane, and this one is of space");
+}
+
 void dart_keys(Keys& keys, DartSettings& s)
 {
     keys.region(s.region);
     region_reading_keys(keys, s.reading);
+    keys.flag("along", s.reading.is_along,
+              "whether points lie on the region's lines and outlines, at distances through the plane");
+    if (s.reading.is_along) check_along(keys, s);
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
     distance_keys(keys, s);
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
@@ -104,6 +117,14 @@ void dart_keys(Keys& keys, DartSettings& s)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
     if (s.is_in_space()) {
         keys.check(s.min_distance ? "min_distance" : "points", [&] { space_distance_request(s, 0); });
+        return;
+    }
+    if (s.reading.is_along) {
+        if (s.varies())
+            throw keys.invalid("min_distance", "a distance that varies does not go with " + keys.name_of("along"));
+        if (s.boundary != RegionBoundary::inside)
+            throw keys.invalid("boundary", "does not go with " + keys.name_of("along"));
+        keys.check(s.min_distance ? "min_distance" : "points", [&] { distance_along(s, lines_of(s.land->whole)); });
         return;
     }
     if (s.varies() && s.boundary != RegionBoundary::inside)
@@ -155,6 +176,8 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
 {
     keys.word("method", s.method, region_methods, "how points are made: see docs/regions.md");
     dart_keys(keys, s.place);
+    if (keys.is_read() && s.place.reading.is_along && s.method != RegionMethod::darts)
+        throw keys.invalid("along", "goes with " + keys.shown("method", "darts"));
     if (keys.is_read() && s.place.is_in_space() &&
         (s.method == RegionMethod::lloyd || s.method == RegionMethod::gaussian))
         throw keys.invalid("method", "goes with regions of the plane, and this one is of space: darts, relaxation, "
@@ -212,6 +235,10 @@ void add_varied_results(const VariedSet& set, DistributionFiles& files, Distribu
 
 std::string words_of_region(const RegionDarts& darts)
 {
+    if (darts.length > 0) {
+        const std::vector<RegionRing>& lines = lines_of(darts.request.land->whole);
+        return fmt::format("{} {}, {:.6g} long", lines.size(), noun(lines.size(), "line"), darts.length);
+    }
     if (!darts.space) {
         const PlaneRegion& plane = darts.request.land->rest;
         const std::size_t polygons = plane.polygons.size();
@@ -229,20 +256,21 @@ DistributionResult result_of(const RegionDarts& darts, const DartSettings& setti
     result.facts = {fmt::format("{} points", darts.points.size()), how, words_of_region(darts)};
     if (const std::size_t obstacles = darts.obstacle_count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
-    if (darts.request.land)
-        for (const std::string& note : notes_of(darts.request.land->whole)) result.facts.push_back(note);
+    std::ranges::copy(darts.notes(), std::back_inserter(result.facts));
     if (settings.boundary == RegionBoundary::disks)
         result.facts.push_back(fmt::format("{} are inside whole", darts.space ? "balls" : "disks"));
     files.add_marks("points.json", dart_picture(darts),
                     darts.space ? "The points in their region, seen from in front and above: those behind are lighter."
-                    : darts.varied ? "The points in their region, with disks of half their distances."
-                                   : "The points in their region.",
+                    : darts.length > 0 ? "The points on their lines."
+                    : darts.varied     ? "The points in their region, with disks of half their distances."
+                                       : "The points in their region.",
                     result);
     write_points(files.add("points.npy"), darts.file_points());
     result.files.push_back("points.npy");
     if (darts.varied) add_varied_results(*darts.varied, files, result);
     result.numbers = dart_numbers(darts);
-    if (!darts.varied && !darts.space) add_region_curves(darts.request.land->rest, darts.points, files, result);
+    if (!darts.varied && !darts.space && darts.length == 0)
+        add_region_curves(darts.request.land->rest, darts.points, files, result);
     return result;
 }
 
@@ -277,27 +305,53 @@ void append_map_numbers(const RegionDarts& darts, DistributionNumbers& numbers)
         {"distortion", "Distortion", source.distortion, "the part by which lengths in this plane are off at most"});
 }
 
+/// The length, area or volume of what points lie in.
+struct RegionSize
+{
+    double size = 0;
+    int dimension = 2;
+    const char* key = "area";
+    const char* title = "Area";
+    const char* meaning = "of the region, in squares of its units";
+};
+
+RegionSize size_of(const RegionDarts& darts)
+{
+    if (darts.length > 0) return {darts.length, 1, "length", "Length", "of the lines, in units of the region"};
+    if (darts.space) return {darts.space->volume(), 3, "volume", "Volume", "of the region, in cubes of its units"};
+    return {darts.request.region->area()};
+}
+
+/// The least distance over that of the densest packing.
+DistributionNumber relative_radius_number(const RegionDarts& darts, const RegionSize& size, double least)
+{
+    const std::size_t count = darts.points.size();
+    if (size.dimension == 1)
+        return {"relative_radius", "Relative radius", least * static_cast<double>(count) / size.size,
+                "least distance over the length of the lines that each point has"};
+    return {"relative_radius", "Relative radius",
+            least / (max_min_distance(count, size.dimension) * std::pow(size.size, 1.0 / size.dimension)),
+            fmt::format("least distance over that of the densest packing of as many points in the region's "
+                        "{}; points may lie on the boundary, so that few have more than on a torus",
+                        size.key)};
+}
+
 }
 
 DistributionNumbers dart_numbers(const RegionDarts& darts)
 {
-    const bool is_in_space = darts.space != nullptr;
-    const int dimension = is_in_space ? 3 : 2;
-    const double area = is_in_space ? darts.space->volume() : darts.request.region->area();
+    const RegionSize size = size_of(darts);
     const auto count = static_cast<double>(darts.points.size());
     DistributionNumbers numbers;
     numbers.push_back({"points", "Points", count, "in the region"});
-    if (is_in_space)
-        numbers.push_back({"volume", "Volume", area, "of the region, in cubes of its units"});
-    else
-        numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
+    numbers.push_back({size.key, size.title, size.size, size.meaning});
     append_map_numbers(darts, numbers);
     if (darts.sure_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", darts.sure_distance,
                            "that points are sure to have, in units of the region"});
     if (darts.points.size() < 2) return numbers;
     const NearestDistances nearest =
-        is_in_space ? nearest_in_space(*darts.space, darts.points) : nearest_distances(darts.points);
+        darts.space ? nearest_in_space(*darts.space, darts.points) : nearest_distances(darts.points);
     numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
                        "of points from their nearest ones, also beside the boundary, in its units"});
@@ -305,12 +359,7 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
         append_varied_numbers(*darts.varied, numbers);
         return numbers;
     }
-    numbers.push_back(
-        {"relative_radius", "Relative radius",
-         nearest.least / (max_min_distance(darts.points.size(), dimension) * std::pow(area, 1.0 / dimension)),
-         fmt::format("least distance over that of the densest packing of as many points in the region's "
-                     "{}; points may lie on the boundary, so that few have more than on a torus",
-                     is_in_space ? "volume" : "area")});
+    numbers.push_back(relative_radius_number(darts, size, nearest.least));
     return numbers;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 void sampling_mask_keys(Keys& keys, SamplingMaskSettings& s)
 {
-    keys.integers("shape", s.shape, {8, 4096}, {"rows", "columns"}, "the grid").unit("pixels");
+    keys.integers("shape", s.shape, {1, 4096}, {"rows", "columns"}, "the grid").unit("pixels");
     keys.number("acceleration", s.acceleration, {1, 1e6}, "how many pixels there are for each sample, exactly")
         .otherwise("by samples");
     keys.integer("samples", s.samples, 1, 1 << 24, "the number of samples")

@@ -1,8 +1,10 @@
 // kind = "stippling" and "hatching": a picture in dots or strokes, and how true its tones are.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.3, figures 7.3 and 7.4.
+#include "base/files/whole_file.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/ink/plot.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
@@ -17,6 +19,32 @@ namespace poissonlab {
 namespace {
 
 constexpr int report_pixels = 1024;
+
+/// Reads a length on paper.
+void paper_length(Keys& keys, const char* key, double& length, const char* help, const char* otherwise)
+{
+    std::string text;
+    keys.text(key, text, help).otherwise(otherwise);
+    if (!keys.is_read() || !keys.is_given(key)) return;
+    const auto read = millimetres_of(text);
+    if (!read) throw keys.invalid(key, "must be a length such as 200mm, 20cm or 8in");
+    length = *read;
+}
+
+void plotter_keys(Keys& keys, StippleSettings& s)
+{
+    PlotSheet sheet;
+    paper_length(keys, "width", sheet.width, "for plotters: the width of the picture on paper, 200mm, 20cm or 8in",
+                 "a pixel is a unit");
+    paper_length(keys, "pen", sheet.pen, "for plotters: the width of the pen's line, 0.3mm",
+                 "marks are drawn as wide as they are");
+    if (!s.has_strokes) keys.word("dots", sheet.dots, dot_forms, "for plotters: dots are circles, or short strokes");
+    keys.word("travel", sheet.travel, pen_travels, "for plotters: the order of marks");
+    if (!keys.is_read()) return;
+    if (sheet.pen > 0 && sheet.width == 0) throw keys.invalid("pen", "goes with " + keys.name_of("width"));
+    for (const char* key : {"width", "pen", "dots", "travel"})
+        if (keys.is_given(key)) s.plot = sheet;
+}
 
 void mark_keys(Keys& keys, StippleSettings& s)
 {
@@ -37,6 +65,7 @@ void mark_keys(Keys& keys, StippleSettings& s)
         keys.number("angle", s.angle, {-7, 7}, "the direction of strokes").unit("radians").otherwise("along lines");
         keys.number("slenderness", s.slenderness, {1, 100}, "how many times as long as wide strokes are");
     }
+    plotter_keys(keys, s);
     if (!keys.is_read()) return;
     if (s.points == 0 && s.mark_width == 0)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of(width)));
@@ -62,6 +91,16 @@ std::string placing_words(const StippleSettings& settings, const Stippling& stip
     if (settings.by == MarkPlaces::warping) return warped;
     if (stippling.asked < least_relaxed_places) return warped + ", too few to be relaxed";
     return fmt::format("{}, then {} iterations of Gaussian blue noise", warped, settings.iterations);
+}
+
+/// Adds the files for plotters, and how far the pen travels.
+void add_plot(const StippleSettings& settings, const InkPicture& picture, const Stippling& stippling,
+              DistributionFiles& files, DistributionResult& result)
+{
+    const Plot plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, *settings.plot);
+    result.facts.push_back(plot_words(plot));
+    write_whole_file(files.add("plot.svg", result), plot_svg(plot));
+    write_whole_file(files.add("plot.dxf", result), plot_dxf(plot, mark_label(settings)));
 }
 
 DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t seed, const DistributionPlace& place,
@@ -90,6 +129,7 @@ DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t 
                  static_cast<std::uint32_t>(std::max(picture.ink.width, picture.ink.height)), "");
     result.numbers =
         mark_numbers(picture, settings, stippling, tones_of(picture, settings, stippling, coverage, place));
+    if (settings.plot) add_plot(settings, picture, stippling, files, result);
     return result;
 }
 

@@ -91,6 +91,32 @@ enum class MarkPlaces
 inline constexpr WordTable<MarkPlaces, 3> mark_places{
     {{{MarkPlaces::warping, "warping"}, {MarkPlaces::ranks, "ranks"}, {MarkPlaces::gaussian, "gaussian"}}}};
 
+/// A dot is drawn in one of these forms.
+enum class DotForm
+{
+    circles,
+    strokes, ///< a hundredth of a unit long, which a pen makes a dot of
+};
+inline constexpr WordTable<DotForm, 2> dot_forms{{{{DotForm::circles, "circles"}, {DotForm::strokes, "strokes"}}}};
+
+/// The order in which marks are drawn.
+enum class PenTravel
+{
+    nearest,
+    as_made, ///< as the sampler made them
+};
+inline constexpr WordTable<PenTravel, 2> pen_travels{
+    {{{PenTravel::nearest, "nearest"}, {PenTravel::as_made, "as-made"}}}};
+
+/// A sheet of paper for a plotter: see host/distribution/ink/plot.hpp.
+struct PlotSheet
+{
+    double width = 0; ///< of the picture, in millimetres; 0: a pixel is a unit
+    double pen = 0;   ///< in millimetres; 0: the pen is as wide as marks are
+    DotForm dots = DotForm::circles;
+    PenTravel travel = PenTravel::nearest;
+};
+
 /// kind = "stippling" and "hatching": see host/distribution/stipple.hpp. Either `points` or `mark_width` is
 /// 0.
 struct StippleSettings
@@ -101,12 +127,13 @@ struct StippleSettings
     std::size_t points = 0;   ///< marks
     double mark_width = 0;    ///< diameter of dots, or width of strokes, in pixels of the picture
     MarkPlaces by = MarkPlaces::gaussian;
-    std::size_t iterations = 200; ///< of Gaussian blue noise
-    double zoom = 1;              ///< the picture shows the middle, one over this of each side
-    EvenMethodChoice method;      ///< by ranks: tiles or nothing
-    bool has_strokes = false;     ///< instead of dots
-    std::optional<double> angle;  ///< of strokes, radians; none: along the picture's lines
-    double slenderness = 8;       ///< of strokes: length over width
+    std::size_t iterations = 200;  ///< of Gaussian blue noise
+    double zoom = 1;               ///< the picture shows the middle, one over this of each side
+    EvenMethodChoice method;       ///< by ranks: tiles or nothing
+    bool has_strokes = false;      ///< instead of dots
+    std::optional<double> angle;   ///< of strokes, radians; none: along the picture's lines
+    double slenderness = 8;        ///< of strokes: length over width
+    std::optional<PlotSheet> plot; ///< what is made for a plotter, if anything is
 };
 
 /// Says how a region's boundary keeps points away.

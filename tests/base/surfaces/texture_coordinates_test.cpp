@@ -81,6 +81,23 @@ TEST_F(TexturedFiles, OfPlyMayHaveListsBesideThem)
     EXPECT_EQ(mesh.texture_triangles, mesh.triangles);
 }
 
+/// Corners at one vertex share a texture point unless a seam parts them; those of vertices are left alone then.
+TEST_F(TexturedFiles, OfPlyMayBeListsOfFaces)
+{
+    const std::string begin = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                              "property float z\nproperty float s\nproperty float t\nelement face 3\n"
+                              "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n"
+                              "0 0 0 9 9\n1 0 0 9 9\n1 1 0 9 9\n0 1 0 9 9\n";
+    const TriangleMesh mesh =
+        read("a.ply", begin + "3 0 1 2 6 0 0 0.5 0 0.5 1\n3 0 2 3 6 0.25 0 0.5 1 0 1\n3 0 1 3 0\n");
+    EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{0, 0}, {0.5, 0}, {0.5, 1}, {0.25, 0}, {0, 1}}));
+    EXPECT_EQ(
+        mesh.texture_triangles,
+        (std::vector<MeshTriangle>{{0, 1, 2}, {3, 2, 4}, {no_texture_point, no_texture_point, no_texture_point}}));
+    EXPECT_THAT(refusal("a.ply", begin + "3 0 1 2 5 0 0 0.5 0 0.5\n3 0 2 3 0\n3 0 1 3 0\n"),
+                HasSubstr("texcoord: has 5 numbers, and must have two for each of 3 corners"));
+}
+
 TEST_F(TexturedFiles, SayWhatIsWrong)
 {
     EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n"),

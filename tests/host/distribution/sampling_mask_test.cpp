@@ -94,7 +94,8 @@ TEST(SamplingMasks, KeepDistancesOfAllPairs)
 /// Where all pixels are samples no distance is asked for, nor where costs are 0: no part of one is told.
 TEST(SamplingMasks, TellNoPartOfADistanceThatIsNotAskedFor)
 {
-    for (const std::array<std::uint32_t, 2> shape : {std::array<std::uint32_t, 2>{33, 47}, {8, 8}, {5, 40}})
+    for (const std::array<std::uint32_t, 2> shape :
+         {std::array<std::uint32_t, 2>{33, 47}, {8, 8}, {5, 40}, {1, 320}, {40, 1}})
         for (const double acceleration : {1.0, 1.02, 1.3, 2.0, 4.0})
             for (const double power : {0.0, 0.5, 1.0, 4.0, 12.0}) {
                 SamplingMaskSettings settings;

@@ -117,7 +117,7 @@ TEST_F(SvgFileRegions, RefuseWhatIsNotKnown)
 {
     EXPECT_THAT(
         refusal("\n<text>words</text>"),
-        EndsWith("a.svg:3: <text>: is not known here: regions are made of path, polygon, polyline, rect, circle "
+        EndsWith("a.svg:3: <text>: is not known here: regions are made of path, polygon, polyline, line, rect, circle "
                  "and ellipse, in groups (g)"));
     EXPECT_THAT(refusal("<use href='#a'/>"), HasSubstr("a.svg:2: <use>: is not known here"));
     EXPECT_THAT(refusal("<svg><rect width='1' height='1'/></svg>"), HasSubstr("a.svg:2: <svg>: is not known here"));

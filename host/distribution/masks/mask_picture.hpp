@@ -1,0 +1,78 @@
+// Pictures as masks of thresholds: dither masks and textures of blue noise, made anywhere.
+//
+// A mask goes on around its border, as it does where it is laid side by side. Frequencies of W x H pixels are (u / W, v
+// / H) cycles a pixel, and rings hold those of one true length. What its own values are is their power, which is 1 at
+// all frequencies for white noise, and how evenly they are spread over all that there are (Ulichney 1993: The
+// void-and-cluster method; Georgiev and Fajardo 2016: Blue-noise dithered sampling); what it is used for are the pixels
+// below thresholds, as point sets.
+#pragma once
+
+#include "host/kinds/kind.hpp"
+#include "results/pictures/distribution_result.hpp"
+#include "results/pictures/mark_picture.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// kind = "mask-picture".
+struct MaskPictureSettings
+{
+    std::filesystem::path mask;
+    std::string channel; ///< empty: the only one, or the one that all colours have in common
+};
+
+/// The values of a mask, row after row from the top.
+struct MaskPicture
+{
+    std::uint32_t width = 0, height = 0;
+    std::vector<double> values; ///< as the file has them: of 8 and 16 bits whole numbers
+    double low = 0, high = 1;   ///< the least and the largest value that there could be
+    std::uint32_t codes = 0;    ///< how many values there could be; 0: any number
+    std::string note{};         ///< what of the file was left out
+
+    std::size_t pixels() const { return values.size(); }
+};
+
+/// Reads a mask. Throws InputError, one line, for what is no picture, has numbers that are none, channels of which one
+/// must be chosen, and one value everywhere.
+MaskPicture read_mask_picture(const MaskPictureSettings& settings);
+
+/// Power of a field of W x H numbers, by FFTW, over the sum of their squares: 1 on average. Frequencies (u, v) in rows
+/// of v, both from 0 to their number less one.
+std::vector<double> field_power(const std::vector<double>& values, std::uint32_t width, std::uint32_t height);
+
+/// Means over rings of frequencies up to half a cycle a pixel, of which a mask has as many as its shorter side has
+/// frequencies; (u, v) and (-u, -v) count once.
+struct RingPower
+{
+    std::vector<double> frequency; ///< of the ring's middle, cycles a pixel
+    std::vector<double> power;
+    std::vector<double> anisotropy; ///< variance over the square of the mean; 1 for noise without directions
+};
+RingPower ring_power(const std::vector<double>& power, std::uint32_t width, std::uint32_t height);
+
+/// The pixels below a threshold or, where these are more than half, those that are not.
+struct MaskLevel
+{
+    double threshold = 0; ///< a value of the mask
+    std::size_t below = 0;
+    double least_distance = 0; ///< pixels
+    double mean_nearest = 0;   ///< over the largest least distance of as many points
+    double low_power = 0;      ///< mean power of frequencies below half of the principal one; random pixels have 1
+    RingPower rings;           ///< of the power over the number of pixels
+};
+
+/// Measures at values below which there are sixteenths of all pixels, or nearly; a mask of few values has fewer.
+std::vector<MaskLevel> mask_levels(const MaskPicture& mask);
+
+/// The largest difference between the part of the pixels that have a value or less, and that of an even histogram.
+double histogram_error(const MaskPicture& mask);
+
+/// kind = "mask-picture": measures one.
+Kind mask_picture_kind();
+
+}
