@@ -56,8 +56,8 @@ void QuadTopology::join_sides(const QuadMesh& mesh)
         const std::uint32_t from = quad[side % 4], to = quad[(side + 1) % 4];
         const auto other = sides.find(way_of(to, from));
         if (other == sides.end())
-            throw InputError(fmt::format("{} has a quad on one side only: the surface must be closed",
-                                         named_edge(from, to)));
+            throw InputError(
+                fmt::format("{} has a quad on one side only: the surface must be closed", named_edge(from, to)));
         across_[side] = {other->second / 4, other->second % 4};
         edges_[side] = side < other->second ? static_cast<std::uint32_t>(edge_count_++) : edges_[other->second];
     }
@@ -81,8 +81,8 @@ void QuadTopology::order_corners(const QuadMesh& mesh)
                 at = across({at.quad, (at.corner + 3) % 4});
             } while (at != QuadCorner{q, k});
             if (corners.size() != count[vertex])
-                throw InputError(fmt::format("parts of the surface touch at vertex {} alone: it is no manifold",
-                                             vertex + 1));
+                throw InputError(
+                    fmt::format("parts of the surface touch at vertex {} alone: it is no manifold", vertex + 1));
             ++vertex_count_;
         }
 }
@@ -122,15 +122,15 @@ QuadMesh refined(const QuadMesh& mesh, const QuadTopology& topology, std::uint32
         };
         for (std::uint32_t side = 0; side < 4; ++side)
             for (std::uint32_t step = 1; step < parts && topology.is_forward({q, side}); ++step)
-                fine.vertices[on_side(q, side, step)] =
-                    mixed_places(mesh.vertices[quad[side]], 1 - part(step), mesh.vertices[quad[(side + 1) % 4]],
-                                 part(step));
+                fine.vertices[on_side(q, side, step)] = mixed_places(mesh.vertices[quad[side]], 1 - part(step),
+                                                                     mesh.vertices[quad[(side + 1) % 4]], part(step));
         for (std::uint32_t j = 1; j < parts; ++j)
             for (std::uint32_t i = 1; i < parts; ++i) {
                 const auto row = [&](std::uint32_t left, std::uint32_t right) {
                     return mixed_places(mesh.vertices[left], 1 - part(i), mesh.vertices[right], part(i));
                 };
-                fine.vertices.push_back(mixed_places(row(quad[0], quad[1]), 1 - part(j), row(quad[3], quad[2]), part(j)));
+                fine.vertices.push_back(
+                    mixed_places(row(quad[0], quad[1]), 1 - part(j), row(quad[3], quad[2]), part(j)));
             }
         for (std::uint32_t j = 0; j < parts; ++j)
             for (std::uint32_t i = 0; i < parts; ++i)
@@ -149,8 +149,8 @@ QuadMesh smoothed(const QuadMesh& mesh, const QuadTopology& topology)
     for (std::uint32_t q = 0; q < mesh.quads.size(); ++q)
         for (std::uint32_t side = 0; side < 4; ++side) {
             if (!topology.is_forward({q, side})) continue;
-            const MeshPoint middles = mixed_places(middle_of(mesh, q), 0.25,
-                                                   middle_of(mesh, topology.across({q, side}).quad), 0.25);
+            const MeshPoint middles =
+                mixed_places(middle_of(mesh, q), 0.25, middle_of(mesh, topology.across({q, side}).quad), 0.25);
             MeshPoint& place = fine.vertices[edge_vertex({q, side})];
             place = mixed_places(place, 0.5, middles, 1); // it was the middle of the edge
         }
@@ -188,8 +188,8 @@ MeshPoint place_on(const QuadMesh& mesh, std::uint32_t quad, double u, double v)
 {
     const FanPlace at = fan_place(u, v);
     const Quad& q = mesh.quads[quad];
-    const MeshPoint on_side = mixed_places(mesh.vertices[q[at.side]], 1 - at.end - at.middle,
-                                           mesh.vertices[q[(at.side + 1) % 4]], at.end);
+    const MeshPoint on_side =
+        mixed_places(mesh.vertices[q[at.side]], 1 - at.end - at.middle, mesh.vertices[q[(at.side + 1) % 4]], at.end);
     return mixed_places(on_side, 1, middle_of(mesh, quad), at.middle);
 }
 

@@ -129,9 +129,8 @@ private:
     /// Is a place around a vertex far enough from the points of its disk, of those that are there?
     bool is_free(const Sector& of, const WedgePlace& p)
     {
-        return std::ranges::none_of(disks_.at({of.valence, of.color}), [&](const WedgePlace& q) {
-            return cone_squared(of.valence, p, q) < squared_;
-        });
+        return std::ranges::none_of(disks_.at({of.valence, of.color}),
+                                    [&](const WedgePlace& q) { return cone_squared(of.valence, p, q) < squared_; });
     }
 
     bool is_free(const std::vector<UnitPlace>& points, const UnitPlace& p) const

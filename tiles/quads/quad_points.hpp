@@ -31,7 +31,7 @@ struct QuadPoint
 
 struct QuadPoints
 {
-    std::vector<QuadPoint> points;              ///< quad after quad
+    std::vector<QuadPoint> points;               ///< quad after quad
     std::size_t disks = 0, edges = 0, tiles = 0; ///< how many different ones there are
 };
 

@@ -40,9 +40,8 @@ void dress_in_objects(const KindOptions& o)
 
 Command dressing_command(const char* word, const char* notes, void (*work)(const KindOptions&))
 {
-    return kind_command(
-        *find_kind("distribution", word), {{{".png", ".glb"}}}, notes, work, "mesh",
-        {16384, std::to_string(default_quad_picture_pixels), default_quad_picture_pixels});
+    return kind_command(*find_kind("distribution", word), {{{".png", ".glb"}}}, notes, work, "mesh",
+                        {16384, std::to_string(default_quad_picture_pixels), default_quad_picture_pixels});
 }
 
 }

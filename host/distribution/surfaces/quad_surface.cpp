@@ -102,7 +102,8 @@ QuadMesh quads_of_faces(const QuadSettings& settings)
                               soup.corners[4 * face + 3]});
     }
     if (mesh.quads.size() << 2 * settings.smooth > most_quads)
-        throw InputError(fmt::format("these are {} quads: at most {}", mesh.quads.size() << 2 * settings.smooth, most_quads));
+        throw InputError(
+            fmt::format("these are {} quads: at most {}", mesh.quads.size() << 2 * settings.smooth, most_quads));
     for (std::uint32_t step = 0; step < settings.smooth; ++step) mesh = smoothed(mesh, QuadTopology(mesh));
     return refined_within(mesh, settings.refine);
 }
@@ -190,7 +191,8 @@ QuadMesh cube_quads(const QuadSettings& settings)
         for (std::size_t i = 0; i < triangles.size(); ++i)
             if (product(direction, cones[i].first) >= cones[i].second * norm) {
                 const Corners& t = triangles[i];
-                hit.offer(i, {volume(direction, t[1], t[2]), volume(t[0], direction, t[2]), volume(t[0], t[1], direction)});
+                hit.offer(
+                    i, {volume(direction, t[1], t[2]), volume(t[0], direction, t[2]), volume(t[0], t[1], direction)});
             }
         MeshPoint at = place_of_shares(triangles[hit.triangle], hit.shares);
         for (std::size_t k = 0; k < 3; ++k) at[k] += middle[k];
@@ -258,7 +260,8 @@ std::set<Square> squares_under(const std::vector<PolycubeTriangle>& triangles)
                 Hit hit;
                 hit.offer(0, t.shares_at(centre));
                 if (hit.least >= -1e-9) squares.emplace(lowest, t.axis, t.is_upper);
-                if (squares.size() > most_quads) throw InputError("the polycube has too many squares: cube_side is larger");
+                if (squares.size() > most_quads)
+                    throw InputError("the polycube has too many squares: cube_side is larger");
             }
     }
     return squares;
@@ -269,8 +272,9 @@ QuadMesh polycube_quads(const QuadSettings& settings)
     const PolygonSoup own = read_polygons(settings.mesh, MeshParts::faces),
                       mapped = read_polygons(settings.polycube, MeshParts::faces);
     if (own.points.size() != mapped.points.size() || own.sizes != mapped.sizes || own.corners != mapped.corners)
-        throw InputError(fmt::format("has {} vertices and {} faces, its polycube {} and {}: both must have the same faces",
-                                     own.points.size(), own.sizes.size(), mapped.points.size(), mapped.sizes.size()));
+        throw InputError(
+            fmt::format("has {} vertices and {} faces, its polycube {} and {}: both must have the same faces",
+                        own.points.size(), own.sizes.size(), mapped.points.size(), mapped.sizes.size()));
     const auto faces = fans_of_faces(own);
     const auto places = corners_of(own.points, faces);
     const auto triangles = polycube_triangles(corners_of(mapped.points, faces), settings.cube_side);
@@ -281,8 +285,8 @@ QuadMesh polycube_quads(const QuadSettings& settings)
             if (std::abs(place[triangles[i].axis] - triangles[i].plane) < grid_slack)
                 hit.offer(i, triangles[i].shares_at(place));
         if (hit.least < -2 * grid_slack)
-            throw InputError(fmt::format("no triangle of the polycube is at ({:.4g}, {:.4g}, {:.4g})", place[0], place[1],
-                                         place[2]));
+            throw InputError(fmt::format("no triangle of the polycube is at ({:.4g}, {:.4g}, {:.4g})", place[0],
+                                         place[1], place[2]));
         return place_of_shares(places[hit.triangle], hit.shares);
     });
     return mesh;
@@ -359,19 +363,19 @@ StretchOfAll stretch_of_quads(const QuadTriangles& triangles)
 std::vector<DistributionNumber> quad_numbers(const QuadSurface& surface, const StretchOfAll& stretch)
 {
     const auto number = [](auto count) { return static_cast<double>(count); };
-    return {{"quads", "Quads", number(surface.mesh.quads.size()), fmt::format("of {} coarse ones", surface.coarse)},
-            {"vertices", "Vertices", number(surface.topology.vertices()), "of quads"},
-            {"irregular", "Irregular vertices", number(surface.topology.irregular()),
-             "where other than four quads meet"},
-            {"euler", "Vertices less edges plus quads", number(surface.topology.euler()), "2 for a sphere, 0 for a torus"},
-            {"least_stretch", "Least stretch", stretch.extremes.least,
-             "units of the mesh: what a side of a tile becomes where it is shortest"},
-            {"greatest_stretch", "Greatest stretch", stretch.extremes.greatest,
-             "units of the mesh: what a side of a tile becomes where it is longest"},
-            {"area_distortion", "Area distortion", stretch.area_distortion,
-             "the greatest area on the surface of an equal area of tiles, over the least"},
-            {"mean_stretch", "Mean stretch", stretch.root_mean_square,
-             "root mean square of lengths (L2 of Sander 2001): 1 where tiles keep all lengths but for one scale"}};
+    return {
+        {"quads", "Quads", number(surface.mesh.quads.size()), fmt::format("of {} coarse ones", surface.coarse)},
+        {"vertices", "Vertices", number(surface.topology.vertices()), "of quads"},
+        {"irregular", "Irregular vertices", number(surface.topology.irregular()), "where other than four quads meet"},
+        {"euler", "Vertices less edges plus quads", number(surface.topology.euler()), "2 for a sphere, 0 for a torus"},
+        {"least_stretch", "Least stretch", stretch.extremes.least,
+         "units of the mesh: what a side of a tile becomes where it is shortest"},
+        {"greatest_stretch", "Greatest stretch", stretch.extremes.greatest,
+         "units of the mesh: what a side of a tile becomes where it is longest"},
+        {"area_distortion", "Area distortion", stretch.area_distortion,
+         "the greatest area on the surface of an equal area of tiles, over the least"},
+        {"mean_stretch", "Mean stretch", stretch.root_mean_square,
+         "root mean square of lengths (L2 of Sander 2001): 1 where tiles keep all lengths but for one scale"}};
 }
 
 }

@@ -19,8 +19,8 @@ void check_quad_points(std::size_t points, std::size_t quads)
 {
     const double each = static_cast<double>(points) / static_cast<double>(quads);
     if (quad_distance(points, quads) <= most_quad_distance && each <= 65536) return;
-    throw InputError(fmt::format("{:.4g} points on each of {} quads: tiles have 10 to 65,536; fewer quads have more", each,
-                                 quads));
+    throw InputError(
+        fmt::format("{:.4g} points on each of {} quads: tiles have 10 to 65,536; fewer quads have more", each, quads));
 }
 
 std::shared_ptr<const SurfaceMesh> mesh_of_quads(const MeshPointSettings& settings)
@@ -51,9 +51,10 @@ SurfaceSet tiled_quads(const MeshPointSettings& settings, std::shared_ptr<const 
     add("tile_disks", "Disks around vertices", laid.disks, "that differ: of each valence, each colour");
     set.quads.push_back({"tile_distance", "Distance of the tiles", distance,
                          "that all points keep along the quads, in sides of a tile: proven"});
-    set.quads.push_back({"surface_distance", "Distance on the surface", distance * stretch.extremes.least,
-                         "that all points keep along the surface, in units of the mesh: proven; through space they may be "
-                         "nearer"});
+    set.quads.push_back(
+        {"surface_distance", "Distance on the surface", distance * stretch.extremes.least,
+         "that all points keep along the surface, in units of the mesh: proven; through space they may be "
+         "nearer"});
     return set;
 }
 

@@ -39,7 +39,8 @@ public:
     template <class Value>
     void add(const std::vector<Value>& values, int target)
     {
-        add_bytes(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)), target);
+        add_bytes(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)),
+                  target);
     }
     void add_bytes(std::string_view part, int target)
     {
@@ -94,7 +95,9 @@ GlbVertices glb_vertices(const QuadMesh& mesh, const QuadTopology& topology, con
             const auto at = atlas.place_of(q, places[i][0], places[i][1]);
             all.texture.push_back(static_cast<float>(at[0] / atlas.color.width));
             all.texture.push_back(static_cast<float>(at[1] / atlas.color.height));
-            if (i < 4) all.corners.insert(all.corners.end(), {5 * q + static_cast<std::uint32_t>(i), 5 * q + static_cast<std::uint32_t>(i + 1) % 4, 5 * q + 4});
+            if (i < 4)
+                all.corners.insert(all.corners.end(), {5 * q + static_cast<std::uint32_t>(i),
+                                                       5 * q + static_cast<std::uint32_t>(i + 1) % 4, 5 * q + 4});
         }
     }
     return all;
@@ -104,7 +107,8 @@ GlbVertices glb_vertices(const QuadMesh& mesh, const QuadTopology& topology, con
 
 QuadAtlas QuadAtlas::with(std::size_t count, int side, int gutter, int channels)
 {
-    QuadAtlas atlas{side, gutter, std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))))), {}, {}, {}};
+    QuadAtlas atlas{side, gutter, std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))))),
+                    {},   {},     {}};
     const int whole = side + 2 * gutter, rows = (static_cast<int>(count) + atlas.columns - 1) / atlas.columns;
     atlas.color = {atlas.columns * whole, rows * whole, channels, {}};
     atlas.color.values.resize(atlas.color.at(0, atlas.color.height, 0));
@@ -159,14 +163,16 @@ PngPixels normals_of_heights(const PngPixels& heights, double relief)
 {
     PngPixels normals{heights.width, heights.height, 3, {}};
     const auto height = [&](int x, int y) {
-        return heights.values[heights.at(std::clamp(x, 0, heights.width - 1), std::clamp(y, 0, heights.height - 1), 0)] *
+        return heights
+                   .values[heights.at(std::clamp(x, 0, heights.width - 1), std::clamp(y, 0, heights.height - 1), 0)] *
                relief / 255;
     };
     for (int y = 0; y < heights.height; ++y)
         for (int x = 0; x < heights.width; ++x) {
             const MeshPoint n =
                 unit({(height(x - 1, y) - height(x + 1, y)) / 2, (height(x, y + 1) - height(x, y - 1)) / 2, 1});
-            for (const double c : n) normals.values.push_back(static_cast<std::uint8_t>(std::lround(127.5 + 127.5 * c)));
+            for (const double c : n)
+                normals.values.push_back(static_cast<std::uint8_t>(std::lround(127.5 + 127.5 * c)));
         }
     return normals;
 }
@@ -230,10 +236,10 @@ void write_glb(const std::filesystem::path& file, const QuadMesh& mesh, const Qu
         {"scene", 0},
         {"scenes", Json::array({{{"nodes", {0}}}})},
         {"nodes", Json::array({{{"mesh", 0}}})},
-        {"meshes", Json::array({{{"primitives",
-                                  Json::array({{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}},
-                                                {"indices", 3},
-                                                {"material", 0}}})}}})},
+        {"meshes",
+         Json::array({{{"primitives", Json::array({{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}},
+                                                    {"indices", 3},
+                                                    {"material", 0}}})}}})},
         {"materials", Json::array({material})},
         {"textures", textures},
         {"images", images},

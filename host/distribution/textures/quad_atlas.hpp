@@ -38,14 +38,14 @@ struct QuadAtlas
 /// Steps of colours from one pixel to the next, means over a surface of sums over channels.
 struct AtlasSteps
 {
-    double across = 0; ///< from a quad to the next one, over their edge
-    double inside = 0; ///< over the lines beside edges, in the same direction
+    double across = 0;                               ///< from a quad to the next one, over their edge
+    double inside = 0;                               ///< over the lines beside edges, in the same direction
     double greatest_across = 0, greatest_inside = 0; ///< means of one edge, and of one such line
 };
 AtlasSteps atlas_steps(const QuadAtlas& atlas, const QuadMesh& mesh, const QuadTopology& topology);
 
-/// Normals of a map of heights: as its gutters have them as well, but for the outermost pixel. `relief`: pixels that the
-/// full range of heights is high.
+/// Normals of a map of heights: as its gutters have them as well, but for the outermost pixel. `relief`: pixels that
+/// the full range of heights is high.
 PngPixels normals_of_heights(const PngPixels& heights, double relief);
 
 /// Writes the surface as binary glTF 2.0, four triangles of each quad, y upwards. Throws StorageError.

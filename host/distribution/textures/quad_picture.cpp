@@ -27,8 +27,8 @@ struct EyeAxes
     MeshPoint right, up, back;
 
     EyeAxes(double turn, double height)
-        : right{std::cos(turn), std::sin(turn), 0},
-          up{-std::sin(turn) * std::sin(height), std::cos(turn) * std::sin(height), std::cos(height)},
+        : right{std::cos(turn), std::sin(turn), 0}, up{-std::sin(turn) * std::sin(height),
+                                                       std::cos(turn) * std::sin(height), std::cos(height)},
           back{std::sin(turn) * std::cos(height), -std::cos(turn) * std::cos(height), std::sin(height)}
     {}
 };
@@ -44,7 +44,8 @@ public:
     };
 
     SeenQuads(const QuadMesh& mesh, const EyeAxes& axes, int width, int height, double filled)
-        : axes_(axes), width_(width), height_(height), seen_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        : axes_(axes), width_(width), height_(height),
+          seen_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     {
         MeshPoint low{INFINITY, INFINITY, 0}, high{-INFINITY, -INFINITY, 0};
         for (const MeshPoint& p : mesh.vertices)
@@ -53,7 +54,8 @@ public:
                 low[k] = std::min(low[k], at);
                 high[k] = std::max(high[k], at);
             }
-        scale_ = filled * std::min(width / std::max(high[0] - low[0], 1e-300), height / std::max(high[1] - low[1], 1e-300));
+        scale_ =
+            filled * std::min(width / std::max(high[0] - low[0], 1e-300), height / std::max(high[1] - low[1], 1e-300));
         middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0};
         for (std::uint32_t q = 0; q < mesh.quads.size(); ++q) draw(mesh, q);
     }
@@ -71,7 +73,10 @@ public:
         const MeshPoint p = sum_of(sum_of({}, right, axes_.right), up, axes_.up);
         return sum_of(p, (height - p[2]) / axes_.back[2], axes_.back);
     }
-    const Seen& seen(int x, int y) const { return seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)]; }
+    const Seen& seen(int x, int y) const
+    {
+        return seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    }
 
     /// The share of nine samples around a place that nothing nearer to the eye hides.
     double share_in_sight(const MeshPoint& place) const
@@ -96,8 +101,8 @@ private:
         const MeshPoint middle = at(middle_of(mesh, q));
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t next = (k + 1) % 4;
-            const std::array<MeshPoint, 3> c{at(mesh.vertices[mesh.quads[q][k]]), at(mesh.vertices[mesh.quads[q][next]]),
-                                             middle};
+            const std::array<MeshPoint, 3> c{at(mesh.vertices[mesh.quads[q][k]]),
+                                             at(mesh.vertices[mesh.quads[q][next]]), middle};
             const double area = (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
             if (area == 0) continue;
             const auto ends = [&](std::size_t axis, int most) {
@@ -112,7 +117,8 @@ private:
                     const double m = 1 - a - b;
                     if (a < 0 || b < 0 || m < 0) continue;
                     const auto depth = static_cast<float>(a * c[0][2] + b * c[1][2] + m * c[2][2]);
-                    Seen& sample = seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+                    Seen& sample = seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                         static_cast<std::size_t>(x)];
                     if (depth <= sample.depth) continue;
                     sample = {q, static_cast<float>(a * unit_square[k][0] + b * unit_square[next][0] + m / 2),
                               static_cast<float>(a * unit_square[k][1] + b * unit_square[next][1] + m / 2), depth};
@@ -136,7 +142,8 @@ MeshPoint sampled(const PngPixels& picture, const std::array<double, 2>& at, con
     MeshPoint sum{};
     for (int i = 0; i < 4; ++i) {
         const double share = (i % 2 == 1 ? right : 1 - right) * (i / 2 == 1 ? down : 1 - down);
-        const int column = std::clamp(x + i % 2, 0, picture.width - 1), row = std::clamp(y + i / 2, 0, picture.height - 1);
+        const int column = std::clamp(x + i % 2, 0, picture.width - 1),
+                  row = std::clamp(y + i / 2, 0, picture.height - 1);
         for (int c = 0; c < 3; ++c)
             sum[static_cast<std::size_t>(c)] +=
                 share * of(picture.values[picture.at(column, row, std::min(c, picture.channels - 1))]);
@@ -196,7 +203,9 @@ private:
     MeshPoint normal_at(const SeenQuads::Seen& seen, const std::array<double, 2>& at) const
     {
         const auto& corners = normals_[seen.quad];
-        const auto row = [&](std::size_t a, std::size_t b) { return sum_of(sum_of({}, 1 - seen.u, corners[a]), seen.u, corners[b]); };
+        const auto row = [&](std::size_t a, std::size_t b) {
+            return sum_of(sum_of({}, 1 - seen.u, corners[a]), seen.u, corners[b]);
+        };
         const MeshPoint smooth = unit(sum_of(sum_of({}, 1 - seen.v, row(0, 1)), seen.v, row(3, 2)));
         if (atlas_.normal.values.empty()) return smooth;
         const MeshPoint bump = sampled(atlas_.normal, at, [](std::uint8_t byte) { return byte / 127.5 - 1; });

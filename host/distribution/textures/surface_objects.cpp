@@ -1,9 +1,9 @@
 // Objects of the procedural object distribution function on a surface of quads: at each pixel of the atlas the nearest
 // point of the surface's Poisson disk tiling, whether the place is in its disk, and what its object shows there.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.6, figure 7.13. Disks have half of the tiling's distance
-// along the quads for their radius; an object lies in the frame of its point's own quad, which is unfolded around
-// the vertex that is nearest to the place.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.6, figure 7.13. Disks have half of the tiling's
+// distance along the quads for their radius; an object lies in the frame of its point's own quad, which is unfolded
+// around the vertex that is nearest to the place.
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -41,7 +41,8 @@ class ObjectsOnQuads
 {
 public:
     ObjectsOnQuads(const QuadSurface& surface, const QuadPoints& points, const ObjectScene& scene, double per_unit)
-        : surface_(surface), points_(points), scene_(scene), per_unit_(per_unit), first_(surface.mesh.quads.size() + 1, 0)
+        : surface_(surface), points_(points), scene_(scene), per_unit_(per_unit),
+          first_(surface.mesh.quads.size() + 1, 0)
     {
         for (const QuadPoint& p : points.points) ++first_[p.quad + 1];
         for (std::size_t q = 1; q < first_.size(); ++q) first_[q] += first_[q - 1];
@@ -129,7 +130,7 @@ DressedSurface surface_of_objects(const SurfaceObjectSettings& settings, std::ui
     const ObjectsOnQuads objects(surface, points, scene, 1 / side);
 
     QuadAtlas& atlas = dressed.atlas;
-    constexpr int gutter = 2, samples = 3;
+    constexpr int gutter = 2, samples = 2;
     atlas = QuadAtlas::with(surface.mesh.quads.size(), settings.texels, gutter, 3);
     for (std::uint32_t q = 0; q < surface.mesh.quads.size(); ++q) atlas.cells.push_back({q, 0});
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(surface.mesh.quads.size()), [&](std::uint32_t q) {
@@ -139,7 +140,8 @@ DressedSurface surface_of_objects(const SurfaceObjectSettings& settings, std::ui
         for (int i = 0; i < whole * whole; ++i) {
             std::array<std::uint32_t, 3> sum{};
             for (int s = 0; s < samples * samples; ++s) {
-                const double x = i % whole + (s % samples + 0.5) / samples, y = i / whole + (s / samples + 0.5) / samples;
+                const double x = i % whole + (s % samples + 0.5) / samples,
+                             y = i / whole + (s / samples + 0.5) / samples;
                 const std::uint32_t color = objects.color_at(q, part(x), 1 - part(y));
                 for (std::uint32_t c = 0; c < 3; ++c) sum[c] += color >> (16 - 8 * c) & 255;
             }

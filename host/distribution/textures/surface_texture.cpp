@@ -135,8 +135,8 @@ DressedSurface textured_surface(const SurfaceTextureSettings& settings, std::uin
     if (!settings.normals.empty())
         atlas.normal = shown_cells(set, atlas, companion(settings.normals, exemplar, 3), true);
     if (!settings.heights.empty())
-        atlas.normal =
-            normals_of_heights(shown_cells(set, atlas, companion(settings.heights, exemplar, 1), false), settings.relief);
+        atlas.normal = normals_of_heights(shown_cells(set, atlas, companion(settings.heights, exemplar, 1), false),
+                                          settings.relief);
     const SurfaceLabels labels(surface, settings, seed);
     std::set<std::uint32_t> used;
     for (std::uint32_t q = 0; q < surface.mesh.quads.size(); ++q) {

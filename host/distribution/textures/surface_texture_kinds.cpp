@@ -82,7 +82,8 @@ DistributionResult make_texture_result(const SurfaceTextureSettings& settings, s
     return result_of(textured_surface(settings, seed, place), files);
 }
 
-DistributionResult make_object_result(const SurfaceObjectSettings& settings, std::uint64_t seed, DistributionFiles& files)
+DistributionResult make_object_result(const SurfaceObjectSettings& settings, std::uint64_t seed,
+                                      DistributionFiles& files)
 {
     return result_of(surface_of_objects(settings, seed), files);
 }

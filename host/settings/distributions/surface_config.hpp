@@ -20,9 +20,10 @@ enum class SurfaceMethod
     quads
 };
 
-inline constexpr WordTable<SurfaceMethod, 4> surface_methods{
-    {{{SurfaceMethod::darts, "darts"}, {SurfaceMethod::elimination, "elimination"}, {SurfaceMethod::tiles, "tiles"},
-      {SurfaceMethod::quads, "quads"}}}};
+inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::darts, "darts"},
+                                                               {SurfaceMethod::elimination, "elimination"},
+                                                               {SurfaceMethod::tiles, "tiles"},
+                                                               {SurfaceMethod::quads, "quads"}}}};
 
 /// A mesh as it is read: see host/distribution/surfaces/surface_set.hpp.
 struct SurfaceMesh;

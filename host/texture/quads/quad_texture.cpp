@@ -30,7 +30,7 @@ struct EdgePiece
     {
         EdgePiece other = *this;
         std::ranges::reverse(other.sources);
-        for (TurnedSource& source : other.sources) source.turns = (source.turns + 2) % 4;
+        for (TurnedSource& source : other.sources) source.turns = static_cast<std::uint8_t>((source.turns + 2) % 4);
         return other;
     }
 };
@@ -98,7 +98,8 @@ public:
             set_.tiles.push_back(quilted(pieces, cuts, sides));
             canvases.push_back(inside_of(set_.tiles.back()));
         }
-        const auto middles = fit_pieces(exemplar_, canvases, middle_roles(), request_.pieces, used, "middles", progress_);
+        const auto middles =
+            fit_pieces(exemplar_, canvases, middle_roles(), request_.pieces, used, "middles", progress_);
         for (std::size_t i = 0; i < middles.size(); ++i) put(middles[i], set_.tiles[i]);
         return std::move(set_);
     }
@@ -148,8 +149,8 @@ private:
         return pieces;
     }
 
-    /// An edge that begins as the windows of its ends do: each end's window begins at its vertex. Where both are the same,
-    /// the piece is the same after half a turn.
+    /// An edge that begins as the windows of its ends do: each end's window begins at its vertex. Where both are the
+    /// same, the piece is the same after half a turn.
     EdgePiece piece_between(const ExemplarWindow& a, const ExemplarWindow& b, bool is_same, std::int64_t& cost) const
     {
         const EdgePiece first = piece_of(a), second = piece_of(b).turned();
@@ -190,18 +191,17 @@ private:
         for (int a = 0; a < half; ++a) // depth beyond the first side, that beyond the next one being b
             for (int b = 0; b < half; ++b) {
                 const int reach = std::min(a, b) < set_.gutter ? 0 : band;
-                roles.push_back(a < b - reach ? PixelRole::kept
+                roles.push_back(a < b - reach   ? PixelRole::kept
                                 : b < a - reach ? PixelRole::taken
-                                : reach == 0 ? PixelRole::kept
-                                             : PixelRole::free);
+                                : reach == 0    ? PixelRole::kept
+                                                : PixelRole::free);
             }
         Joined all{std::vector<SeamCut>(labels_ * labels_), pieces.cost};
         for (std::uint32_t label = 0; label < labels_; ++label)
             for (std::uint32_t next = 0; next < labels_; ++next) {
                 if (!can_follow(label, next)) continue;
-                const PngPixels kept = picture_of(exemplar_, half, half, [&](int b, int a) {
-                    return pixel_of(pieces, label, size_ - 1 - b, a);
-                });
+                const PngPixels kept = picture_of(
+                    exemplar_, half, half, [&](int b, int a) { return pixel_of(pieces, label, size_ - 1 - b, a); });
                 const PngPixels taken =
                     picture_of(exemplar_, half, half, [&](int b, int a) { return pixel_of(pieces, next, a, b); });
                 SeamCut& cut = all.cuts[label * labels_ + next];
@@ -253,9 +253,9 @@ private:
             for (int x = 0; x < size_; ++x) {
                 const double u = std::abs((x + 0.5) / size_ - 0.5), v = std::abs((y + 0.5) / size_ - 0.5);
                 const int border = std::min({x, y, size_ - 1 - x, size_ - 1 - y});
-                roles.push_back(border < set_.gutter                                     ? PixelRole::kept
+                roles.push_back(border < set_.gutter                                        ? PixelRole::kept
                                 : u * u * u * u + v * v * v * v < core * core * core * core ? PixelRole::taken
-                                                                                         : PixelRole::free);
+                                                                                            : PixelRole::free);
             }
         return roles;
     }

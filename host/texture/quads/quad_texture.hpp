@@ -5,9 +5,9 @@
 // side of a tile has a label that its neighbour sees from the other end: of Wang tiles, a colour and whether the tile
 // lies to the left or to the right of the edge's own direction; of corner tiles, the colours of both ends. Tiles count
 // once for their four turns, so that n labels of Wang tiles give (n^4 + n^2 + 2 n) / 4 of them. The slides of the class
-// notes give no construction. Here a label has a piece of the exemplar across its edge, and a tile is quilted of the four
-// halves of these (Cohen and others 2003); pieces are turned by quarters, so that exemplars should look alike from all
-// sides. Whatever number of quads meet in a vertex, each pair of neighbouring edges there is joined by a cut.
+// notes give no construction. Here a label has a piece of the exemplar across its edge, and a tile is quilted of the
+// four halves of these (Cohen and others 2003); pieces are turned by quarters, so that exemplars should look alike from
+// all sides. Whatever number of quads meet in a vertex, each pair of neighbouring edges there is joined by a cut.
 #pragma once
 
 #include "host/texture/piece_fitting.hpp"
@@ -33,7 +33,7 @@ using SideLabels = std::array<std::uint32_t, 4>;
 struct TurnedSource
 {
     SourcePixel pixel;
-    std::uint8_t turns = 0;
+    std::uint8_t turns = 0; ///< 0 to 3
 };
 
 struct QuadTextureRequest
@@ -47,10 +47,10 @@ struct QuadTextureRequest
 struct QuadTextureSet
 {
     int size = 0;
-    int gutter = 0;                                ///< pixels beyond each side, which a neighbour has as well
-    std::vector<SideLabels> labels;                ///< of each tile: the least of its four turns
-    std::vector<std::vector<TurnedSource>> tiles;  ///< size + 2 gutter pixels wide, row by row from the top
-    std::int64_t cost = 0;                         ///< of all cuts between edges
+    int gutter = 0;                               ///< pixels beyond each side, which a neighbour has as well
+    std::vector<SideLabels> labels;               ///< of each tile: the least of its four turns
+    std::vector<std::vector<TurnedSource>> tiles; ///< size + 2 gutter pixels wide, row by row from the top
+    std::int64_t cost = 0;                        ///< of all cuts between edges
 };
 
 std::uint32_t label_count(QuadLabels labels, std::uint32_t colors);

@@ -1,5 +1,5 @@
-// Surfaces of quads, and Poisson disk tiles on them. Distances are measured anew, by ways through places of edges, which
-// are straight in space on each face of a polycube.
+// Surfaces of quads, and Poisson disk tiles on them. Distances are measured anew, by ways through places of edges,
+// which are straight in space on each face of a polycube.
 #include "tiles/quads/quad_points.hpp"
 
 #include "tests/support/errors.hpp"
@@ -47,10 +47,7 @@ QuadMesh polycube(const std::set<std::array<int, 3>>& cubes)
 QuadMesh cube() { return polycube({{0, 0, 0}}); }
 
 /// A seat with a back: 3, 4 and 5 squares meet.
-QuadMesh chair()
-{
-    return polycube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 1, 1}, {1, 1, 1}});
-}
+QuadMesh chair() { return polycube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 1, 1}, {1, 1, 1}}); }
 
 QuadMesh ring()
 {
@@ -77,7 +74,10 @@ std::map<std::size_t, int> valences(const QuadMesh& mesh)
     return counts;
 }
 
-double length_between(const MeshPoint& a, const MeshPoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double length_between(const MeshPoint& a, const MeshPoint& b)
+{
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 TEST(QuadMeshes, HaveTheEulerCharacteristicOfTheirGenus)
 {
@@ -122,9 +122,7 @@ TEST(QuadMeshes, AreSmoothedAsCatmullAndClarkDo)
 
 TEST(QuadMeshes, AreRefusedWhereTheyAreNoClosedManifolds)
 {
-    const auto refused = [](const QuadMesh& mesh) {
-        return message_of<InputError>([&] { QuadTopology{mesh}; });
-    };
+    const auto refused = [](const QuadMesh& mesh) { return message_of<InputError>([&] { QuadTopology{mesh}; }); };
     EXPECT_EQ(refused({}), "there are no quads");
     QuadMesh open = cube();
     open.quads.pop_back();
@@ -172,8 +170,8 @@ TEST(QuadPoints, KeepTheirDistanceOnATorusAsInThePlane)
     EXPECT_LT(covered, 0.57);
 }
 
-/// The shortest way between places of two quads that share a vertex, over places of their common edge, or over places of
-/// the two edges of a quad between them: never shorter than the true one.
+/// The shortest way between places of two quads that share a vertex, over places of their common edge, or over places
+/// of the two edges of a quad between them: never shorter than the true one.
 class WaysOverEdges
 {
 public:
@@ -206,7 +204,8 @@ private:
         return place;
     }
 
-    double way(std::uint32_t v, std::size_t i, std::size_t steps, const MeshPoint& p, const MeshPoint& q, double enough) const
+    double way(std::uint32_t v, std::size_t i, std::size_t steps, const MeshPoint& p, const MeshPoint& q,
+               double enough) const
     {
         if (length_between(p, q) >= enough) return enough;
         if (steps == 0) return length_between(p, q);
