@@ -14,7 +14,8 @@ QuadTextureSet small_set(QuadLabels labels, std::uint32_t colors)
     QuadTextureRequest request{labels, colors, {}};
     request.pieces.size = 16;
     request.pieces.candidates = 1;
-    return make_quad_texture(test::random_picture(96, 80, 3, 5), request, [](const std::string&, std::size_t, std::size_t) {});
+    return make_quad_texture(test::random_picture(96, 80, 3, 5), request,
+                             [](const std::string&, std::size_t, std::size_t) {});
 }
 
 /// A pixel of a tile that lies so far along a side, counterclockwise, and so deep; turned as seen with that side below.
@@ -24,8 +25,8 @@ TurnedSource seen_from(const QuadTextureSet& set, std::size_t tile, std::uint32_
     const std::array<std::array<int, 2>, 4> places{
         {{along, last - depth}, {last - depth, last - along}, {last - along, depth}, {depth, along}}};
     const auto [x, y] = places[side];
-    TurnedSource source = set.tiles[tile][static_cast<std::size_t>((y + set.gutter) * (set.size + 2 * set.gutter) + x +
-                                                                   set.gutter)];
+    TurnedSource source =
+        set.tiles[tile][static_cast<std::size_t>((y + set.gutter) * (set.size + 2 * set.gutter) + x + set.gutter)];
     source.turns = static_cast<std::uint8_t>((source.turns + 4 - side) % 4);
     return source;
 }
