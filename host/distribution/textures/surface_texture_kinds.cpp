@@ -23,14 +23,16 @@ void texture_keys(Keys& keys, SurfaceTextureSettings& s)
     mesh_keys(keys, s.quads);
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads; it is turned by quarters")
         .required();
-    keys.picture("normals", s.normals, "a normal map of the exemplar's size, y upwards").excludes("heights");
-    keys.picture("heights", s.heights, "a map of heights of the exemplar's size, from which normals are made");
+    keys.picture("normals", s.normals, "a normal map of the exemplar's size, y upwards");
+    keys.picture("heights", s.heights, "a map of heights of the exemplar's size, from which normals are made")
+        .excludes("normals");
     keys.number("relief", s.relief, {0, 1000}, "how high the full range of heights is")
         .unit("pixels")
         .only_if(!s.heights.empty(), "heights");
     keys.word("tiles", s.labels, quad_label_words, "generalised Wang tiles, or corner tiles");
-    keys.integer("colors", s.colors, 1, s.labels == QuadLabels::wang ? 3 : 5,
-                 "of edges, of corner tiles those of vertices");
+    keys.integer("colors", s.colors, 1, 5, "of edges, at most 3; of corner tiles those of vertices");
+    if (keys.is_given("colors") && s.labels == QuadLabels::wang && s.colors > 3)
+        throw keys.invalid("colors", "must be at most 3 of Wang tiles");
     keys.integer("size", s.size, 16, 512, "the side of a tile").unit("pixels");
     keys.integer("candidates", s.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
     if (keys.is_given("size") && s.size % 2 != 0) throw keys.invalid("size", "must be even");
