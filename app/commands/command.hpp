@@ -115,6 +115,8 @@ Command texture_endless_command();
 Command texture_export_command();
 Command texture_cells_command();
 Command texture_design_command();
+Command texture_surface_command();
+Command distribute_objects_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_page_command();

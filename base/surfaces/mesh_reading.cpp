@@ -29,16 +29,6 @@ const MeshFormat& checked_format(const std::filesystem::path& file)
     return *format;
 }
 
-PolygonSoup read_soup(const std::filesystem::path& file, MeshParts parts)
-{
-    const MeshFormat& format = checked_format(file);
-    const MappedFile content(file);
-    if (content.bytes().empty()) fail_in_mesh(file, "is empty");
-    PolygonSoup soup = format.read({file.string(), content.bytes(), parts});
-    if (soup.sizes.empty()) fail_in_mesh(file, fmt::format("has no faces: {}", format.faces));
-    return soup;
-}
-
 /// The search for triangles takes time with the cube of a face's corners.
 constexpr std::size_t most_corners = 1000;
 
@@ -93,9 +83,19 @@ private:
 
 }
 
+PolygonSoup read_polygons(const std::filesystem::path& file, MeshParts parts)
+{
+    const MeshFormat& format = checked_format(file);
+    const MappedFile content(file);
+    if (content.bytes().empty()) fail_in_mesh(file, "is empty");
+    PolygonSoup soup = format.read({file.string(), content.bytes(), parts});
+    if (soup.sizes.empty()) fail_in_mesh(file, fmt::format("has no faces: {}", format.faces));
+    return soup;
+}
+
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts)
 {
-    PolygonSoup soup = read_soup(file, parts);
+    PolygonSoup soup = read_polygons(file, parts);
     TriangleMesh mesh;
     mesh.vertices = std::move(soup.points);
     mesh.texture_points = std::move(soup.texture_points);

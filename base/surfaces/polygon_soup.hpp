@@ -48,4 +48,8 @@ PolygonSoup read_stl(const MeshBytes& file);
 /// Numbers may be in files beside it.
 PolygonSoup read_gltf(const MeshBytes& file);
 
+/// Reads a file of one of these formats as it is, by the end of its name. Throws InputError as read_triangle_mesh()
+/// does.
+PolygonSoup read_polygons(const std::filesystem::path& file, MeshParts parts);
+
 }

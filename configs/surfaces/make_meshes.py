@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Writes the meshes that configs/surfaces.toml and docs/surfaces.md use: a torus (OBJ, quads), a bumpy sphere (OFF),
-and a vase with texture coordinates (OBJ).
+a vase with texture coordinates (OBJ), a chair and two rings of cubes (OBJ, quads in whose corners 3, 4 and 5 meet), and a
+ring of triangles beside the same triangles on cubes (OBJ).
 
     /usr/bin/python3 configs/surfaces/make_meshes.py [FOLDER]
 """
@@ -91,6 +92,63 @@ def vase(around=32, rings=20):
     return vertices, texture, faces
 
 
+def polycube(cubes, parts=1):
+    """Vertices and quads of the surface of unit cubes, each square divided into parts x parts."""
+    there, numbers, vertices, faces = set(cubes), {}, [], []
+    for cube in sorted(there):
+        for axis in range(3):
+            for upper in (0, 1):
+                beside = list(cube)
+                beside[axis] += 2 * upper - 1
+                if tuple(beside) in there:
+                    continue
+                u, v = ((axis + 1) % 3, (axis + 2) % 3) if upper else ((axis + 2) % 3, (axis + 1) % 3)
+                for i in range(parts):
+                    for j in range(parts):
+                        quad = []
+                        for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                            corner = [c * parts for c in cube]
+                            corner[axis] += upper * parts
+                            corner[u] += i + di
+                            corner[v] += j + dj
+                            number = numbers.setdefault(tuple(corner), len(vertices))
+                            if number == len(vertices):
+                                vertices.append(tuple(c / parts for c in corner))
+                            quad.append(number)
+                        faces.append(tuple(quad))
+    return vertices, faces
+
+
+def chair():
+    """Cubes of a seat with a back: corners where 3, 4 and 5 squares meet."""
+    return [(x, y, 0) for x in range(2) for y in range(2)] + [(x, 1, 1) for x in range(2)]
+
+
+def two_rings():
+    """Cubes of a figure of eight, of genus 2."""
+    return [(x, y, 0) for x in range(5) for y in range(3) if y != 1 or x % 2 == 0]
+
+
+def relaxed(vertices, faces, rounds):
+    """Moves each vertex to the mean of its neighbours, again and again."""
+    near = [set() for _ in vertices]
+    for face in faces:
+        for a, b in zip(face, face[1:] + face[:1]):
+            near[a].add(b)
+            near[b].add(a)
+    for _ in range(rounds):
+        vertices = [tuple(sum(vertices[n][k] for n in sorted(ns)) / len(ns) for k in range(3)) for ns in near]
+    return vertices
+
+
+def ring_and_its_cubes():
+    """A ring of triangles with a bump, of genus 1, and the same triangles on the surface of nine cubes."""
+    cubes = [(x, y, 0) for x in range(3) for y in range(3) if (x, y) != (1, 1)] + [(0, 0, 1)]
+    vertices, quads = polycube(cubes, 4)
+    triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    return relaxed(vertices, quads, 6), vertices, triangles
+
+
 def write_obj(path, vertices, faces, texture=()):
     """Corners of faces are numbers of vertices, or, with texture coordinates, pairs."""
     with open(path, "w", encoding="ascii") as file:
@@ -118,6 +176,11 @@ def main():
     vertices, texture, faces = vase()
     write_obj(folder / "vase.obj", vertices, faces, texture)
     write_off(folder / "bumpy-sphere.off", *bumpy_sphere())
+    write_obj(folder / "chair.obj", *polycube(chair()))
+    write_obj(folder / "two-rings.obj", *polycube(two_rings()))
+    ring, cubes, triangles = ring_and_its_cubes()
+    write_obj(folder / "ring.obj", ring, triangles)
+    write_obj(folder / "ring-on-cubes.obj", cubes, triangles)
 
 
 if __name__ == "__main__":

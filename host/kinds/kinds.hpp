@@ -51,6 +51,8 @@ Kind periodic_kind();
 Kind brick_kind();
 Kind surface_kind();
 Kind texture_kind();
+Kind textured_surface_kind();
+Kind surface_object_kind();
 Kind packing_kind();
 
 // Kinds that commands and Python make, but no table.

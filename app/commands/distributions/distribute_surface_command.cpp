@@ -24,6 +24,8 @@ sides of a thin sheet are each even by themselves, and points of different sides
                                          --points N instead of T; with --min-distance D those are left out, in the order
                                          of ranks, that are nearer than D to others. What stretch and seams of the
                                          coordinates make of distances is measured.
+  --method quads --points N              about N points of tiles on the quads of a closed surface, which fit everywhere:
+                                         its own faces, or with --quads cube or polycube squares that it is mapped to
 Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
 --out, as often as you like: .ply (binary, with normals nx, ny, nz), .png (views from the front and from behind, --pixels
 wide; z is up), and point files such as .npy, .csv and text.

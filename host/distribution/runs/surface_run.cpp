@@ -9,6 +9,7 @@
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
+#include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -37,8 +38,19 @@ void check_tile_keys(Keys& keys, MeshPointSettings& s)
     keys.check(s.tiles_per_unit ? "tiles_per_unit" : "points", [&] { check_tiled_surface(s, *s.read); });
 }
 
+void check_quad_keys(Keys& keys, MeshPointSettings& s)
+{
+    for (const char* key : {"min_distance", "relative_radius", "factor"})
+        if (keys.is_given(key))
+            throw keys.invalid(key, fmt::format("does not go with {} quads", keys.name_of("method")));
+    if (!s.points) throw keys.problem(fmt::format("tiles on quads need {}", keys.name_of("points")));
+    keys.check("mesh", [&] { s.read = surface_mesh(s); });
+    keys.check("points", [&] { check_quad_points(*s.points, s.quads.read->mesh.quads.size()); });
+}
+
 void check_surface_keys(Keys& keys, MeshPointSettings& s)
 {
+    if (s.method == SurfaceMethod::quads) return check_quad_keys(keys, s);
     if (s.method == SurfaceMethod::tiles) return check_tile_keys(keys, s);
     if (s.method == SurfaceMethod::elimination && !s.points)
         throw keys.problem(fmt::format("elimination needs {}", keys.name_of("points")));
@@ -94,7 +106,13 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.flag("closed", s.is_closed,
               "whether the tiling repeats after a unit of texture coordinates, so that a seam between 0 and 1 fits")
         .only_if(has_tiles, "method = tiles");
+    const bool has_quads = s.method == SurfaceMethod::quads;
+    s.quads.mesh = s.mesh;
+    quad_keys(keys, s.quads, has_quads, "method = quads");
+    keys.integer("colors", s.colors, 1, 16, "of vertices of quads: more colours, more tiles")
+        .only_if(has_quads, "method = quads");
     if (!keys.is_read()) return;
+    if (has_quads) keys.check("mesh", [&] { s.quads.read = quad_surface(s.quads); });
     check_surface_keys(keys, s);
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
 }

@@ -4,6 +4,7 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -152,6 +153,7 @@ std::vector<std::string> SurfaceMesh::notes() const
 std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& settings)
 {
     if (settings.read) return settings.read;
+    if (settings.method == SurfaceMethod::quads) return mesh_of_quads(settings);
     SurfaceMesh read{read_triangle_mesh(settings.mesh, settings.method == SurfaceMethod::tiles
                                                            ? MeshParts::faces_and_texture
                                                            : MeshParts::faces),
@@ -190,6 +192,7 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
     if (settings.method == SurfaceMethod::tiles) return tiled_surface(settings, surface_mesh(settings), seed, place);
+    if (settings.method == SurfaceMethod::quads) return tiled_quads(settings, surface_mesh(settings), seed);
     return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
                                                    : eliminated_set(settings, surface_mesh(settings), seed, place);
 }
@@ -199,6 +202,7 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
     if (set.tiling)
         return fmt::format("{}, {:.6g} a unit of texture coordinates", words_for_tiles(settings),
                            set.tiling->tiles_per_unit);
+    if (settings.method == SurfaceMethod::quads) return "tiles on quads";
     if (settings.method == SurfaceMethod::elimination) return "sample elimination";
     if (set.is_saturated && !settings.points) return "saturated: no further point fits";
     return settings.min_distance || settings.relative_radius ? "stopped at that number"
@@ -224,6 +228,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     if (set.darts > 0)
         numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
+    std::ranges::copy(set.quads, std::back_inserter(numbers));
     if (set.points.size() < 2) return numbers;
     const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle),
                                                      set.tiling ? set.tiling->covered_area : surface.area);

@@ -43,6 +43,7 @@ struct SurfaceSet
     double small_area = 0;                         ///< see SurfaceDarts
     std::uint64_t darts = 0;                       ///< random points of which these are; 0: of tilings
     std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
+    std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
     std::vector<std::string> notes{};              ///< what a person should know of it, beside its mesh
 
     PointSet places() const { return points_of(mesh->surface, points); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/word_table.hpp"
+#include "host/settings/distributions/quad_config.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,11 +16,14 @@ enum class SurfaceMethod
 {
     darts,
     elimination,
-    tiles
+    tiles,
+    quads
 };
 
-inline constexpr WordTable<SurfaceMethod, 3> surface_methods{
-    {{{SurfaceMethod::darts, "darts"}, {SurfaceMethod::elimination, "elimination"}, {SurfaceMethod::tiles, "tiles"}}}};
+inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::darts, "darts"},
+                                                               {SurfaceMethod::elimination, "elimination"},
+                                                               {SurfaceMethod::tiles, "tiles"},
+                                                               {SurfaceMethod::quads, "quads"}}}};
 
 /// A mesh as it is read: see host/distribution/surfaces/surface_set.hpp.
 struct SurfaceMesh;
@@ -40,6 +44,8 @@ struct MeshPointSettings
     std::uint32_t candidates = 5;
     std::filesystem::path tiles;                        ///< empty: corner tiles of 3 colours, 32 points
     std::optional<double> tiles_per_unit;               ///< of texture coordinates
+    QuadSettings quads;                                 ///< of method quads
+    std::uint32_t colors = 1;                           ///< of the vertices of quads
     std::shared_ptr<const SurfaceMesh> read{};          ///< the mesh, where it was read already
     std::shared_ptr<const PoissonTileSet> read_tiles{}; ///< the same of the tiles
 };

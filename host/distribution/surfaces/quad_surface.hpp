@@ -1,0 +1,46 @@
+// A mesh as quads that tiles can be laid on: its own faces, or squares of a cube or a polycube that it is mapped to.
+//
+// Tarini, Hormann, Cignoni, Montani, PolyCube-maps, SIGGRAPH 2004: a mesh of any genus, mapped to the surface of unit
+// cubes, whose squares are its quads.
+#pragma once
+
+#include "host/distribution/surfaces/texture_stretch.hpp"
+#include "host/settings/distributions/quad_config.hpp"
+#include "host/settings/keys/keys.hpp"
+#include "results/pictures/distribution_result.hpp"
+#include "tiles/quads/quad_mesh.hpp"
+
+namespace poissonlab {
+
+struct QuadSurface
+{
+    QuadMesh mesh;
+    QuadTopology topology;
+    std::size_t coarse = 0; ///< quads before each was divided into parts x parts
+};
+
+/// The keys of `settings` but for the mesh. `applies`: whether the others allow any.
+void quad_keys(Keys& keys, QuadSettings& settings, bool applies, const std::string& when);
+
+/// Makes the surface, unless the settings have it, or throws InputError, a line that names the file.
+std::shared_ptr<const QuadSurface> quad_surface(const QuadSettings& settings);
+
+/// The surface as triangles, four of each quad, in the order of their sides.
+struct QuadTriangles
+{
+    TriangleMesh mesh;
+    FixedSurface surface;
+    std::vector<std::uint32_t> number_of; ///< of each triangle of the mesh, that of the surface; UINT32_MAX: it is flat
+
+    /// A place of a quad on its triangle.
+    SurfacePoint point(std::uint32_t quad, double u, double v) const;
+};
+QuadTriangles triangles_of(const QuadMesh& mesh);
+
+/// What the sides of quads become in space.
+StretchOfAll stretch_of_quads(const QuadTriangles& triangles);
+
+/// Counts of quads, vertices and edges, the Euler characteristic, and the stretch.
+std::vector<DistributionNumber> quad_numbers(const QuadSurface& surface, const StretchOfAll& stretch);
+
+}
