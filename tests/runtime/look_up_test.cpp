@@ -21,7 +21,7 @@ public:
     TileLookup(PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t tiles, std::uint32_t seed,
                std::int32_t period = 0)
         : tiling_{{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(dimension), colors, tiles, 0, nullptr,
-                   0, 1, 0, 0, nullptr, 0, nullptr},
+                   0, 1, 0, 0, nullptr, 0, nullptr, 0, 0},
                   seed,
                   period}
     {}

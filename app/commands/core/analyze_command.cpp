@@ -5,6 +5,7 @@
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "experiment/config/plan.hpp"
 #include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/make_experiment.hpp"
 #include "experiment/run/runner.hpp"

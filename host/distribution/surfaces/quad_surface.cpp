@@ -1,6 +1,7 @@
 #include "host/distribution/surfaces/quad_surface.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/surfaces/mesh_vectors.hpp"
 #include "base/surfaces/polygon_soup.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
@@ -21,18 +22,9 @@ constexpr std::size_t most_quads = std::size_t{1} << 22;
 /// Parts of a cube's side that polycubes may be off their grid.
 constexpr double grid_slack = 0.01;
 
-MeshPoint difference(const MeshPoint& a, const MeshPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double volume(const MeshPoint& a, const MeshPoint& b, const MeshPoint& c) { return dot(a, cross(b, c)); }
 
-double product(const MeshPoint& a, const MeshPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-MeshPoint cross(const MeshPoint& a, const MeshPoint& b)
-{
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double volume(const MeshPoint& a, const MeshPoint& b, const MeshPoint& c) { return product(a, cross(b, c)); }
-
-double length(const MeshPoint& a) { return std::sqrt(product(a, a)); }
+double length(const MeshPoint& a) { return std::sqrt(dot(a, a)); }
 
 using Corners = std::array<MeshPoint, 3>;
 
@@ -161,14 +153,13 @@ QuadMesh cube_quads(const QuadSettings& settings)
             throw InputError(fmt::format("triangle {} is seen from behind from the middle of the surface: quads = cube "
                                          "is for surfaces that one sees whole from there",
                                          i + 1));
-        angle += 2 * std::atan2(whole, a * b * c + product(t[0], t[1]) * c + product(t[1], t[2]) * a +
-                                           product(t[2], t[0]) * b);
+        angle += 2 * std::atan2(whole, a * b * c + dot(t[0], t[1]) * c + dot(t[1], t[2]) * a + dot(t[2], t[0]) * b);
         MeshPoint towards{};
         for (std::size_t k = 0; k < 3; ++k) towards[k] = t[0][k] / a + t[1][k] / b + t[2][k] / c;
         const double norm = length(towards);
         double cosine = 1;
         for (double& x : towards) x /= norm;
-        for (const MeshPoint& corner : t) cosine = std::min(cosine, product(towards, corner) / length(corner));
+        for (const MeshPoint& corner : t) cosine = std::min(cosine, dot(towards, corner) / length(corner));
         cones.emplace_back(towards, cosine - 1e-9);
     }
     if (std::abs(angle - 4 * std::numbers::pi) > 1e-6)
@@ -189,7 +180,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
         const double norm = length(direction);
         Hit hit;
         for (std::size_t i = 0; i < triangles.size(); ++i)
-            if (product(direction, cones[i].first) >= cones[i].second * norm) {
+            if (dot(direction, cones[i].first) >= cones[i].second * norm) {
                 const Corners& t = triangles[i];
                 hit.offer(
                     i, {volume(direction, t[1], t[2]), volume(t[0], direction, t[2]), volume(t[0], t[1], direction)});

@@ -1,6 +1,8 @@
 // Triangles fill a buffer of depths, row by row; dots are drawn where they are in front. Pixels are means of 2 x 2.
 #include "host/distribution/surfaces/surface_view.hpp"
 
+#include "base/surfaces/mesh_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,14 +16,10 @@ constexpr int view_samples = 2;
 /// The part of a view that the surface may fill.
 constexpr double filled_part = 0.94;
 
-using ViewVector = std::array<double, 3>;
-
-double product(const ViewVector& a, const ViewVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// A direction to look along: to the right, up, and towards the viewer.
 struct Camera
 {
-    ViewVector right, up, back;
+    MeshPoint right, up, back;
 };
 
 /// Turned about z, and then seen from above by an angle.
@@ -38,10 +36,10 @@ public:
     SurfaceCanvas(const FixedSurface& surface, const Camera& camera, int side)
         : surface_(surface), camera_(camera), side_(side), depth_(samples(), -INFINITY), grey_(samples(), 255.0F)
     {
-        ViewVector low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+        MeshPoint low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
         for (const SurfaceTriangle& t : surface.triangles)
             for (std::size_t i = 0; i < 3; ++i) {
-                const ViewVector p = turned(place(t, i));
+                const MeshPoint p = turned(place(t, i));
                 for (std::size_t k = 0; k < 3; ++k) {
                     low[k] = std::min(low[k], p[k]);
                     high[k] = std::max(high[k], p[k]);
@@ -54,7 +52,7 @@ public:
     void draw_triangles()
     {
         for (const SurfaceTriangle& t : surface_.triangles) {
-            const double light = std::abs(product(camera_.back, normal_of(t)));
+            const double light = std::abs(dot(camera_.back, normal_of(t)));
             fill({on_canvas(place(t, 0)), on_canvas(place(t, 1)), on_canvas(place(t, 2))},
                  static_cast<float>(170 + 70 * light));
         }
@@ -64,7 +62,7 @@ public:
     void draw_dots(const std::vector<SurfacePoint>& points, double radius, bool is_closed)
     {
         for (const SurfacePoint& point : points)
-            if (!is_closed || product(camera_.back, normal_of(surface_.triangles[point.triangle])) > 0)
+            if (!is_closed || dot(camera_.back, normal_of(surface_.triangles[point.triangle])) > 0)
                 draw_dot(point, radius);
     }
 
@@ -78,24 +76,24 @@ private:
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
     }
 
-    static ViewVector place(const SurfaceTriangle& t, std::size_t corner)
+    static MeshPoint place(const SurfaceTriangle& t, std::size_t corner)
     {
         return {double(t.corners[3 * corner]), double(t.corners[3 * corner + 1]), double(t.corners[3 * corner + 2])};
     }
 
-    ViewVector turned(const ViewVector& p) const
+    MeshPoint turned(const MeshPoint& p) const
     {
-        return {product(camera_.right, p), product(camera_.up, p), product(camera_.back, p)};
+        return {dot(camera_.right, p), dot(camera_.up, p), dot(camera_.back, p)};
     }
 
     /// Columns, rows from the top, and depths, all in samples.
-    ViewVector on_canvas(const ViewVector& p) const
+    MeshPoint on_canvas(const MeshPoint& p) const
     {
-        const ViewVector t = turned(p);
+        const MeshPoint t = turned(p);
         return {side_ / 2.0 + scale_ * (t[0] - middle_[0]), side_ / 2.0 - scale_ * (t[1] - middle_[1]), scale_ * t[2]};
     }
 
-    void fill(const std::array<ViewVector, 3>& c, float grey)
+    void fill(const std::array<MeshPoint, 3>& c, float grey)
     {
         const double twice_area = (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
         if (twice_area == 0) return;
@@ -117,9 +115,9 @@ private:
     /// A disk in the plane of the point's triangle.
     void draw_dot(const SurfacePoint& point, double radius)
     {
-        const ViewVector normal = turned(normal_of(surface_.triangles[point.triangle]));
+        const MeshPoint normal = turned(normal_of(surface_.triangles[point.triangle]));
         const double facing = std::max(0.05, std::abs(normal[2])), sign = normal[2] < 0 ? -1 : 1;
-        const ViewVector c = on_canvas({double(point.place[0]), double(point.place[1]), double(point.place[2])});
+        const MeshPoint c = on_canvas({double(point.place[0]), double(point.place[1]), double(point.place[2])});
         const auto ends = [&](double middle) {
             return std::pair{std::max(0, int(middle - radius)), std::min(side_ - 1, int(middle + radius))};
         };
@@ -138,7 +136,7 @@ private:
     Camera camera_;
     int side_;
     double scale_ = 1;
-    ViewVector middle_{};
+    MeshPoint middle_{};
     std::vector<float> depth_, grey_;
 };
 

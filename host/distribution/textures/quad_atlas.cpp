@@ -1,6 +1,7 @@
 #include "host/distribution/textures/quad_atlas.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/surfaces/mesh_vectors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,22 +15,11 @@ namespace {
 /// Quads meet in a crease where the cosine between their normals is less.
 constexpr double least_smooth_cosine = 0.766;
 
-MeshPoint unit(const MeshPoint& a)
-{
-    const double length = std::hypot(a[0], a[1], a[2]);
-    return length > 0 ? MeshPoint{a[0] / length, a[1] / length, a[2] / length} : MeshPoint{0, 0, 1};
-}
-
 /// The vector area of a quad, along its mean normal.
 MeshPoint area_of(const QuadMesh& mesh, std::uint32_t quad)
 {
     const auto& [a, b, c, d] = mesh.quads[quad];
-    MeshPoint p{}, q{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        p[k] = mesh.vertices[c][k] - mesh.vertices[a][k];
-        q[k] = mesh.vertices[d][k] - mesh.vertices[b][k];
-    }
-    return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    return cross(difference(mesh.vertices[c], mesh.vertices[a]), difference(mesh.vertices[d], mesh.vertices[b]));
 }
 
 /// The bytes of a GLB's buffer, and the views of its parts.

@@ -1,6 +1,7 @@
 // Textured quads in the sun, by buffers of depths: one from the eye, one from the sun for shadows. Both look along
 // parallel lines. Pixels are means of 3 x 3 samples, in light.
 #include "base/images/srgb_light.hpp"
+#include "base/surfaces/mesh_vectors.hpp"
 #include "host/distribution/textures/quad_atlas.hpp"
 
 #include <tbb/parallel_for.h>
@@ -18,8 +19,6 @@ MeshPoint sum_of(const MeshPoint& a, double share, const MeshPoint& b)
 {
     return {a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]};
 }
-double product(const MeshPoint& a, const MeshPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-MeshPoint unit(const MeshPoint& a) { return sum_of({}, 1 / std::sqrt(std::max(product(a, a), 1e-300)), a); }
 
 /// Directions to the right, up, and towards the eye, which is turned about z and raised by an angle.
 struct EyeAxes
@@ -50,7 +49,7 @@ public:
         MeshPoint low{INFINITY, INFINITY, 0}, high{-INFINITY, -INFINITY, 0};
         for (const MeshPoint& p : mesh.vertices)
             for (std::size_t k = 0; k < 2; ++k) {
-                const double at = product(p, k == 0 ? axes.right : axes.up);
+                const double at = dot(p, k == 0 ? axes.right : axes.up);
                 low[k] = std::min(low[k], at);
                 high[k] = std::max(high[k], at);
             }
@@ -63,8 +62,8 @@ public:
     /// A place in samples from the upper left corner, and towards the eye.
     MeshPoint at(const MeshPoint& p) const
     {
-        return {width_ / 2.0 + (product(p, axes_.right) - middle_[0]) * scale_,
-                height_ / 2.0 - (product(p, axes_.up) - middle_[1]) * scale_, product(p, axes_.back) * scale_};
+        return {width_ / 2.0 + (dot(p, axes_.right) - middle_[0]) * scale_,
+                height_ / 2.0 - (dot(p, axes_.up) - middle_[1]) * scale_, dot(p, axes_.back) * scale_};
     }
     /// The place of the plane at a height that a sample sees; nothing of an eye below it.
     MeshPoint on_plane(double x, double y, double height) const
@@ -196,7 +195,7 @@ private:
 
     static MeshPoint lit_by(const MeshPoint& color, const MeshPoint& normal, const MeshPoint& sun, double share)
     {
-        const double sky = 0.3 + 0.12 * normal[2], direct = 0.85 * share * std::max(0.0, product(normal, sun));
+        const double sky = 0.3 + 0.12 * normal[2], direct = 0.85 * share * std::max(0.0, dot(normal, sun));
         return sum_of({}, sky + direct, color);
     }
 
@@ -214,7 +213,7 @@ private:
             return mesh_.vertices[mesh_.quads[seen.quad][(k + atlas_.cells[seen.quad].first) % 4]];
         };
         MeshPoint right = sum_of(corner(1), -1, corner(0));
-        right = unit(sum_of(right, -product(right, smooth), smooth));
+        right = unit(sum_of(right, -dot(right, smooth), smooth));
         const MeshPoint up{smooth[1] * right[2] - smooth[2] * right[1], smooth[2] * right[0] - smooth[0] * right[2],
                            smooth[0] * right[1] - smooth[1] * right[0]};
         return unit(sum_of(sum_of(sum_of({}, bump[0], right), bump[1], up), bump[2], smooth));

@@ -27,7 +27,7 @@ struct QuadSettings
 {
     std::filesystem::path mesh;
     QuadWay way = QuadWay::faces;
-    std::filesystem::path polycube;
+    std::filesystem::path polycube{};
     double cube_side = 1;                      ///< of the polycube's cubes, in units of its file
     std::uint32_t smooth = 0;                  ///< steps of Catmull and Clark
     std::uint32_t refine = 1;                  ///< parts along a side of a quad
