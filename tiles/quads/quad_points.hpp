@@ -1,11 +1,11 @@
-// Poisson disk tiles for surfaces of quads, which fit across all edges and around all vertices.
+// These Poisson disk tiles for surfaces of quads fit across all edges and around all vertices.
 //
-// The regions of corner-based Poisson disk tiles (Lagae, Tile-Based Methods in Computer Graphics, 2007, section 4.5) on
-// a surface that is flat but for its vertices: disks around vertices, which are cones where other than four quads meet,
-// then what is left of strips along edges, then what is left of tiles. Points of a region follow from those of the
-// regions before it that can be near, and from nothing else. A disk is one of its valence and its colour, and a quad
-// has one of its sectors; an edge is one of the two sectors at its ends. Quads with the same four sectors have the same
-// tile, turned. Li, Lo, Leung and Fu, Dual Poisson-disk tiling, IEEE TVCG 2010, lay a tile on each vertex instead.
+// Regions are those of corner-based Poisson disk tiles (Lagae, Tile-Based Methods in Computer Graphics, 2007, section
+// 4.5), on a surface that is flat but for its vertices: disks around vertices, which are cones where other than four
+// quads meet, then what is left of strips along edges, then what is left of tiles. Points of a region follow from those
+// of the regions before it that can be near, and from nothing else. A disk is one of its valence and its colour, and a
+// quad has one of its sectors; an edge is one of the two sectors at its ends. Quads with the same four sectors have the
+// same tile, turned. Li, Lo, Leung and Fu, Dual Poisson-disk tiling, IEEE TVCG 2010, lay a tile on each vertex instead.
 #pragma once
 
 #include "tiles/quads/quad_mesh.hpp"
@@ -46,7 +46,7 @@ struct WedgePlace
     double a = 0, b = 0;
 };
 
-/// The squared length of the shortest way between two places around a vertex, over the quads that meet there.
+/// Returns the squared length of the shortest way between two places around a vertex, over the quads that meet there.
 double cone_squared(std::uint32_t valence, const WedgePlace& p, const WedgePlace& q);
 
 }

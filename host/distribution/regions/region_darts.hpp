@@ -73,7 +73,7 @@ struct RegionDarts
     /// The points as files have them: in longitude and latitude where the region was mapped from there.
     PointSet file_points() const { return request.land ? as_in_files(request.land->whole, points) : points; }
 
-    /// The sentences on what was made of the files of the region and of obstacles, and on obstacles that do not matter.
+    /// Returns sentences on what was made of the files of region and obstacles, and on obstacles that do not matter.
     std::vector<std::string> notes() const;
 
     std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }

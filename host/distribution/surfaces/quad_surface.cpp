@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_quads = std::size_t{1} << 22;
 
-/// Parts of a cube's side that polycubes may be off their grid.
+/// Polycubes may be off their grid by this part of a cube's side.
 constexpr double grid_slack = 0.01;
 
 MeshPoint difference(const MeshPoint& a, const MeshPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -36,7 +36,7 @@ double length(const MeshPoint& a) { return std::sqrt(product(a, a)); }
 
 using Corners = std::array<MeshPoint, 3>;
 
-/// The place of a triangle with these shares of its corners, which need not add up to one.
+/// Returns the place of a triangle with these shares of its corners, which need not add up to one.
 MeshPoint place_of_shares(const Corners& corners, const MeshPoint& shares)
 {
     const double sum = shares[0] + shares[1] + shares[2];
@@ -61,7 +61,7 @@ struct Hit
     }
 };
 
-/// Polygons as triangles around their first corner, so that two meshes of the same faces have the same ones.
+/// Divides polygons into triangles around their first corner, so that two meshes of the same faces have the same ones.
 std::vector<MeshTriangle> fans_of_faces(const PolygonSoup& soup)
 {
     std::vector<MeshTriangle> triangles;
@@ -108,7 +108,7 @@ QuadMesh quads_of_faces(const QuadSettings& settings)
     return refined_within(mesh, settings.refine);
 }
 
-/// Squares between whole numbers, each by its lowest corner, its axis and whether it looks along that.
+/// A square between whole numbers has a lowest corner, an axis, and looks along that or against it.
 using Square = std::tuple<std::array<int, 3>, std::size_t, bool>;
 
 QuadMesh mesh_of_squares(const std::set<Square>& squares)
@@ -151,7 +151,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
         for (std::size_t k = 0; k < 3; ++k) middle[k] += own * (t[0][k] + t[1][k] + t[2][k]) / 3;
     }
     for (double& c : middle) c /= area;
-    double angle = 0; // under which the surface is seen from its middle
+    double angle = 0; // the solid one under which the surface is seen from its middle
     std::vector<std::pair<MeshPoint, double>> cones;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         Corners& t = triangles[i];
@@ -159,7 +159,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
         const double a = length(t[0]), b = length(t[1]), c = length(t[2]), whole = volume(t[0], t[1], t[2]);
         if (!(whole >= 0))
             throw InputError(fmt::format("triangle {} is seen from behind from the middle of the surface: quads = cube "
-                                         "is for surfaces that one sees whole from there",
+                                         "is for surfaces that are visible as a whole from there",
                                          i + 1));
         angle += 2 * std::atan2(whole, a * b * c + product(t[0], t[1]) * c + product(t[1], t[2]) * a +
                                            product(t[2], t[0]) * b);

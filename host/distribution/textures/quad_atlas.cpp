@@ -20,7 +20,7 @@ MeshPoint unit(const MeshPoint& a)
     return length > 0 ? MeshPoint{a[0] / length, a[1] / length, a[2] / length} : MeshPoint{0, 0, 1};
 }
 
-/// The vector area of a quad, along its mean normal.
+/// Returns twice the vector area of a quad, which lies along its mean normal.
 MeshPoint area_of(const QuadMesh& mesh, std::uint32_t quad)
 {
     const auto& [a, b, c, d] = mesh.quads[quad];
@@ -55,7 +55,7 @@ public:
     nlohmann::ordered_json views = nlohmann::ordered_json::array();
 };
 
-/// The bytes of a picture's PNG file, by way of a file beside another one.
+/// Returns the bytes of a picture's PNG file, which is written beside another file and removed.
 std::string png_bytes(const std::filesystem::path& beside, const PngPixels& pixels)
 {
     const std::filesystem::path file = beside.string() + ".png";
@@ -76,7 +76,7 @@ struct GlbVertices
     std::vector<std::uint32_t> corners;
 };
 
-/// Five vertices of each quad; z upwards becomes y upwards.
+/// Makes five vertices of each quad; z upwards becomes y upwards, as glTF has it.
 GlbVertices glb_vertices(const QuadMesh& mesh, const QuadTopology& topology, const QuadAtlas& atlas)
 {
     constexpr std::array<std::array<double, 2>, 5> places{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}}};
@@ -131,7 +131,7 @@ std::array<double, 2> QuadAtlas::place_of(std::uint32_t quad, double u, double v
 AtlasSteps atlas_steps(const QuadAtlas& atlas, const QuadMesh& mesh, const QuadTopology& topology)
 {
     const PngPixels& picture = atlas.color;
-    // The pixel of a quad that lies so far along one of its sides, and so deep.
+    // This finds the pixel of a quad that lies so far along one of its sides, and so deep.
     const auto pixel = [&](QuadCorner side, int along, int depth) {
         const auto place = turned_place((along + 0.5) / atlas.side, (depth + 0.5) / atlas.side, side.corner);
         const auto at = atlas.place_of(side.quad, place[0], place[1]);
