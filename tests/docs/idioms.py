@@ -1,6 +1,6 @@
 """Looks for idioms in the words for users: idioms.py SOURCE. idioms.tsv lists them, with what to write instead.
 
-Pages are read but for code; of sources, strings in double quotes.
+It reads pages without their code, and the strings in double quotes of sources.
 """
 
 import re

@@ -4,7 +4,7 @@ import re
 import sys
 from pathlib import Path
 
-# For the Debian package and the Python package in it; the table of tests has them among others.
+# These make the Debian package and the Python package in it; the table of tests has them among others.
 OF_PACKAGES = {"dpkg-dev", "file", "pybind11-dev", "python3-dev", "python3-numpy"}
 
 

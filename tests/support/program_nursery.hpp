@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// The program as a function, and how main calls it.
+/// This is the program as a function, as main calls it.
 using ProgramMain = int (*)(int argc, const char* const* argv);
 
 /// A process that waits for requests and forks a child for each. It must be made before this process has threads of its
