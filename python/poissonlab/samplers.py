@@ -18,7 +18,7 @@ from ._poissonlab import InputError
 DEFAULT_POINTS = 16384
 OTHER_POINTS = 4096  #: also a square, a cube and a power of 2
 
-#: The keys that configs have for every method, beside its own parameters.
+#: Configs have these keys for every method, beside its own parameters.
 SHARED_KEYS = {"order", "region", "planar", "crs", "overlap", "buffer"}
 
 
@@ -39,7 +39,7 @@ def seed_of(rng, name):
 
 
 def refuse_unknown(name, given, known):
-    """Raise TypeError where a keyword is none of these."""
+    """Raises TypeError where a keyword is not one of these."""
     for key in given:
         if key in known:
             continue
@@ -202,7 +202,7 @@ class Sampler:
             self._points = n
 
     def _maker_of(self, n):
-        """The maker for sets of n points. Messages call arguments as this class does, not as configs do."""
+        """Returns the maker for sets of n points. Messages call arguments as this class does, not as configs do."""
         name = type(self).__name__
         try:
             return _poissonlab.SetMaker(name, self.config(n))
