@@ -294,7 +294,7 @@ class Analysis:
         return panels + [(curve.plot, {}) for curve in (self.radial, self.pair_correlation, self.region) if len(curve[0])]
 
     def to_dataframe(self) -> Any:
-        """The measures as a DataFrame of pandas, where it is there: a row a measure, by its key, with value, error, unit,
+        """Return the measures as a DataFrame of pandas: a row a measure, by its key, with value, error, unit,
         name and meaning."""
         columns = ("value", "error", "unit", "name", "meaning")
         return views.table_of({column: [getattr(measure, column) for measure in self.measures.values()]

@@ -85,7 +85,7 @@ class Made:
         return views.plot_image(ax, values, style)
 
     def to_dataframe(self):
-        """The points as a DataFrame of pandas, where it is there: x, y (and z), class, distance and normals, as far as
+        """Return the points as a DataFrame of pandas: x, y (and z), class, distance and normals, as far as
         they are there."""
         if self.points is None:
             raise InputError(f"to_dataframe: {self.label}: there are no points")

@@ -23,7 +23,7 @@ SHARED_KEYS = {"order", "region", "planar", "crs", "overlap", "buffer"}
 
 
 def seed_of(rng, name):
-    """The seed, from 0 to 2**63 - 1, that the `rng` of a call stands for. `name` begins messages."""
+    """Returns the seed, from 0 to 2**63 - 1, that the `rng` of a call stands for. `name` begins messages."""
     allowed = "must be an integer from 0 to 2**63 - 1, a numpy.random.Generator, which draws one, or None"
     if hasattr(rng, "__index__"):
         if not 0 <= operator.index(rng) < 2**63:
@@ -228,7 +228,7 @@ def class_name(name):
 
 
 def signature_of(description):
-    """The keywords of a method's class."""
+    """Returns the keywords of a method's class."""
     own = [hints.keyword_of(each["key"], each["kind"], each["default"],
                             each["default"] is None and not each["unless_given"]) for each in description["parameters"]]
     common = {"d": ("int", 2), **hints.COMMON}

@@ -56,7 +56,7 @@ protected:
         return run_program(folder_.path(), words);
     }
 
-    /// The text of a file that `--out` names.
+    /// Runs the command, and returns the text of the file that `--out` names.
     std::string file_of(const std::string& arguments, const std::string& file) const
     {
         const Outcome outcome = run("tiles.ptiles " + arguments + " --out " + file);

@@ -23,7 +23,7 @@ struct QuadMesh
     std::vector<Quad> quads;
 };
 
-/// A corner of a quad, or the side that begins there.
+/// This is a corner of a quad, or the side that begins there.
 struct QuadCorner
 {
     std::uint32_t quad = 0;
@@ -81,8 +81,8 @@ QuadMesh smoothed(const QuadMesh& mesh, const QuadTopology& topology);
 /// are the same for all turns of the quad.
 MeshPoint place_on(const QuadMesh& mesh, std::uint32_t quad, double u, double v);
 
-/// The number of the side whose triangle has (u, v), and the shares there of the end of the side and of the mean; the
-/// share of the side's start is the rest.
+/// This is the number of the side whose triangle has (u, v), and the shares there of the end of the side and of the
+/// mean; the share of the side's start is the rest.
 struct FanPlace
 {
     std::uint32_t side = 0;

@@ -18,7 +18,7 @@ constexpr double strip_part = 0.5, disk_part = 1.3066;
 
 constexpr double place_steps = 65536;
 
-/// The sector of a disk that begins at a side.
+/// A sector of a disk begins at a side.
 struct Sector
 {
     std::uint32_t valence = 0, color = 0, wedge = 0;
@@ -27,7 +27,7 @@ struct Sector
     auto operator<=>(const Sector&) const = default;
 };
 
-/// A corner of a tile, and whether the edge that begins there is seen along its own direction.
+/// A corner of a tile has a sector, and the edge that begins there may be seen along its own direction.
 struct TileCorner
 {
     Sector sector;
@@ -57,7 +57,7 @@ WedgePlace around_sector(const Sector& sector, const UnitPlace& p)
     return {(sector.wedge + sector.valence - 1) % sector.valence, -p[1], p[0]};
 }
 
-/// Random places, which the key of a region alone decides.
+/// Draws random places, which the key of a region alone decides.
 class Darts
 {
 public:

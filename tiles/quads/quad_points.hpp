@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// The largest distance for which regions of one kind are that far apart, in sides of a tile: 1 / (1 + 2 r), a disk's
+/// Up to this distance, in sides of a tile, regions of one kind are that far apart: it is 1 / (1 + 2 r), a disk's
 /// radius being r = sqrt((1/sqrt 2 + 1/2)^2 + 1/4) distances.
 inline constexpr double most_quad_distance = 0.2766;
 
@@ -38,7 +38,7 @@ struct QuadPoints
 /// Lays tiles on all quads.
 QuadPoints lay_quad_points(const QuadMesh& mesh, const QuadTopology& topology, const QuadPointRequest& request);
 
-/// A place near a vertex of so many quads: the number of its quad there, and its distances along the first and the
+/// A place near a vertex has the number of its quad there, and its distances along the first and the
 /// second side of that quad's corner.
 struct WedgePlace
 {

@@ -25,7 +25,7 @@ struct MaskPictureSettings
     std::string channel; ///< empty: the only one, or the one that all colours have in common
 };
 
-/// The values of a mask, row after row from the top.
+/// A mask has its values row after row from the top.
 struct MaskPicture
 {
     std::uint32_t width = 0, height = 0;
@@ -55,7 +55,7 @@ struct RingPower
 };
 RingPower ring_power(const std::vector<double>& power, std::uint32_t width, std::uint32_t height);
 
-/// The pixels below a threshold or, where these are more than half, those that are not.
+/// This is measured of the pixels below a threshold or, where these are more than half, of those that are not.
 struct MaskLevel
 {
     double threshold = 0; ///< a value of the mask

@@ -32,7 +32,7 @@ constexpr double arc_loss = 4e-5;
 /// Computed distances are off by less than this, because places and ends of intervals are rounded.
 double line_margin(double distance, const RegionBox& box) { return 4 * distance_rounding(distance, box); }
 
-/// A straight piece of a line, not longer than the distance.
+/// A piece of a line is straight, and not longer than the distance.
 struct LinePiece
 {
     LinePlace from, to;

@@ -34,7 +34,7 @@ struct RegionLand
 /// obstacles is too large.
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings);
 
-/// How far points keep away from obstacles, in units of the region: from lines and edges of polygons, and from points.
+/// Points keep so far away from obstacles, in units of the region: from lines and edges of polygons, and from points.
 struct ObstacleDistances
 {
     double lines = 0;

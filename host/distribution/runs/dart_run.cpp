@@ -305,7 +305,7 @@ void append_map_numbers(const RegionDarts& darts, DistributionNumbers& numbers)
         {"distortion", "Distortion", source.distortion, "the part by which lengths in this plane are off at most"});
 }
 
-/// The length, area or volume of what points lie in.
+/// Points lie in something of this length, area or volume.
 struct RegionSize
 {
     double size = 0;

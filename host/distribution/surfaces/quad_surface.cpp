@@ -46,7 +46,7 @@ MeshPoint place_of_shares(const Corners& corners, const MeshPoint& shares)
     return place;
 }
 
-/// The triangle in which a place is, or which it misses least: `least` is its least share of a corner.
+/// Keeps the triangle in which a place is, or which it misses least: `least` is its least share of a corner.
 struct Hit
 {
     std::size_t triangle = 0;
@@ -201,7 +201,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
     return mesh;
 }
 
-/// A triangle of a polycube, in units of its cubes: the axis that it looks along, and its plane.
+/// A triangle of a polycube, in units of its cubes, looks along an axis and lies in a plane.
 struct PolycubeTriangle
 {
     Corners corners;

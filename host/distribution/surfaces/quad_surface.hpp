@@ -26,7 +26,7 @@ void quad_keys(Keys& keys, QuadSettings& settings, bool applies, const std::stri
 /// Makes the surface, unless the settings have it, or throws InputError, a line that names the file.
 std::shared_ptr<const QuadSurface> quad_surface(const QuadSettings& settings);
 
-/// The surface as triangles, four of each quad, in the order of their sides.
+/// Has the surface as triangles, four of each quad, in the order of their sides.
 struct QuadTriangles
 {
     TriangleMesh mesh;

@@ -32,7 +32,7 @@ MeshPoint area_of(const QuadMesh& mesh, std::uint32_t quad)
     return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// The bytes of a GLB's buffer, and the views of its parts.
+/// Collects the bytes of a GLB's buffer, and the views of its parts.
 class GlbBuffer
 {
 public:

@@ -30,7 +30,7 @@ Spread spread_of(const SpreadChoice& choice, double unit)
             static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
 }
 
-/// The nearest object to a place, and the place as it sees it.
+/// This is the nearest object to a place, and where the place is from its point.
 struct NearestObject
 {
     double squared = INFINITY;

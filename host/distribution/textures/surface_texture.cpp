@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// The labels of the sides of a surface's quads, by the colours of its edges or its vertices.
+/// Finds the labels of the sides of a surface's quads, by the colours of its edges or its vertices.
 class SurfaceLabels
 {
 public:

@@ -35,7 +35,7 @@ struct SurfaceObjectSettings
     SpreadChoice size{.a = 1}, orientation{}, aspect{.a = 1};
 };
 
-/// A surface, the picture on its quads, and what was measured of both.
+/// A dressed surface has a picture on its quads, and numbers that were measured of both.
 struct DressedSurface
 {
     std::shared_ptr<const QuadSurface> surface;

@@ -26,10 +26,10 @@ enum class QuadLabels
 inline constexpr WordTable<QuadLabels, 2> quad_label_words{
     {{{QuadLabels::wang, "wang"}, {QuadLabels::corner, "corner"}}}};
 
-/// The labels of a tile's sides, counterclockwise from the lower one.
+/// A tile has these labels of its sides, counterclockwise from the lower one.
 using SideLabels = std::array<std::uint32_t, 4>;
 
-/// A pixel of the exemplar, turned by quarters counterclockwise.
+/// A pixel of a tile comes from one of the exemplar, turned by quarters counterclockwise.
 struct TurnedSource
 {
     SourcePixel pixel;
@@ -43,7 +43,7 @@ struct QuadTextureRequest
     TextureRequest pieces; ///< size, candidates, seed, weight
 };
 
-/// A complete set.
+/// A set is complete: it has a tile for all labels that may come together.
 struct QuadTextureSet
 {
     int size = 0;

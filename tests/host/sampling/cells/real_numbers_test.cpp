@@ -144,7 +144,7 @@ TEST(RealNumbers, HaveTheBitsOfTheProcessor)
     }
 }
 
-/// A hash of bytes (FNV-1a).
+/// Hashes bytes (FNV-1a).
 class Hash
 {
 public:
