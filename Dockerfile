@@ -1,9 +1,9 @@
-# The program and the Python package in a container of Debian 12, without a graphics card (OpenCL by PoCL):
+# This builds the program and the Python package in a container of Debian 12, without a graphics card (OpenCL by PoCL):
 #
 #   docker build -t poissonlab .
 #   docker run --rm -v "$PWD":/work -u "$(id -u):$(id -g)" poissonlab run configs/quick.toml --out out/quick
 #
-# The packages are those of the tables in ./lab, which a test compares.
+# A test compares these packages with the tables in ./lab.
 FROM debian:12-slim AS build
 RUN apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
     g++ cmake ninja-build ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd librandom123-dev libtomlplusplus-dev \

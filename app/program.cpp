@@ -32,7 +32,7 @@ int fail(int status, const std::string& message)
     return status;
 }
 
-/// The status, unless some of the output is lost.
+/// Returns the status, unless some of the output is lost.
 int flushed(int status)
 {
     const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;

@@ -1,4 +1,4 @@
-// The program as a function.
+// This is the program as a function, so that tests can call it without starting a file.
 #pragma once
 
 namespace poissonlab {

@@ -88,7 +88,7 @@ ALWAYS_INLINE void add_vertex(Pair exact, uint k, Vertices* vertices)
     vertices->above = larger_of(vertices->above, distance + y);
 }
 
-/// A difference reduced to [-0.5, 0.5] by whole turns.
+/// Returns a difference, reduced to [-0.5, 0.5] by whole turns.
 ALWAYS_INLINE real torus_difference(real a, real b)
 {
     const real difference = minus(a, b);

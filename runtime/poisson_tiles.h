@@ -76,8 +76,8 @@ static inline uint32_t ptiles_class(const ptiles_set* set, uint32_t index)
     return c;
 }
 
-/* The minimum distance of every tiling, in tiles, to within a unit in the last place: no two points are nearer. `poissonlab
- * tiles verify` proves it. 0: the file promises none. */
+/* Returns the minimum distance of every tiling, in tiles, to within a unit in the last place: no two points are nearer.
+ * `poissonlab tiles verify` proves it. It is 0 where the file promises none. */
 static inline double ptiles_min_distance(const ptiles_set* set)
 {
     const double squared = (double)set->squared_min_distance;
@@ -91,7 +91,7 @@ static inline double ptiles_min_distance(const ptiles_set* set)
  * have equal moments. */
 static inline uint32_t ptiles_exponent(const ptiles_set* set) { return 2 * (set->equal_moments + 1); }
 
-/* Whether any density of the set is spread evenly: see ptiles_in_window. */
+/* Says whether any density of the set is spread evenly: see ptiles_in_window. */
 static inline int ptiles_is_ranked(const ptiles_set* set) { return set->ranks != 0; }
 
 /* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 //
-// poisson_tiles.h for C++11: a tile set that owns its bytes, and its tilings, whose points come as ranges.
+// This wraps poisson_tiles.h for C++11: a tile set owns its bytes, and points of its tilings come as ranges.
 //
 //     const ptiles::TileSet set("corner-c4-n64-r075.ptiles");
 //     const ptiles::Tiling tiling(set, 7);
@@ -23,7 +23,7 @@ namespace ptiles {
 
 using Position = std::array<double, 3>; // in tiles; the third number counts in 3D only
 
-// The tiles of a file. Throws std::runtime_error, which says what is wrong.
+// Reads the tiles of a file. Throws std::runtime_error, which says what is wrong.
 class TileSet
 {
 public:
@@ -54,14 +54,14 @@ private:
     ptiles_set set_{};
 };
 
-// Which tile is where, by the seed. The set must live as long as this.
+// Says which tile is where, by the seed. The set must live as long as this.
 class Tiling
 {
 public:
     // The tiling closes after `period` tiles along each axis, 0: never.
     explicit Tiling(const TileSet& set, uint32_t seed = 1, int32_t period = 0) : tiling_{set.get(), seed, period} {}
 
-    // The points p with low <= p < high along each axis and a level below the density: see ptiles_in_window.
+    // Returns the points p with low <= p < high along each axis and a level below the density: see ptiles_in_window.
     std::vector<ptiles_point> window(const Position& low, const Position& high, double density = 1) const
     {
         const uint64_t count = ptiles_in_window(&tiling_, low.data(), high.data(), nullptr, 0, density);
@@ -70,7 +70,7 @@ public:
         return points;
     }
 
-    // The point that is nearest to a position, and the squared distance.
+    // Returns the point that is nearest to a position, and the squared distance.
     std::pair<ptiles_point, double> nearest(const Position& position) const
     {
         ptiles_point point;

@@ -117,8 +117,8 @@ fn ptiles_id(t: PtilesTiling, at: vec3<i32>, index: u32) -> u32 {
                                   ptiles_place(at.z, t.period)) + 1u + index);
 }
 
-/// The minimum distance of every tiling, in tiles, from the file's header: its 32-bit words 10 and 11, at the bytes 40 and 44.
-/// 0: the file promises none.
+/// Returns the minimum distance of every tiling, in tiles, from the file's header: its 32-bit words 10 and 11, at the bytes 40
+/// and 44. It is 0 where the file promises none.
 fn ptiles_min_distance(word10: u32, word11: u32) -> f32 {
     return sqrt(f32(word11) * 4294967296.0 + f32(word10)) / 65536.0;
 }

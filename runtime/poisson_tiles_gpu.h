@@ -179,8 +179,8 @@ PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_ti
     return p;
 }
 
-/// The minimum distance of every tiling, in tiles, from the file's header: its 32-bit words 10 and 11, at the bytes 40 and 44.
-/// 0: the file promises none.
+/// Returns the minimum distance of every tiling, in tiles, from the file's header: its 32-bit words 10 and 11, at the bytes 40
+/// and 44. It is 0 where the file promises none.
 PTILES_FUNCTION float ptiles_min_distance(uint word10, uint word11)
 {
     return sqrt(PTILES_FLOAT(word11) * 4294967296.0f + PTILES_FLOAT(word10)) / 65536.0f;

@@ -66,7 +66,7 @@ public:
         return owned(GEOSDifference_r(context_.get(), shape.get(), taken.get()));
     }
 
-    /// All lines in a shape.
+    /// Appends all lines of a shape, those of collections as well.
     void append_lines(const GEOSGeometry* shape, std::vector<RegionRing>& to) const
     {
         GEOSContextHandle_t context = context_.get();

@@ -11,7 +11,7 @@ namespace poissonlab {
 /// polygon.
 std::vector<RegionPolygon> united(const std::vector<RegionPolygon>& polygons);
 
-/// What lines have outside of polygons; `lines_of` says of each part which line it is of.
+/// Returns the parts of lines outside of polygons; `lines_of` has the number of the line that each part belongs to.
 std::vector<RegionRing> lines_without(const std::vector<RegionRing>& lines, const std::vector<RegionPolygon>& polygons,
                                       std::vector<std::size_t>& lines_of);
 

@@ -48,10 +48,10 @@ struct RegionSource
     std::vector<std::size_t> feature_of_line{}; ///< of each of them, where there are features
 };
 
-/// The lines of a region of points on lines; none of others.
+/// Returns the lines of a region of points on lines; other regions have none.
 const std::vector<RegionRing>& lines_of(const PlaneRegion& region);
 
-/// The length of lines, and the box around them.
+/// These return the length of lines, and the box around them.
 double length_of(const std::vector<RegionRing>& lines);
 RegionBox box_around(const std::vector<RegionRing>& lines);
 

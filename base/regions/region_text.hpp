@@ -36,7 +36,7 @@ void check_map_system(const std::string& name);
 /// each other.
 PlaneRegion region_of_svg_path(const std::string& text, const std::string& name);
 
-/// The lines of such a path, closed or not, which may cross.
+/// Returns the lines of such a path, closed or not; they may cross.
 std::vector<RegionRing> lines_of_svg_path(const std::string& text, const std::string& name);
 
 /// The region of a file of SVG: what its shapes go around, each by its rule of filling, upright, in the units of its
@@ -45,7 +45,7 @@ std::vector<RegionRing> lines_of_svg_path(const std::string& text, const std::st
 /// check_region().
 PlaneRegion region_of_svg_drawing(const std::string& content, const std::string& name);
 
-/// The lines of its shapes, which may cross.
+/// Returns the lines of the shapes of a file of SVG; they may cross. Throws InputError as region_of_svg_drawing() does.
 std::vector<RegionRing> lines_of_svg_drawing(const std::string& content, const std::string& name);
 
 }

@@ -33,7 +33,7 @@ std::array<std::size_t, 2> texture_columns(const PlyElement& vertices)
     return {no_column, no_column};
 }
 
-/// The place of a list among the columns.
+/// Returns the place of a list among the columns, or no_column.
 std::size_t list_of(const PlyElement& element, std::string_view name, std::string_view other_name)
 {
     const auto found = std::ranges::find_if(element.columns, [&](const PlyColumn& column) {
@@ -44,7 +44,7 @@ std::size_t list_of(const PlyElement& element, std::string_view name, std::strin
 
 std::size_t corner_list(const PlyElement& element) { return list_of(element, "vertex_indices", "vertex_index"); }
 
-/// Texture coordinates of the corners of a face, u and v of each, as MeshLab writes them.
+/// Returns the list of texture coordinates of a face, u and v of each corner, as MeshLab writes it, or no_column.
 std::size_t texture_list(const PlyElement& element)
 {
     return element.name == "face" ? list_of(element, "texcoord", "texcoord") : no_column;

@@ -93,7 +93,7 @@ def vase(around=32, rings=20):
 
 
 def polycube(cubes, parts=1):
-    """Vertices and quads of the surface of unit cubes, each square divided into parts x parts."""
+    """Returns vertices and quads of the surface of unit cubes, each square divided into parts x parts."""
     there, numbers, vertices, faces = set(cubes), {}, [], []
     for cube in sorted(there):
         for axis in range(3):
@@ -120,17 +120,17 @@ def polycube(cubes, parts=1):
 
 
 def chair():
-    """Cubes of a seat with a back: corners where 3, 4 and 5 squares meet."""
+    """Returns the cubes of a seat with a back, at whose corners 3, 4 and 5 squares meet."""
     return [(x, y, 0) for x in range(2) for y in range(2)] + [(x, 1, 1) for x in range(2)]
 
 
 def two_rings():
-    """Cubes of a figure of eight, of genus 2."""
+    """Returns the cubes of a figure of eight, whose surface has genus 2."""
     return [(x, y, 0) for x in range(5) for y in range(3) if y != 1 or x % 2 == 0]
 
 
 def relaxed(vertices, faces, rounds):
-    """Moves each vertex to the mean of its neighbours, again and again."""
+    """Moves each vertex to the mean of its neighbours, so many rounds."""
     near = [set() for _ in vertices]
     for face in faces:
         for a, b in zip(face, face[1:] + face[:1]):
@@ -142,7 +142,7 @@ def relaxed(vertices, faces, rounds):
 
 
 def ring_and_its_cubes():
-    """A ring of triangles with a bump, of genus 1, and the same triangles on the surface of nine cubes."""
+    """Returns the vertices of a ring with a bump, of genus 1, those on the surface of nine cubes, and the triangles of both."""
     cubes = [(x, y, 0) for x in range(3) for y in range(3) if (x, y) != (1, 1)] + [(0, 0, 1)]
     vertices, quads = polycube(cubes, 4)
     triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]

@@ -100,7 +100,7 @@ private:
     std::shared_ptr<DeviceImpl> impl_;
 };
 
-/// The constant of kernel files that have real numbers with and without double precision, see kernels/common/reals.clh.
+/// Returns the constant of kernel files that do with or without double precision, see kernels/common/reals.clh.
 KernelValue doubles_of(const Device& device);
 
 /// Replaces a buffer by a larger one when it holds fewer than `count` values; its content is not kept. It is allocated

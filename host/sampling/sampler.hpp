@@ -136,7 +136,7 @@ struct SamplerSpec
     /// The files of kernels that make its sets on a device, without those of its start; empty: none does.
     std::vector<std::string> kernels = {};
 
-    /// Further files that make its sets in 3D.
+    /// These files make its sets in 3D as well.
     std::vector<std::string> kernels_in_space = {};
 
     /// The number of points that a set may have, where that is not the number that is asked for (as near as chance

@@ -6,10 +6,10 @@
 
 namespace poissonlab {
 
-/// The needs of a method's kernels for sets of a dimension.
+/// Returns the needs of a method's kernels for sets of a dimension.
 KernelNeeds needs_in(const SamplerSpec& method, int dimension);
 
-/// These needs, and those of the methods among its parameters, which it starts from.
+/// Returns these needs, and those of the methods among its parameters, which it starts from.
 KernelNeeds needs_of(const SamplerSpec& method, const Parameters& parameters, int dimension);
 
 /// The method, whose sampler asks a device for what its kernels need as soon as it gets one: the error names the

@@ -18,7 +18,7 @@ pybind11::array_t<double> array_of(PointSet points)
 
 namespace {
 
-/// The domain that would fit all numbers, in words; empty where some are none.
+/// Returns the domain that would fit all numbers, in words.
 std::string fitting_words_of(const PointSet& points, const PointOptions& words)
 {
     Extent extent;

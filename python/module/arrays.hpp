@@ -43,7 +43,7 @@ pybind11::array_t<double> array_of(PointSet points);
 PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_own_units = false,
                       const PointOptions& words = {});
 
-/// How messages about coordinates call the arguments.
+/// Messages about coordinates call the arguments so.
 inline constexpr PointOptions argument_words{
     .domain = "domain=({}, {})", .region = "region=\"rectangle {} {} {} {}\"", .particles = "particles={}"};
 

@@ -29,7 +29,7 @@ namespace py = pybind11;
 namespace poissonlab {
 namespace {
 
-/// The name of what values of a key are, for hints of types.
+/// Returns the name of the kind of values that a key has, for hints of types.
 const char* kind_of_key(const KeySpec& spec)
 {
     if (!spec.own.empty() || spec.is_spread) return "own";

@@ -14,10 +14,10 @@ void add_results(pybind11::module_& module);
 void add_tile_sets(pybind11::module_& module);
 void add_kinds(pybind11::module_& module);
 
-/// The name of a parameter's kind, for hints of types.
+/// Returns the name of a parameter's kind, for hints of types.
 const char* kind_of(const ParameterSpec& spec);
 
-/// The default as Python has it, a sampler by its name; None where no value can say it.
+/// Returns the default as Python has it, a sampler by its name; None where no value can say it.
 pybind11::object default_of(const ParameterSpec& spec);
 
 }

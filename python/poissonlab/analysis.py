@@ -282,7 +282,7 @@ class Analysis:
                             for i, (draw, options) in enumerate(panels)])
 
     def _panels(self):
-        """How the pictures of the figure are drawn, and what axes these need."""
+        """Returns how the pictures of the figure are drawn, and what axes these need."""
         panels = [(lambda ax: views.plot_points(ax, self.sets[0], {}),
                    {"projection": "3d"} if self.dimension == 3 else {})] if self.sets else []
         spectrum = self.spectrum if self.spectrum is not None else self.spectrum_planes.get("xy")
@@ -294,7 +294,7 @@ class Analysis:
         return panels + [(curve.plot, {}) for curve in (self.radial, self.pair_correlation, self.region) if len(curve[0])]
 
     def to_dataframe(self) -> Any:
-        """The measures as a DataFrame of pandas, where it is there: a row a measure, by its key, with value, error, unit,
+        """Return the measures as a DataFrame of pandas: a row a measure, by its key, with value, error, unit,
         name and meaning."""
         columns = ("value", "error", "unit", "name", "meaning")
         return views.table_of({column: [getattr(measure, column) for measure in self.measures.values()]
@@ -406,7 +406,7 @@ def analyze(points: Points, *, label: str = "points", domain: Domain | None = No
     if box is not None:
         if domain is not None:
             raise _poissonlab.InputError("analyze: box: does not go with domain, which has sides of its own")
-        sides = numpy.atleast_1d(numpy.asarray(box, dtype=float))  # of a square or cube one
+        sides = numpy.atleast_1d(numpy.asarray(box, dtype=float))  # one of a square or cube
         domain = [(0, side) for side in sides.tolist()]
         if sides.ndim != 1 or len(domain) not in (1, 2, 3) or not all(0 < side < numpy.inf for side in sides):
             raise _poissonlab.InputError("analyze: box: must be a side, (width, height), or in 3D (width, height, "

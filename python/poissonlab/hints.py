@@ -1,4 +1,4 @@
-"""Types as help() shows them: in words, without quotes and without the insides of NumPy's own."""
+"""Makes types that help() shows in words, without quotes and without the insides of NumPy's own."""
 
 import inspect
 
@@ -17,18 +17,18 @@ OF_KINDS = {"number": "float", "integer": "int", "boolean": "bool", "text": "str
             "paths": "str | os.PathLike[str] | Sequence[str | os.PathLike[str]]", "command": "str | Sequence[str]",
             "sampler": "Sampler | str | dict[str, Any]"}
 
-#: The arguments that all calls have which make something: types and defaults.
+#: All calls that make something have these arguments, with types and defaults.
 COMMON = {"rng": ("int | numpy.random.Generator | None", None), "engine": ("str", "opencl"),
           "device": ("str | int | None", None)}
 
 
 def keyword(name, hint, default):
-    """A keyword of a signature."""
+    """Returns a keyword of a signature."""
     return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Hint(hint))
 
 
 def keyword_of(name, kind, default, is_required):
-    """The keyword of a described value: with its default where a value can say it."""
+    """Returns the keyword of a described value, with its default where a value can say it."""
     hint = OF_KINDS[kind]
     if is_required:
         return keyword(name, hint, inspect.Parameter.empty)
@@ -36,7 +36,7 @@ def keyword_of(name, kind, default, is_required):
 
 
 def words_of(help_text):
-    """The help of a value for Python: configs and commands call some things otherwise."""
+    """Returns the help of a value in words of Python, because configs and commands call some things otherwise."""
     for of_configs, of_python in ((", in quotes", ""), (" in quotes", ""), ("true or false", "True or False"),
                                   ("default: true", "default: True"), ("default: false", "default: False"),
                                   ("analysis.points", "n")):
@@ -45,7 +45,7 @@ def words_of(help_text):
 
 
 def show(values):
-    """Let signatures of functions, and of what classes have, show their types as text."""
+    """Lets signatures of functions and of members of classes show their types as text."""
     for value in values:
         if isinstance(value, property):
             value = value.fget

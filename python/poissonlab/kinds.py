@@ -16,7 +16,7 @@ from .samplers import refuse_unknown, seed_of
 
 
 class Made:
-    """The result of a kind of work. What there is not is None.
+    """The result of a kind of work. Attributes that it does not have are None.
 
     label: its name in reports
     facts: what it was made from, sentences
@@ -85,7 +85,7 @@ class Made:
         return views.plot_image(ax, values, style)
 
     def to_dataframe(self):
-        """The points as a DataFrame of pandas, where it is there: x, y (and z), class, distance and normals, as far as
+        """Return the points as a DataFrame of pandas: x, y (and z), class, distance and normals, as far as
         they are there."""
         if self.points is None:
             raise InputError(f"to_dataframe: {self.label}: there are no points")
@@ -130,7 +130,7 @@ def documentation_of(description):
 
 
 def taking_kind(build, make):
-    """The function `build`, whose first argument is the kind, with the signature and the documentation of all keys."""
+    """Returns the function `build`, whose first argument is the kind, with the signature and the documentation of all keys."""
     kind, *others = make.__signature__.parameters.values()
     first = kind.replace(kind=inspect.Parameter.POSITIONAL_OR_KEYWORD, default="corner", annotation=hints.Hint("str"))
     build.__signature__ = make.__signature__.replace(parameters=[first, *others])

@@ -59,7 +59,7 @@ class Results(Mapping[str, Analysis]):
         return ax
 
     def to_dataframe(self) -> Any:
-        """The measures as a DataFrame of pandas, where it is there: a row a series, by its name, with label, points,
+        """Return the measures as a DataFrame of pandas: a row a series, by its name, with label, points,
         realizations, and a column for each measure's value."""
         keys = dict.fromkeys(key for series in self._series.values() for key in series.measures)
         columns = {name: [getattr(series, name) for series in self._series.values()]

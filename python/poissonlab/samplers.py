@@ -18,12 +18,12 @@ from ._poissonlab import InputError
 DEFAULT_POINTS = 16384
 OTHER_POINTS = 4096  #: also a square, a cube and a power of 2
 
-#: The keys that configs have for every method, beside its own parameters.
+#: Configs have these keys for every method, beside its own parameters.
 SHARED_KEYS = {"order", "region", "planar", "crs", "overlap", "buffer"}
 
 
 def seed_of(rng, name):
-    """The seed, from 0 to 2**63 - 1, that the `rng` of a call stands for. `name` begins messages."""
+    """Returns the seed, from 0 to 2**63 - 1, that the `rng` of a call stands for. `name` begins messages."""
     allowed = "must be an integer from 0 to 2**63 - 1, a numpy.random.Generator, which draws one, or None"
     if hasattr(rng, "__index__"):
         if not 0 <= operator.index(rng) < 2**63:
@@ -39,7 +39,7 @@ def seed_of(rng, name):
 
 
 def refuse_unknown(name, given, known):
-    """Raise TypeError where a keyword is none of these."""
+    """Raises TypeError where a keyword is not one of these."""
     for key in given:
         if key in known:
             continue
@@ -202,7 +202,7 @@ class Sampler:
             self._points = n
 
     def _maker_of(self, n):
-        """The maker for sets of n points. Messages call arguments as this class does, not as configs do."""
+        """Returns the maker for sets of n points. Messages call arguments as this class does, not as configs do."""
         name = type(self).__name__
         try:
             return _poissonlab.SetMaker(name, self.config(n))
@@ -228,7 +228,7 @@ def class_name(name):
 
 
 def signature_of(description):
-    """The keywords of a method's class."""
+    """Returns the keywords of a method's class."""
     own = [hints.keyword_of(each["key"], each["kind"], each["default"],
                             each["default"] is None and not each["unless_given"]) for each in description["parameters"]]
     common = {"d": ("int", 2), **hints.COMMON}

@@ -1,4 +1,4 @@
-"""What results look like: pictures with Matplotlib and tables as DataFrames, where Matplotlib and pandas are there."""
+"""Draws results with Matplotlib and makes DataFrames of them, where Matplotlib and pandas are installed."""
 
 import importlib
 
@@ -8,7 +8,7 @@ AXES = ("x", "y", "z")
 
 
 def needed(module, what):
-    """A module that only this needs."""
+    """Imports a module that the package does without; `what` needs it."""
     try:
         return importlib.import_module(module)
     except ImportError:
@@ -17,12 +17,12 @@ def needed(module, what):
 
 
 def axes_of(ax, **options):
-    """The axes that are given, or those of a new figure."""
+    """Returns the given axes, or those of a new figure."""
     return needed("matplotlib.pyplot", "plot").subplots(subplot_kw=options)[1] if ax is None else ax
 
 
 def plot_curve(ax, x, y, spread, labels, style):
-    """A line, in a band from low to high where `spread` has both. Returns the axes."""
+    """Draws a line, in a band from low to high where `spread` has both. Returns the axes."""
     ax = axes_of(ax)
     (line,) = ax.plot(x, y, **style)
     low, high = spread
@@ -34,7 +34,7 @@ def plot_curve(ax, x, y, spread, labels, style):
 
 
 def plot_points(ax, points, style):
-    """Dots in equal scales. Of points in space, axes of the plane show x and y. Returns the axes."""
+    """Draws dots in equal scales; axes of the plane show x and y of points in space. Returns the axes."""
     ax = axes_of(ax, **({"projection": "3d"} if points.shape[1] == 3 else {}))
     dimension = min(points.shape[1], 3 if getattr(ax, "name", "") == "3d" else 2)
     ax.scatter(*points.T[:dimension], **{"s": 4, "linewidths": 0, **style})
@@ -45,7 +45,7 @@ def plot_points(ax, points, style):
 
 
 def plot_image(ax, values, style):
-    """Pixels, row after row from the top. Returns the axes."""
+    """Draws pixels, row after row from the top. Returns the axes."""
     ax = axes_of(ax)
     grey = {"cmap": "gray"} if values.ndim == 2 or values.shape[2] == 1 else {}
     ax.imshow(values.squeeze(), **{**grey, "interpolation": "nearest", **style})
@@ -54,7 +54,7 @@ def plot_image(ax, values, style):
 
 
 def table_of(columns, index=None):
-    """A DataFrame. Columns of shape (n, 2) or (n, 3) become one of each axis: positions x, y and z, others with the axis
+    """Returns a DataFrame. Columns of shape (n, 2) or (n, 3) become one of each axis: positions x, y and z, others with the axis
     behind their name. None is left out."""
     flat = {}
     for name, values in columns.items():
@@ -69,5 +69,5 @@ def table_of(columns, index=None):
 
 
 def to_dataframe(columns):
-    """A DataFrame of pandas with the same columns, where pandas is there."""
+    """Return a DataFrame of pandas with the same columns; needs pandas."""
     return table_of(columns._asdict())

@@ -55,7 +55,7 @@ def stub_of(name, method):
 
 
 def shown(value):
-    """A default as a stub has it, behind its sign; nothing where the parameter is needed."""
+    """Returns a default as a stub has it, behind its sign; nothing where the parameter is needed."""
     if value is inspect.Parameter.empty:
         return ""
     return f' = "{value}"' if isinstance(value, str) else f" = {value!r}"

@@ -32,7 +32,7 @@ protected:
         folder_ = nullptr;
     }
 
-    /// By the file that mpirun starts as well: pictures name what drew them.
+    /// Starts the file that mpirun starts as well, because pictures name the program that drew them.
     static Outcome run(const std::vector<std::string>& arguments)
     {
         return run_program(folder_->path(), arguments, "LC_ALL=C");

@@ -1,4 +1,4 @@
-// This test program holds the whole laboratory: its commands run in children of a nursery.
+// This test program contains the whole laboratory, so that its commands can run in children of a nursery.
 #include "app/program.hpp"
 #include "tests/support/program.hpp"
 

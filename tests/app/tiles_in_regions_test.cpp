@@ -56,7 +56,7 @@ protected:
         return run_program(folder_.path(), words);
     }
 
-    /// The text of a file that `--out` names.
+    /// Runs the command, and returns the text of the file that `--out` names.
     std::string file_of(const std::string& arguments, const std::string& file) const
     {
         const Outcome outcome = run("tiles.ptiles " + arguments + " --out " + file);
@@ -89,7 +89,6 @@ protected:
     PoissonTileSet tiles_;
 };
 
-/// The points that runtime/poisson_tiles.h finds, which are inside by another test, in another order.
 TEST_F(TilesInRegions, NameTheCoordinatesOfTheirFiles)
 {
     const std::string globe = "--region 'SRID=4326;POLYGON ((4.70 50.86, 4.71 50.86, 4.71 50.87, 4.70 50.86))'";
@@ -101,6 +100,7 @@ TEST_F(TilesInRegions, NameTheCoordinatesOfTheirFiles)
     EXPECT_FALSE(nlohmann::json::parse(file_of(globe + " --min-distance 90", "b.geojson")).contains("crs"));
 }
 
+/// These are the points that runtime/poisson_tiles.h finds, which are inside by another test, in another order.
 TEST_F(TilesInRegions, HaveThePointsOfTheTilingThatAreInside)
 {
     const PlaneCorners outline{{-30, 10}, {40, -20}, {55, 45}, {0, 20}}, hole{{0, 5}, {20, 5}, {20, 15}, {0, 15}};

@@ -65,7 +65,7 @@ void kernels(benchmark::State& state)
     state.counters["slow"] = static_cast<double>(voronoi.slow_points());
 }
 
-/// The kernels of VoronoiKernels as devices with and without double precision have them (range 2: 1 or 0), see
+/// Runs the kernels of VoronoiKernels as devices with and without double precision have them (range 2: 1 or 0), see
 /// kernels/common/reals.clh.
 void kernels_of_devices(benchmark::State& state)
 {

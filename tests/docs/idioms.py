@@ -1,6 +1,6 @@
 """Looks for idioms in the words for users: idioms.py SOURCE. idioms.tsv lists them, with what to write instead.
 
-Pages are read but for code; of sources, strings in double quotes.
+It reads pages without their code, and the strings in double quotes of sources.
 """
 
 import re
@@ -15,25 +15,25 @@ STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 
 
 def idioms(table):
-    """The expressions of a table, each with its advice."""
+    """Returns the expressions of a table, each with its advice."""
     lines = table.read_text(encoding="utf-8").splitlines()
     return [(re.compile(line.split("\t")[0]), line.split("\t")[1]) for line in lines if line and line[0] != "#"]
 
 
 def words_of_page(text):
-    """The lines of a page without its code: blocks in fences become empty, so that numbers of lines stay."""
+    """Returns the lines of a page without its code: blocks in fences become empty, so that numbers of lines stay."""
     text = re.sub(r"^(```|~~~).*?^\1", lambda block: "\n" * block[0].count("\n"), text, flags=re.M | re.S)
     return re.sub(r"`[^`\n]*`", "``", text)
 
 
 def words_of_source(text):
-    """The strings of a source file in the places of their lines; comments become empty."""
+    """Returns the strings of a source file in the places of their lines; comments become empty."""
     lines = (re.sub(r"^\s*(//|\*|#).*", "", line) for line in text.splitlines())
     return "\n".join(" ".join(STRING.findall(line)) for line in lines)
 
 
 def texts(source):
-    """Every file with words for users, and these words."""
+    """Yields every file with words for users, and these words."""
     for pattern in PAGES:
         for path in sorted(source.glob(pattern)):
             yield path, words_of_page(path.read_text(encoding="utf-8"))
@@ -46,7 +46,7 @@ def texts(source):
 
 
 def found(text, table):
-    """Idioms in a text: number of line, the words, the advice. They may go on in the next line."""
+    """Yields idioms in a text: number of line, the words, the advice. An idiom may go on in the next line."""
     joined = re.sub(r"\n[ \t]*", "\n", text)
     for expression, advice in table:
         for match in re.compile(expression.pattern.replace(" ", r"\s+")).finditer(joined):

@@ -4,12 +4,12 @@ import re
 import sys
 from pathlib import Path
 
-# For the Debian package and the Python package in it; the table of tests has them among others.
+# These make the Debian package and the Python package in it; the table of tests has them among others.
 OF_PACKAGES = {"dpkg-dev", "file", "pybind11-dev", "python3-dev", "python3-numpy"}
 
 
 def tables(lab):
-    """The names of packages in the tables of ./lab, by the table's name."""
+    """Returns the names of packages in the tables of ./lab, by the table's name."""
     found = {}
     for name, body in re.findall(r"^(\w+)_packages=['\"]\n(.*?)['\"]$", lab, re.M | re.S):
         found[name] = {line.split()[0] for line in body.splitlines() if line and line[0] != "$"}

@@ -9,7 +9,7 @@ set -euo pipefail
 case $1 in
   basic) export POCL_DEVICES=basic ;;
   no_doubles)
-    # Sanitizers want to be first otherwise.
+    # Sanitizers refuse to run behind another library unless they are told so.
     export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=0}:verify_asan_link_order=0
     export LD_PRELOAD=$(dirname "$2")/libsmall_device.so SMALL_DEVICE_DOUBLES=0
     ;;

@@ -48,7 +48,7 @@ protected:
         return run(out, environment, "all.toml");
     }
 
-    /// A device with few resources, or with others that are said, makes what PoCL makes.
+    /// Expects that a device with few resources, or with the given ones, makes what PoCL makes.
     void expect_the_same(const Methods& methods, int dimension = 2,
                          const std::string& resources =
                              "SMALL_DEVICE_LOCAL=16384 SMALL_DEVICE_ALLOCATION=268435456 SMALL_DEVICE_GROUP=64 "

@@ -25,7 +25,7 @@ def ratios_of_pairs(points, kept, distances):
 
 
 def grey_png(values):
-    """The bytes of a PNG of 8 bits."""
+    """Returns the bytes of a PNG of 8 bits."""
 
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))

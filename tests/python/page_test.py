@@ -14,7 +14,7 @@ VALUE = re.compile(r"^(\S.*?) {2,}# (.*)$")
 
 
 def statements_of(block):
-    """The statements of a block, each with the comment behind it where it is an expression in one line, else None."""
+    """Yields the statements of a block, each with the comment behind it where it is an expression in one line, else None."""
     lines = block.splitlines()
     for node in ast.parse(block).body:
         comment = VALUE.match(lines[node.end_lineno - 1])

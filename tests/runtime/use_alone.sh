@@ -37,7 +37,7 @@ END
 "$2" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines
 read -r squared least exponent ranked <<<"$(./ten_lines)"
 echo "squared distance $squared, minimum distance $least, exponent $exponent, ranked $ranked"
-# By byte 40 of the file, and its order of equal moments at byte 112: docs/tile-set-file.md.
+# The file has the squared distance at byte 40, and its order of equal moments at byte 112: docs/tile-set-file.md.
 awk -v d="$least" -v s="$(od -An -tu8 -j40 -N8 *.ptiles)" 'BEGIN { e = d * 65536 - sqrt(s); exit !(s > 0 && e * e < 1e-6) }'
 ((exponent == 2 * ($(od -An -tu4 -j112 -N4 *.ptiles) + 1) && ranked == 1))
 awk -v d="$squared" 'BEGIN { exit !(d >= 0 && d < 0.015) }' # of the largest empty circle: 0.11 tiles
@@ -77,7 +77,7 @@ END
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic ranges.cpp -o ranges
 [ "$(./ranges)" = "$quarter $least $squared" ]
 
-# For Windows, where a compiler for it is there.
+# Windows is tried where a compiler for it is there.
 windows=${WINDOWS_COMPILER_PREFIX:-x86_64-w64-mingw32}
 if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
   "$windows-gcc" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines.exe

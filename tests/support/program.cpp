@@ -16,7 +16,7 @@ namespace {
 
 std::unique_ptr<ProgramNursery> nursery;
 
-/// What a command left in the files "out" and "error" of `streams`, and how it ended, by waitpid().
+/// Reads what a command left in the files "out" and "error" of `streams`, and how it ended, by waitpid().
 Outcome outcome_of(int status, const fs::path& streams)
 {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(streams / "out"), content_of(streams / "error")};

@@ -30,11 +30,11 @@ Outcome run_in_shell(const std::filesystem::path& folder, const std::string& com
 Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                     const std::string& environment = "");
 
-/// run_program() with the words of a line of the shell.
+/// Calls run_program() with the words of a line of the shell.
 Outcome run_program_line(const std::filesystem::path& folder, const std::string& line);
 
 /// From now on run_program() calls `program` in children of a nursery, but for calls with an environment, instead of
-/// starting the program's file. To be called before this process has threads of its own.
+/// starting the program's file. It must be called before this process has threads.
 void run_programs_in_nursery(ProgramMain program);
 
 /// Every file below a folder: name relative to it, and content. Without stored units, whose records hold times.

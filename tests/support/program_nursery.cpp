@@ -108,7 +108,7 @@ void tell_slow_libraries(int pipe)
     ::dl_iterate_phdr(tell, &pipe);
 }
 
-/// What a child does. It ends without what the nursery and the tests would do at their own ends.
+/// Does the work of a child, which ends without what the nursery and the tests do at their own ends.
 [[noreturn]] void be_program(ProgramMain program, Request& request, int pipe)
 {
     ::on_exit(

@@ -7,12 +7,12 @@
 
 namespace poissonlab {
 
-/// The program as a function, and how main calls it.
+/// This is the program as a function, as main calls it.
 using ProgramMain = int (*)(int argc, const char* const* argv);
 
-/// A process that waits for requests and forks a child for each. It must be made before this process has threads of its
-/// own. When a child has loaded the image library or the driver of the device, the nursery loads them as well, and
-/// later children have them from the beginning.
+/// A nursery is a process that waits for requests and forks a child for each. It must be made before this process has
+/// threads of its own. When a child has loaded the image library or the driver of the device, the nursery loads them as
+/// well, and later children have them from the beginning.
 class ProgramNursery
 {
 public:

@@ -103,7 +103,7 @@ QuadMesh refined(const QuadMesh& mesh, const QuadTopology& topology, std::uint32
     QuadMesh fine{mesh.vertices, {}};
     const auto first_on_edges = static_cast<std::uint32_t>(fine.vertices.size());
     fine.vertices.resize(fine.vertices.size() + topology.edges() * (parts - 1));
-    // Vertex number `step` of a side, counted from its start.
+    // This returns vertex number `step` of a side, counted from its start.
     const auto on_side = [&](std::uint32_t q, std::uint32_t side, std::uint32_t step) {
         if (step == 0 || step == parts) return mesh.quads[q][(side + step / parts) % 4];
         const std::uint32_t along = topology.is_forward({q, side}) ? step : parts - step;
@@ -177,7 +177,7 @@ MeshPoint middle_of(const QuadMesh& mesh, std::uint32_t quad)
 
 FanPlace fan_place(double u, double v)
 {
-    // The nearest side: places on a diagonal belong to the lower number.
+    // The nearest side has the place; places on a diagonal belong to the lower number.
     const std::array<double, 4> depth{v, 1 - u, 1 - v, u}, along{u, v, 1 - u, 1 - v};
     const auto side = static_cast<std::uint32_t>(std::ranges::min_element(depth) - depth.begin());
     const double middle = 2 * depth[side];

@@ -1,7 +1,7 @@
-// Closed surfaces of quadrilaterals, of any genus: what tiles are laid on where the plane is not enough.
+// Tiles are laid on closed surfaces of quadrilaterals, of any genus, where the plane is not enough.
 //
-// Fu and Leung, Texture tiling on arbitrary topological surfaces using Wang tiles, EGSR 2005. Quads, not triangles: a
-// tile is a square, and 3, 5 or more may meet in a vertex.
+// Fu and Leung, Texture tiling on arbitrary topological surfaces using Wang tiles, EGSR 2005. Faces are quads and not
+// triangles, because a tile is a square; 3, 5 or more may meet in a vertex.
 #pragma once
 
 #include "base/surfaces/triangle_mesh.hpp"
@@ -23,7 +23,7 @@ struct QuadMesh
     std::vector<Quad> quads;
 };
 
-/// A corner of a quad, or the side that begins there.
+/// This is a corner of a quad, or the side that begins there.
 struct QuadCorner
 {
     std::uint32_t quad = 0;
@@ -32,7 +32,7 @@ struct QuadCorner
     bool operator==(const QuadCorner&) const = default;
 };
 
-/// How the quads of a mesh hang together.
+/// Knows how the quads of a mesh are connected.
 class QuadTopology
 {
 public:
@@ -40,23 +40,23 @@ public:
     /// only, more than two meet at it, two are turned differently, or quads meet at a vertex alone.
     explicit QuadTopology(const QuadMesh& mesh);
 
-    /// The quad beyond a side, and its own side there.
+    /// Returns the quad beyond a side, and its own side there.
     QuadCorner across(QuadCorner side) const { return across_[number_of(side)]; }
 
-    /// The number of a side's edge. The edge leads from the start of one of its two sides, its forward one, to its end.
+    /// Returns the number of a side's edge, which leads from the start to the end of its forward side, one of its two.
     std::uint32_t edge_of(QuadCorner side) const { return edges_[number_of(side)]; }
     bool is_forward(QuadCorner side) const { return number_of(side) < number_of(across(side)); }
 
-    /// Corners of quads at a vertex, counterclockwise, the one with the lowest number first.
+    /// Returns the corners of quads at a vertex, counterclockwise, the one with the lowest number first.
     const std::vector<QuadCorner>& around(std::uint32_t vertex) const { return around_[vertex]; }
     std::uint32_t valence(std::uint32_t vertex) const { return static_cast<std::uint32_t>(around_[vertex].size()); }
-    /// The place of a corner among those at its vertex.
+    /// Returns the place of a corner among those at its vertex.
     std::uint32_t wedge_of(QuadCorner corner) const { return wedges_[number_of(corner)]; }
 
     std::size_t edges() const { return edge_count_; }
     std::size_t vertices() const { return vertex_count_; } ///< that quads have
     std::size_t irregular() const;                         ///< vertices where other than four quads meet
-    /// Vertices less edges plus quads: 2 - 2 genus for each part of the surface.
+    /// Returns vertices less edges plus quads, which is 2 - 2 genus for each part of the surface.
     std::int64_t euler() const;
 
 private:
@@ -74,15 +74,15 @@ private:
 /// along its side 0 from below, and have their corners in its order.
 QuadMesh refined(const QuadMesh& mesh, const QuadTopology& topology, std::uint32_t parts);
 
-/// A step of Catmull and Clark's subdivision (1978): each quad becomes four, and the surface smooth.
+/// Makes a step of Catmull and Clark's subdivision (1978): each quad becomes four, and the surface smoother.
 QuadMesh smoothed(const QuadMesh& mesh, const QuadTopology& topology);
 
-/// The place of (u, v) of a quad: on the four triangles between its sides and the mean of its corners, which look the
-/// same from all sides.
+/// Returns the place of (u, v) of a quad, on the four triangles between its sides and the mean of its corners, which
+/// are the same for all turns of the quad.
 MeshPoint place_on(const QuadMesh& mesh, std::uint32_t quad, double u, double v);
 
-/// The number of the side whose triangle has (u, v), and the shares there of the end of the side and of the mean; the
-/// share of the side's start is the rest.
+/// This is the number of the side whose triangle has (u, v), and the shares there of the end of the side and of the
+/// mean; the share of the side's start is the rest.
 struct FanPlace
 {
     std::uint32_t side = 0;
@@ -90,13 +90,13 @@ struct FanPlace
 };
 FanPlace fan_place(double u, double v);
 
-/// The mean of a quad's corners.
+/// Returns the mean of a quad's corners.
 MeshPoint middle_of(const QuadMesh& mesh, std::uint32_t quad);
 
-/// The triangles of all quads, four of each, in the order of its sides; means follow the vertices.
+/// Returns the triangles of all quads, four of each, in the order of its sides; means follow the vertices.
 TriangleMesh fans_of(const QuadMesh& mesh);
 
-/// (u, v) of a square after so many quarters of a turn, counterclockwise: corner i comes to corner i + quarters.
+/// Returns (u, v) of a square after quarters of a turn, counterclockwise: corner i comes to corner i + quarters.
 std::array<double, 2> turned_place(double u, double v, std::uint32_t quarters);
 
 }

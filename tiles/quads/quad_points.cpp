@@ -13,12 +13,12 @@ namespace {
 /// So many darts that are refused in a row end the filling of a region.
 constexpr int most_misses = 3000;
 
-/// Half of a strip's width and the radius of a disk, in minimum distances.
+/// These are half of a strip's width and the radius of a disk, in minimum distances.
 constexpr double strip_part = 0.5, disk_part = 1.3066;
 
 constexpr double place_steps = 65536;
 
-/// The sector of a disk that begins at a side.
+/// A sector of a disk begins at a side.
 struct Sector
 {
     std::uint32_t valence = 0, color = 0, wedge = 0;
@@ -27,7 +27,7 @@ struct Sector
     auto operator<=>(const Sector&) const = default;
 };
 
-/// A corner of a tile, and whether the edge that begins there is seen along its own direction.
+/// A corner of a tile has a sector, and the edge that begins there may be seen along its own direction.
 struct TileCorner
 {
     Sector sector;
@@ -39,7 +39,7 @@ struct TileCorner
 using TileKey = std::array<TileCorner, 4>;
 using EdgeKey = std::array<Sector, 2>;
 
-/// Along an edge from its start, and to its left; or in a tile.
+/// A place has coordinates along an edge from its start and to its left, or in a tile.
 using UnitPlace = std::array<double, 2>;
 
 double squared(const UnitPlace& p, const UnitPlace& q)
@@ -47,17 +47,17 @@ double squared(const UnitPlace& p, const UnitPlace& q)
     return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
 }
 
-/// A place beside an edge as its end sees it.
+/// Returns a place beside an edge as its end sees it.
 UnitPlace reversed(const UnitPlace& p) { return {1 - p[0], -p[1]}; }
 
-/// A place beside the edge that a sector begins at.
+/// Returns a place beside the edge that a sector begins at, as the sector's vertex has it.
 WedgePlace around_sector(const Sector& sector, const UnitPlace& p)
 {
     if (p[1] >= 0) return {sector.wedge, p[0], p[1]};
     return {(sector.wedge + sector.valence - 1) % sector.valence, -p[1], p[0]};
 }
 
-/// Random places, which the key of a region alone decides.
+/// Draws random places, which the key of a region alone decides.
 class Darts
 {
 public:
@@ -66,7 +66,7 @@ public:
     {}
 
     std::uint32_t below(std::uint32_t end) { return words_.below(end); }
-    /// A multiple of 2^-16 from `low` to less than `high`, both of them such.
+    /// Returns a multiple of 2^-16 from `low` to less than `high`, both of them such.
     double between(double low, double high)
     {
         return low + words_.below(static_cast<std::uint32_t>((high - low) * place_steps)) / place_steps;
@@ -76,7 +76,7 @@ private:
     static StreamKey stream_of(std::uint64_t seed, std::uint32_t region, std::initializer_list<Sector> sectors,
                                std::uint32_t bits)
     {
-        // Realization 0 of the purpose are the colours of the mesh.
+        // Realization 0 of the purpose makes the colours of the mesh.
         StreamKey key = stream_key(seed, Purpose::mesh_colors, region);
         const auto mix = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             const auto words = philox({a, b, c, 0}, key);
@@ -126,7 +126,7 @@ private:
         return at->second;
     }
 
-    /// Is a place around a vertex far enough from the points of its disk, of those that are there?
+    /// Is a place around a vertex far enough from all points that its disk has by now?
     bool is_free(const Sector& of, const WedgePlace& p)
     {
         return std::ranges::none_of(disks_.at({of.valence, of.color}),
@@ -160,7 +160,7 @@ private:
         return points;
     }
 
-    /// The points beside side k of a tile, in the tile's square or beyond it.
+    /// Returns the points beside side k of a tile, in the tile's square or beyond it.
     std::vector<UnitPlace> beside(const TileKey& key, std::uint32_t k)
     {
         const Sector &start = key[k].sector, end = key[(k + 1) % 4].sector.after();
@@ -211,7 +211,7 @@ private:
     std::map<TileKey, std::vector<UnitPlace>> tiles_;
 };
 
-/// What the vertices and edges of a mesh are told by the seed.
+/// Draws the colours and turns of a mesh's vertices, and the directions of its edges, by the seed.
 class QuadSectors
 {
 public:
@@ -249,7 +249,7 @@ private:
     StreamKey stream_;
 };
 
-/// The least of the four ways to see a tile, and how far it is turned: its corner 0 is the quad's corner `first`.
+/// Returns the least of the four turns of a tile, and the corner of the quad that is corner 0 of that turn.
 std::pair<TileKey, std::uint32_t> least_turned(const TileKey& key)
 {
     std::pair<TileKey, std::uint32_t> least{key, 0};
@@ -261,8 +261,8 @@ std::pair<TileKey, std::uint32_t> least_turned(const TileKey& key)
     return least;
 }
 
-/// The squared distance of p from q, whose quad comes `turns` quads after that of p, around a vertex that is in the way
-/// where the angle between them is more than half a turn.
+/// Returns the squared distance of p from q, whose quad comes `turns` quads after that of p, around a vertex that is in
+/// the way where the angle between them is more than half a turn.
 double squared_after(std::uint32_t turns, const WedgePlace& p, const WedgePlace& q)
 {
     if (turns == 0) return squared({p.a, p.b}, {q.a, q.b});

@@ -1,18 +1,18 @@
-// Poisson disk tiles for surfaces of quads, which fit across all edges and around all vertices.
+// These Poisson disk tiles for surfaces of quads fit across all edges and around all vertices.
 //
-// The regions of corner-based Poisson disk tiles (Lagae, Tile-Based Methods in Computer Graphics, 2007, section 4.5) on
-// a surface that is flat but for its vertices: disks around vertices, which are cones where other than four quads meet,
-// then what is left of strips along edges, then what is left of tiles. Points of a region follow from those of the
-// regions before it that can be near, and from nothing else. A disk is one of its valence and its colour, and a quad
-// has one of its sectors; an edge is one of the two sectors at its ends. Quads with the same four sectors have the same
-// tile, turned. Li, Lo, Leung and Fu, Dual Poisson-disk tiling, IEEE TVCG 2010, lay a tile on each vertex instead.
+// Regions are those of corner-based Poisson disk tiles (Lagae, Tile-Based Methods in Computer Graphics, 2007, section
+// 4.5), on a surface that is flat but for its vertices: disks around vertices, which are cones where other than four
+// quads meet, then what is left of strips along edges, then what is left of tiles. Points of a region follow from those
+// of the regions before it that can be near, and from nothing else. A disk is one of its valence and its colour, and a
+// quad has one of its sectors; an edge is one of the two sectors at its ends. Quads with the same four sectors have the
+// same tile, turned. Li, Lo, Leung and Fu, Dual Poisson-disk tiling, IEEE TVCG 2010, lay a tile on each vertex instead.
 #pragma once
 
 #include "tiles/quads/quad_mesh.hpp"
 
 namespace poissonlab {
 
-/// The largest distance for which regions of one kind are that far apart, in sides of a tile: 1 / (1 + 2 r), a disk's
+/// Up to this distance, in sides of a tile, regions of one kind are that far apart: it is 1 / (1 + 2 r), a disk's
 /// radius being r = sqrt((1/sqrt 2 + 1/2)^2 + 1/4) distances.
 inline constexpr double most_quad_distance = 0.2766;
 
@@ -38,7 +38,7 @@ struct QuadPoints
 /// Lays tiles on all quads.
 QuadPoints lay_quad_points(const QuadMesh& mesh, const QuadTopology& topology, const QuadPointRequest& request);
 
-/// A place near a vertex of so many quads: the number of its quad there, and its distances along the first and the
+/// A place near a vertex has the number of its quad there, and its distances along the first and the
 /// second side of that quad's corner.
 struct WedgePlace
 {
@@ -46,7 +46,7 @@ struct WedgePlace
     double a = 0, b = 0;
 };
 
-/// The squared length of the shortest way between two places around a vertex, over the quads that meet there.
+/// Returns the squared length of the shortest way between two places around a vertex, over the quads that meet there.
 double cone_squared(std::uint32_t valence, const WedgePlace& p, const WedgePlace& q);
 
 }

@@ -29,7 +29,7 @@ std::string version_of_driver(const DeviceInfo& device)
     return device.driver_version.empty() ? "" : "driver " + device.driver_version;
 }
 
-/// The methods with kernels, in the order of help: those that run on a device, those of them that do not in 3D, and
+/// Has the methods with kernels, in the order of help: those that run on a device, those of them that do not in 3D, and
 /// those that do not run.
 struct RunningMethods
 {

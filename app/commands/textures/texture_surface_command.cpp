@@ -1,4 +1,4 @@
-// poissonlab texture surface, and distribute objects: what the quads of a mesh are dressed in.
+// poissonlab texture surface and distribute objects cover the quads of a mesh with textures and with objects.
 #include "app/commands/kind_options.hpp"
 #include "host/distribution/textures/surface_texture.hpp"
 #include "host/kinds/kinds.hpp"

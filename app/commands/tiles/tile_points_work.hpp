@@ -45,7 +45,7 @@ public:
     /// The sentences on what was made of the region's file.
     const std::vector<std::string>& notes() const { return notes_of(plane_); }
 
-    /// The region as its file has it; nullptr: there is none.
+    /// Returns the region as its file has it, or nullptr where there is none.
     const PlaneRegion* plane() const { return tiled_ ? &plane_ : nullptr; }
 
     const TiledRegion* region() const { return tiled_.get(); } ///< nullptr: there is none

@@ -49,7 +49,7 @@ std::uint64_t write_placed_window(const std::filesystem::path& path, PointFileHe
     return head.points;
 }
 
-/// Writes a file without known places, in the words of the region's coordinates.
+/// Writes a file whose points have no known places, with the names and the system of the region's coordinates.
 void write_streamed(const std::filesystem::path& path, int dimension, std::uint64_t count, const std::string& comment,
                     const PlaneRegion* region, const std::function<void(const PointSink& sink)>& write)
 {

@@ -18,7 +18,7 @@ enum class TypedKind
 
 struct TypedRegion
 {
-    /// Reads it; with `is_along` paths of SVG are lines, which need not be closed. Throws InputError.
+    /// Reads it. With `is_along` paths of SVG are lines, which need not be closed. Throws InputError.
     explicit TypedRegion(const std::string& text, bool is_along = false);
 
     bool is_json() const { return kind == TypedKind::json; }

@@ -16,8 +16,8 @@ using PlaceMap = std::function<void(std::span<double> places)>;
 /// than that side, within an eighth of the distance.
 inline constexpr double bent_edge_tolerance = 0x1p-20;
 
-/// The shapes behind a map. Edges get corners where they bend; those of rings that go to a place and back
-/// again are left out.
+/// Returns the shapes behind a map. Edges get corners where they bend; edges of rings that go to a place and back again
+/// are left out.
 /// `near` is the region's box there, which lies around all of it if it is the region that is mapped.
 Obstacles mapped_shapes(const Obstacles& shapes, const PlaceMap& map, const RegionBox& near);
 

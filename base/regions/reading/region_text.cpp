@@ -106,7 +106,7 @@ private:
         for (const RegionRing& line : shapes_.lines)
             for (const auto& place : line)
                 if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
-                    throw InputError(name_ + ": has a coordinate that is no number");
+                    throw InputError(name_ + ": has a coordinate that is not a number");
         if (!(length_of(shapes_.lines) > 0))
             throw InputError(name_ + ": has no line with a length that points could lie on");
     }

@@ -37,7 +37,7 @@ double length_of(const SvgAttributes& attributes, const std::string& key, double
     return *length;
 }
 
-/// Lines from corner to corner.
+/// Draws lines from corner to corner and, where `is_closed`, back to the first one.
 Geom::PathVector polygon_of(const SvgAttributes& attributes, bool is_closed)
 {
     const std::size_t least = is_closed ? 3 : 2;

@@ -42,7 +42,7 @@ bool are_alike(const RawPicture& picture, std::size_t a, std::size_t b)
     return true;
 }
 
-/// The number of the channel that is measured.
+/// Returns the number of the channel that is measured; `note` says where alpha is left out. Throws InputError.
 std::size_t mask_channel(const RawPicture& picture, const MaskPictureSettings& settings, std::string& note)
 {
     const std::vector<std::string>& names = picture.channels;
@@ -66,7 +66,7 @@ std::size_t mask_channel(const RawPicture& picture, const MaskPictureSettings& s
     return colors.front();
 }
 
-/// The pixels below a threshold, or those that are not.
+/// Measures the pixels below a threshold or, where these are more than half, those that are not.
 MaskLevel measured_level(const MaskPicture& mask, double threshold, std::size_t below)
 {
     MaskLevel level;
@@ -116,7 +116,7 @@ MaskPicture read_mask_picture(const MaskPictureSettings& settings)
         mask.values[i] = number_at(picture, i, channel);
         if (!std::isfinite(mask.values[i]))
             throw InputError(
-                fmt::format("{}: pixel ({}, {}) is no finite number", file, i % mask.width, i / mask.width));
+                fmt::format("{}: pixel ({}, {}) is not a finite number", file, i % mask.width, i / mask.width));
     }
     const auto [least, most] = std::ranges::minmax(mask.values);
     if (least == most)
@@ -161,8 +161,8 @@ RingPower ring_power(const std::vector<double>& power, std::uint32_t width, std:
     std::vector<Sums> sums(rings);
     for (std::uint32_t v = 0; v <= height / 2; ++v)
         for (std::uint32_t u = 0; u < width; ++u) {
-            // Of a frequency and its opposite, one is in the upper half, or in the first half of a row that is its own
-            // opposite.
+            // One of a frequency and its opposite counts: that in the upper half, or in the first half of a row that is
+            // its own opposite.
             const bool is_own_row = v == 0 || 2 * v == height;
             if (is_own_row && 2 * u > width) continue;
             const double x = 2 * u <= width ? u : static_cast<double>(u) - width;

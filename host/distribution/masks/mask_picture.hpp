@@ -1,10 +1,10 @@
-// Pictures as masks of thresholds: dither masks and textures of blue noise, made anywhere.
+// This measures pictures of any origin as masks of thresholds: dither masks and textures of blue noise.
 //
-// A mask goes on around its border, as it does where it is laid side by side. Frequencies of W x H pixels are (u / W, v
-// / H) cycles a pixel, and rings hold those of one true length. What its own values are is their power, which is 1 at
-// all frequencies for white noise, and how evenly they are spread over all that there are (Ulichney 1993: The
-// void-and-cluster method; Georgiev and Fajardo 2016: Blue-noise dithered sampling); what it is used for are the pixels
-// below thresholds, as point sets.
+// A mask is periodic, because copies of it are laid side by side. Frequencies of W x H pixels are (u / W, v / H) cycles
+// a pixel, and rings hold those of nearly one length. The values of a mask are measured by their power, which is 1 at
+// all frequencies for white noise, and by how evenly they are spread over all possible ones (Ulichney 1993: The
+// void-and-cluster method; Georgiev and Fajardo 2016: Blue-noise dithered sampling). The pixels below thresholds, which
+// are what a mask is used for, are measured as point sets.
 #pragma once
 
 #include "host/kinds/kind.hpp"
@@ -18,14 +18,14 @@
 
 namespace poissonlab {
 
-/// kind = "mask-picture".
+/// These are the keys of kind = "mask-picture".
 struct MaskPictureSettings
 {
     std::filesystem::path mask;
     std::string channel; ///< empty: the only one, or the one that all colours have in common
 };
 
-/// The values of a mask, row after row from the top.
+/// A mask has its values row after row from the top.
 struct MaskPicture
 {
     std::uint32_t width = 0, height = 0;
@@ -37,16 +37,16 @@ struct MaskPicture
     std::size_t pixels() const { return values.size(); }
 };
 
-/// Reads a mask. Throws InputError, one line, for what is no picture, has numbers that are none, channels of which one
-/// must be chosen, and one value everywhere.
+/// Reads a mask. Throws InputError, one line, where the file is not a picture, a number is not finite, channels differ
+/// and none is chosen, or all pixels have one value.
 MaskPicture read_mask_picture(const MaskPictureSettings& settings);
 
-/// Power of a field of W x H numbers, by FFTW, over the sum of their squares: 1 on average. Frequencies (u, v) in rows
-/// of v, both from 0 to their number less one.
+/// Returns the power of a field of W x H numbers, by FFTW, over the sum of their squares: it is 1 on average. A row has
+/// the frequencies (u, v) of one v, and both begin at 0.
 std::vector<double> field_power(const std::vector<double>& values, std::uint32_t width, std::uint32_t height);
 
-/// Means over rings of frequencies up to half a cycle a pixel, of which a mask has as many as its shorter side has
-/// frequencies; (u, v) and (-u, -v) count once.
+/// These are means over rings of frequencies up to half a cycle a pixel. There is a ring for every two pixels of the
+/// mask's shorter side; (u, v) and (-u, -v) count once.
 struct RingPower
 {
     std::vector<double> frequency; ///< of the ring's middle, cycles a pixel
@@ -55,7 +55,7 @@ struct RingPower
 };
 RingPower ring_power(const std::vector<double>& power, std::uint32_t width, std::uint32_t height);
 
-/// The pixels below a threshold or, where these are more than half, those that are not.
+/// This is measured of the pixels below a threshold or, where these are more than half, of those that are not.
 struct MaskLevel
 {
     double threshold = 0; ///< a value of the mask
@@ -66,13 +66,14 @@ struct MaskLevel
     RingPower rings;           ///< of the power over the number of pixels
 };
 
-/// Measures at values below which there are sixteenths of all pixels, or nearly; a mask of few values has fewer.
+/// Measures the pixels below thresholds that divide them by sixteenths, or nearly; masks of few values have fewer.
 std::vector<MaskLevel> mask_levels(const MaskPicture& mask);
 
-/// The largest difference between the part of the pixels that have a value or less, and that of an even histogram.
+/// Returns the largest difference between the part of the pixels that have a value or less, and that of an even
+/// histogram.
 double histogram_error(const MaskPicture& mask);
 
-/// kind = "mask-picture": measures one.
+/// Returns kind = "mask-picture", which measures a mask.
 Kind mask_picture_kind();
 
 }

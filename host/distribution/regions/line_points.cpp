@@ -23,16 +23,16 @@ constexpr double line_positions = 0x1p52; ///< on all lines together
 constexpr double most_pieces_of_lines = 0x1p25;
 constexpr double most_line_cells = 0x1p31; ///< along a side of the box
 
-/// The attempt of streams of random numbers that darts on lines have.
+/// Darts on lines have this attempt of random numbers, so that no other darts have the same ones.
 constexpr std::uint32_t line_attempt = 0x6c696e65;
 
 /// Arcs of polygons around obstacles lie inside their circles by less than this part of the distance: see grown().
 constexpr double arc_loss = 4e-5;
 
-/// Computed distances are off by less: places are rounded, and so are ends of intervals.
+/// Computed distances are off by less than this, because places and ends of intervals are rounded.
 double line_margin(double distance, const RegionBox& box) { return 4 * distance_rounding(distance, box); }
 
-/// A straight piece of a line, not longer than the distance.
+/// A piece of a line is straight, and not longer than the distance.
 struct LinePiece
 {
     LinePlace from, to;
@@ -52,7 +52,7 @@ struct LinePiece
     }
 };
 
-/// The edges of all lines; an edge that comes again, as where two parcels meet, counts once.
+/// Returns the edges of all lines; an edge that comes again, as where two parcels meet, counts once.
 std::vector<LinePiece> edges_of(const std::vector<RegionRing>& lines)
 {
     std::vector<LinePiece> edges;
@@ -100,7 +100,7 @@ std::vector<LinePiece> pieces_of(const std::vector<LinePiece>& edges, double dis
     return pieces;
 }
 
-/// What is free of all pieces: how many positions, and which of them has a number. A tree of sums (Fenwick 1994).
+/// Counts the free positions of all pieces, and finds the one with a number, by a tree of sums (Fenwick 1994).
 class FreePositions
 {
     using Interval = std::pair<std::uint64_t, std::uint64_t>;
@@ -117,7 +117,7 @@ public:
 
     std::uint64_t count() const { return count_; }
 
-    /// The piece, and the position on it.
+    /// Returns the piece of the free position with a number, and the position on it.
     std::pair<std::size_t, std::uint64_t> free_one(std::uint64_t number) const
     {
         std::size_t piece = 0;
@@ -156,8 +156,8 @@ private:
     std::uint64_t count_ = 0;
 };
 
-/// Throws darts onto pieces, which lie in cells of one and a half distances, found by bisection: wherever lines are,
-/// they take what their length takes.
+/// Throws darts onto pieces, which lie in cells of one and a half distances. Cells are found by bisection, so that
+/// memory grows with the length of lines and not with the area around them.
 class LineDarts
 {
 public:
@@ -168,7 +168,7 @@ public:
     bool is_full() const { return free_.count() == 0; }
     std::uint64_t free_count() const { return free_.count(); }
 
-    /// Takes what is nearer to a place than a distance, which is at most the one of the pieces.
+    /// Takes all positions nearer to a place than a distance, which must not be larger than that of the cells.
     void keep_away(const LinePlace& place, double distance)
     {
         for (std::size_t k = 0; k < 2; ++k)
@@ -181,7 +181,7 @@ public:
         }
     }
 
-    /// Throws one dart; the place, and the line that it is on.
+    /// Throws one dart. Returns its place, and the line that it is on.
     std::pair<LinePlace, std::uint32_t> dart(std::uint64_t random)
     {
         const auto number = static_cast<std::uint64_t>((static_cast<Wide>(random) * free_.count()) >> 64);
@@ -247,8 +247,8 @@ private:
     FreePositions free_;
 };
 
-/// The lines outside of obstacles that are lines or polygons, as far as points keep away from these; `numbers` says
-/// which of the region's lines each is of.
+/// Returns the parts of lines that are far enough from obstacles that are lines or polygons; `numbers` has the number
+/// of the region's line that each part belongs to.
 std::vector<RegionRing> lines_among(const RegionLand& land, double distance, std::vector<std::size_t>& numbers)
 {
     const std::vector<RegionRing>& lines = lines_of(land.whole);

@@ -34,7 +34,7 @@ struct RegionLand
 /// obstacles is too large.
 std::shared_ptr<const RegionLand> region_land(const DartSettings& settings);
 
-/// How far points keep away from obstacles, in units of the region: from lines and edges of polygons, and from points.
+/// Points keep so far away from obstacles, in units of the region: from lines and edges of polygons, and from points.
 struct ObstacleDistances
 {
     double lines = 0;
@@ -73,7 +73,7 @@ struct RegionDarts
     /// The points as files have them: in longitude and latitude where the region was mapped from there.
     PointSet file_points() const { return request.land ? as_in_files(request.land->whole, points) : points; }
 
-    /// The sentences on what was made of the files of the region and of obstacles, and on obstacles that do not matter.
+    /// Returns sentences on what was made of the files of region and obstacles, and on obstacles that do not matter.
     std::vector<std::string> notes() const;
 
     std::size_t obstacle_count() const { return request.land ? request.land->obstacles.count() : 0; }

@@ -77,7 +77,7 @@ void read_land(Keys& keys, DartSettings& s)
     keys.check("region", [&] { s.space = whole_space(s); });
 }
 
-/// Refuses what is about regions with an inside.
+/// Refuses keys that only regions with an inside have.
 void check_along(const Keys& keys, const DartSettings& s)
 {
     for (const char* key : {"overlap", "buffer"})
@@ -305,7 +305,7 @@ void append_map_numbers(const RegionDarts& darts, DistributionNumbers& numbers)
         {"distortion", "Distortion", source.distortion, "the part by which lengths in this plane are off at most"});
 }
 
-/// The length, area or volume of what points lie in.
+/// Points lie in something of this length, area or volume.
 struct RegionSize
 {
     double size = 0;
@@ -322,7 +322,7 @@ RegionSize size_of(const RegionDarts& darts)
     return {darts.request.region->area()};
 }
 
-/// The least distance over that of the densest packing.
+/// Returns the least distance over that of the densest packing or, on lines, over the length that each point has.
 DistributionNumber relative_radius_number(const RegionDarts& darts, const RegionSize& size, double least)
 {
     const std::size_t count = darts.points.size();

@@ -1,4 +1,4 @@
-// kind = "mask-picture": a mask of thresholds that is there already, measured.
+// kind = "mask-picture" measures a mask of thresholds of any origin.
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
 #include "base/text/noun.hpp"
@@ -39,7 +39,7 @@ void write_grey(const std::filesystem::path& file, const MaskPicture& mask, cons
               [&](int first, int) { return &pixels[static_cast<std::size_t>(first) * mask.width]; });
 }
 
-/// The power with frequency 0 in the middle, the way up that the mask is, from -20 to 10 dB.
+/// Writes the power from -20 to 10 dB, with frequency 0 in the middle, as the mask stands upright.
 void write_spectrum(const std::filesystem::path& file, const MaskPicture& mask, const std::vector<double>& power)
 {
     std::vector<double> decibels(power.size());
@@ -53,7 +53,7 @@ void write_spectrum(const std::filesystem::path& file, const MaskPicture& mask, 
     write_grey(file, mask, decibels, -20, 10);
 }
 
-/// Squares in which pixels below an eighth, two eighths, ... half of all are black.
+/// Writes squares in which the pixels below the first four thresholds up to half of all pixels are black.
 void write_levels(const std::filesystem::path& file, const MaskPicture& mask, const std::vector<MaskLevel>& levels)
 {
     constexpr std::uint32_t gap = 8, most_side = 128;
@@ -96,7 +96,7 @@ MarkPicture power_curves(const MaskPicture& mask, const RingPower& own, const st
     return curve_marks({"frequency, cycles a pixel", 0, 0.5, 0.1}, {"radially averaged power", 0, 4, 1}, 1, curves);
 }
 
-/// In decibels, 0 for noise without directions.
+/// Draws the anisotropy in decibels, which is 0 for noise without directions.
 MarkPicture anisotropy_curve(const RingPower& own)
 {
     std::vector<double> decibels;

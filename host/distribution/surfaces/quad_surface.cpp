@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_quads = std::size_t{1} << 22;
 
-/// Parts of a cube's side that polycubes may be off their grid.
+/// Polycubes may be off their grid by this part of a cube's side.
 constexpr double grid_slack = 0.01;
 
 double volume(const MeshPoint& a, const MeshPoint& b, const MeshPoint& c) { return dot(a, cross(b, c)); }
@@ -28,7 +28,7 @@ double length(const MeshPoint& a) { return std::sqrt(dot(a, a)); }
 
 using Corners = std::array<MeshPoint, 3>;
 
-/// The place of a triangle with these shares of its corners, which need not add up to one.
+/// Returns the place of a triangle with these shares of its corners, which need not add up to one.
 MeshPoint place_of_shares(const Corners& corners, const MeshPoint& shares)
 {
     const double sum = shares[0] + shares[1] + shares[2];
@@ -38,7 +38,7 @@ MeshPoint place_of_shares(const Corners& corners, const MeshPoint& shares)
     return place;
 }
 
-/// The triangle in which a place is, or which it misses least: `least` is its least share of a corner.
+/// Keeps the triangle in which a place is, or which it misses least: `least` is its least share of a corner.
 struct Hit
 {
     std::size_t triangle = 0;
@@ -53,7 +53,7 @@ struct Hit
     }
 };
 
-/// Polygons as triangles around their first corner, so that two meshes of the same faces have the same ones.
+/// Divides polygons into triangles around their first corner, so that two meshes of the same faces have the same ones.
 std::vector<MeshTriangle> fans_of_faces(const PolygonSoup& soup)
 {
     std::vector<MeshTriangle> triangles;
@@ -100,7 +100,7 @@ QuadMesh quads_of_faces(const QuadSettings& settings)
     return refined_within(mesh, settings.refine);
 }
 
-/// Squares between whole numbers, each by its lowest corner, its axis and whether it looks along that.
+/// A square between whole numbers has a lowest corner, an axis, and looks along that or against it.
 using Square = std::tuple<std::array<int, 3>, std::size_t, bool>;
 
 QuadMesh mesh_of_squares(const std::set<Square>& squares)
@@ -143,7 +143,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
         for (std::size_t k = 0; k < 3; ++k) middle[k] += own * (t[0][k] + t[1][k] + t[2][k]) / 3;
     }
     for (double& c : middle) c /= area;
-    double angle = 0; // under which the surface is seen from its middle
+    double angle = 0; // the solid one under which the surface is seen from its middle
     std::vector<std::pair<MeshPoint, double>> cones;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         Corners& t = triangles[i];
@@ -151,7 +151,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
         const double a = length(t[0]), b = length(t[1]), c = length(t[2]), whole = volume(t[0], t[1], t[2]);
         if (!(whole >= 0))
             throw InputError(fmt::format("triangle {} is seen from behind from the middle of the surface: quads = cube "
-                                         "is for surfaces that one sees whole from there",
+                                         "is for surfaces that are visible as a whole from there",
                                          i + 1));
         angle += 2 * std::atan2(whole, a * b * c + dot(t[0], t[1]) * c + dot(t[1], t[2]) * a + dot(t[2], t[0]) * b);
         MeshPoint towards{};
@@ -192,7 +192,7 @@ QuadMesh cube_quads(const QuadSettings& settings)
     return mesh;
 }
 
-/// A triangle of a polycube, in units of its cubes: the axis that it looks along, and its plane.
+/// A triangle of a polycube, in units of its cubes, looks along an axis and lies in a plane.
 struct PolycubeTriangle
 {
     Corners corners;

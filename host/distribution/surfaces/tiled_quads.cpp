@@ -11,7 +11,7 @@
 namespace poissonlab {
 double quad_distance(std::size_t points, std::size_t quads)
 {
-    constexpr double covered = 0.547; // by disks of that diameter around the points
+    constexpr double covered = 0.547; // the part of the plane in disks of that diameter around saturated darts
     return std::sqrt(covered * 4 / std::numbers::pi * static_cast<double>(quads) / static_cast<double>(points));
 }
 

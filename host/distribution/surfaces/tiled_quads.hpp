@@ -1,4 +1,4 @@
-// A surface of quads whose points are those of Poisson disk tiles, which fit everywhere: there are no charts.
+// This lays Poisson disk tiles on a surface of quads, where they fit everywhere, because there are no charts.
 #pragma once
 
 #include "host/distribution/surfaces/quad_surface.hpp"
@@ -6,10 +6,10 @@
 
 namespace poissonlab {
 
-/// The surface of the settings' quads as triangles.
+/// Returns the surface of the settings' quads as triangles.
 std::shared_ptr<const SurfaceMesh> mesh_of_quads(const MeshPointSettings& settings);
 
-/// The distance of so many points on quads, in their sides: that of darts which fill them.
+/// Returns the distance at which saturated darts are about so many points on quads, in sides of these.
 double quad_distance(std::size_t points, std::size_t quads);
 
 /// Throws InputError, a sentence, where tiles of so few points do not exist, or are too large.

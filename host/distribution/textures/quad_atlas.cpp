@@ -15,14 +15,14 @@ namespace {
 /// Quads meet in a crease where the cosine between their normals is less.
 constexpr double least_smooth_cosine = 0.766;
 
-/// The vector area of a quad, along its mean normal.
+/// Returns twice the vector area of a quad, which lies along its mean normal.
 MeshPoint area_of(const QuadMesh& mesh, std::uint32_t quad)
 {
     const auto& [a, b, c, d] = mesh.quads[quad];
     return cross(difference(mesh.vertices[c], mesh.vertices[a]), difference(mesh.vertices[d], mesh.vertices[b]));
 }
 
-/// The bytes of a GLB's buffer, and the views of its parts.
+/// Collects the bytes of a GLB's buffer, and the views of its parts.
 class GlbBuffer
 {
 public:
@@ -45,7 +45,7 @@ public:
     nlohmann::ordered_json views = nlohmann::ordered_json::array();
 };
 
-/// The bytes of a picture's PNG file, by way of a file beside another one.
+/// Returns the bytes of a picture's PNG file, which is written beside another file and removed.
 std::string png_bytes(const std::filesystem::path& beside, const PngPixels& pixels)
 {
     const std::filesystem::path file = beside.string() + ".png";
@@ -66,7 +66,7 @@ struct GlbVertices
     std::vector<std::uint32_t> corners;
 };
 
-/// Five vertices of each quad; z upwards becomes y upwards.
+/// Makes five vertices of each quad; z upwards becomes y upwards, as glTF has it.
 GlbVertices glb_vertices(const QuadMesh& mesh, const QuadTopology& topology, const QuadAtlas& atlas)
 {
     constexpr std::array<std::array<double, 2>, 5> places{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}}};
@@ -121,7 +121,7 @@ std::array<double, 2> QuadAtlas::place_of(std::uint32_t quad, double u, double v
 AtlasSteps atlas_steps(const QuadAtlas& atlas, const QuadMesh& mesh, const QuadTopology& topology)
 {
     const PngPixels& picture = atlas.color;
-    // The pixel of a quad that lies so far along one of its sides, and so deep.
+    // This finds the pixel of a quad that lies so far along one of its sides, and so deep.
     const auto pixel = [&](QuadCorner side, int along, int depth) {
         const auto place = turned_place((along + 0.5) / atlas.side, (depth + 0.5) / atlas.side, side.corner);
         const auto at = atlas.place_of(side.quad, place[0], place[1]);

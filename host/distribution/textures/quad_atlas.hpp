@@ -1,4 +1,4 @@
-// Pictures on the quads of a surface: an atlas of cells, which quads show turned by quarters.
+// Pictures on the quads of a surface are cells of an atlas, which quads show turned by quarters.
 #pragma once
 
 #include "base/images/png_file.hpp"
@@ -25,13 +25,13 @@ struct QuadAtlas
     };
     std::vector<Cell> cells; ///< of each quad
 
-    /// An atlas without pixels yet for so many cells.
+    /// Makes an atlas for so many cells, all of them black.
     static QuadAtlas with(std::size_t count, int side, int gutter, int channels);
 
-    /// The upper left pixel of a cell's gutter.
+    /// Returns the upper left pixel of a cell's gutter.
     std::array<int, 2> corner_of(std::uint32_t cell) const;
 
-    /// Where a place of a quad is, in pixels of the atlas from its upper left corner.
+    /// Returns where a place of a quad is, in pixels of the atlas from its upper left corner.
     std::array<double, 2> place_of(std::uint32_t quad, double u, double v) const;
 };
 
@@ -44,8 +44,8 @@ struct AtlasSteps
 };
 AtlasSteps atlas_steps(const QuadAtlas& atlas, const QuadMesh& mesh, const QuadTopology& topology);
 
-/// Normals of a map of heights: as its gutters have them as well, but for the outermost pixel. `relief`: pixels that
-/// the full range of heights is high.
+/// Makes normals of a map of heights, right in gutters as well but for their outermost pixels. `relief` is the height
+/// of the full range in pixels.
 PngPixels normals_of_heights(const PngPixels& heights, double relief);
 
 /// Writes the surface as binary glTF 2.0, four triangles of each quad, y upwards. Throws StorageError.
@@ -55,7 +55,8 @@ void write_glb(const std::filesystem::path& file, const QuadMesh& mesh, const Qu
 /// Draws the surface in the sun on a plane, from the front above and, to the right of that, from behind; z is up.
 PngPixels quad_picture(const QuadMesh& mesh, const QuadTopology& topology, const QuadAtlas& atlas, int pixels);
 
-/// Normals of quads' corners: means over the quads around, but for those beyond a crease of more than 40 degrees.
+/// Returns normals of quads' corners: means over the quads around, but for those beyond a crease of more than 40
+/// degrees.
 std::vector<std::array<MeshPoint, 4>> corner_normals(const QuadMesh& mesh, const QuadTopology& topology);
 
 }

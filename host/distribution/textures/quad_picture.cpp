@@ -1,5 +1,5 @@
-// Textured quads in the sun, by buffers of depths: one from the eye, one from the sun for shadows. Both look along
-// parallel lines. Pixels are means of 3 x 3 samples, in light.
+// This draws textured quads in the sun, by buffers of depths: one from the eye, one from the sun for shadows. Both look
+// along parallel lines. Pixels are means of 3 x 3 samples in linear light.
 #include "base/images/srgb_light.hpp"
 #include "base/surfaces/mesh_vectors.hpp"
 #include "host/distribution/textures/quad_atlas.hpp"
@@ -32,7 +32,7 @@ struct EyeAxes
     {}
 };
 
-/// What is seen in each sample: the nearest quad, and the place on it.
+/// Finds what each sample shows: the nearest quad, and the place on it.
 class SeenQuads
 {
 public:
@@ -59,13 +59,13 @@ public:
         for (std::uint32_t q = 0; q < mesh.quads.size(); ++q) draw(mesh, q);
     }
 
-    /// A place in samples from the upper left corner, and towards the eye.
+    /// Returns a place in samples from the upper left corner, and towards the eye.
     MeshPoint at(const MeshPoint& p) const
     {
         return {width_ / 2.0 + (dot(p, axes_.right) - middle_[0]) * scale_,
                 height_ / 2.0 - (dot(p, axes_.up) - middle_[1]) * scale_, dot(p, axes_.back) * scale_};
     }
-    /// The place of the plane at a height that a sample sees; nothing of an eye below it.
+    /// Returns the place of the level plane at a height that a sample shows.
     MeshPoint on_plane(double x, double y, double height) const
     {
         const double right = (x - width_ / 2.0) / scale_ + middle_[0], up = (height_ / 2.0 - y) / scale_ + middle_[1];
@@ -77,7 +77,7 @@ public:
         return seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
     }
 
-    /// The share of nine samples around a place that nothing nearer to the eye hides.
+    /// Returns the share of nine samples around a place that nothing nearer to the eye hides.
     double share_in_sight(const MeshPoint& place) const
     {
         const MeshPoint p = at(place);
@@ -132,7 +132,7 @@ private:
     std::vector<Seen> seen_;
 };
 
-/// Bilinear values of a picture at a place in pixels; `of` turns bytes to numbers.
+/// Interpolates a picture bilinearly at a place in pixels; `of` turns bytes into numbers.
 template <class Of>
 MeshPoint sampled(const PngPixels& picture, const std::array<double, 2>& at, const Of& of)
 {
@@ -208,7 +208,7 @@ private:
         const MeshPoint smooth = unit(sum_of(sum_of({}, 1 - seen.v, row(0, 1)), seen.v, row(3, 2)));
         if (atlas_.normal.values.empty()) return smooth;
         const MeshPoint bump = sampled(atlas_.normal, at, [](std::uint8_t byte) { return byte / 127.5 - 1; });
-        // Directions of the cell's own axes on the quad.
+        // The bump is given along the cell's own axes on the quad.
         const auto corner = [&](std::uint32_t k) {
             return mesh_.vertices[mesh_.quads[seen.quad][(k + atlas_.cells[seen.quad].first) % 4]];
         };

@@ -1,5 +1,6 @@
-// Objects of the procedural object distribution function on a surface of quads: at each pixel of the atlas the nearest
-// point of the surface's Poisson disk tiling, whether the place is in its disk, and what its object shows there.
+// This evaluates the procedural object distribution function on a surface of quads: it finds at each pixel of the atlas
+// the nearest point of the surface's Poisson disk tiling, whether the place is in its disk, and the object's colour
+// there.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.6, figure 7.13. Disks have half of the tiling's
 // distance along the quads for their radius; an object lies in the frame of its point's own quad, which is unfolded
@@ -29,7 +30,7 @@ Spread spread_of(const SpreadChoice& choice, double unit)
             static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
 }
 
-/// The nearest object to a place, and the place as it sees it.
+/// This is the nearest object to a place, and where the place is from its point.
 struct NearestObject
 {
     double squared = INFINITY;
@@ -80,11 +81,11 @@ private:
         return found;
     }
 
-    /// The way from a point to a place, along the axes of the point's wedge.
+    /// Returns the way from a point to a place, along the axes of the point's wedge.
     static std::array<double, 2> offset(const WedgePlace& point, const WedgePlace& place, std::size_t valence)
     {
         const std::size_t after = (place.wedge + valence - point.wedge) % valence;
-        // The shorter way round; half a turn of four quads is the same both ways.
+        // This is the shorter way round; half a turn of four quads is the same both ways.
         const std::size_t turns = 2 * after <= valence ? after : 4 * valence - (valence - after);
         const auto there = turned_offset({place.a, place.b}, static_cast<std::uint32_t>(turns % 4));
         return {there[0] - point.a, there[1] - point.b};

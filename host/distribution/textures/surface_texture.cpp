@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// The labels of the sides of a surface's quads, by the colours of its edges or its vertices.
+/// Finds the labels of the sides of a surface's quads, by the colours of its edges or its vertices.
 class SurfaceLabels
 {
 public:
@@ -30,7 +30,7 @@ public:
         return labels;
     }
 
-    /// Edges that their two quads see differently.
+    /// Counts the edges that their two quads see differently.
     std::size_t mismatches() const
     {
         std::size_t count = 0;
@@ -61,7 +61,7 @@ private:
     StreamKey stream_;
 };
 
-/// The numbers of a normal, turned by quarters counterclockwise.
+/// Returns the numbers of a normal that is turned by quarters counterclockwise.
 std::array<std::uint8_t, 3> turned_normal(const std::uint8_t* n, std::uint8_t turns)
 {
     const auto opposite = [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); };
@@ -77,7 +77,7 @@ std::array<std::uint8_t, 3> turned_normal(const std::uint8_t* n, std::uint8_t tu
     }
 }
 
-/// The cells of all tiles of a set as they show a picture of the exemplar's size.
+/// Draws the cells of all tiles of a set as they show a picture of the exemplar's size.
 PngPixels shown_cells(const QuadTextureSet& set, const QuadAtlas& atlas, const PngPixels& picture, bool has_normals)
 {
     PngPixels cells{atlas.color.width, atlas.color.height, picture.channels, {}};

@@ -1,4 +1,4 @@
-// Textures on surfaces of quads, by generalised Wang tiles and corner tiles, and objects of section 7.6 on them.
+// This lays textures on surfaces of quads, by generalised Wang tiles and corner tiles, and objects of section 7.6.
 #pragma once
 
 #include "host/distribution/textures/quad_atlas.hpp"
@@ -35,7 +35,7 @@ struct SurfaceObjectSettings
     SpreadChoice size{.a = 1}, orientation{}, aspect{.a = 1};
 };
 
-/// A surface, the picture on its quads, and what was measured of both.
+/// A dressed surface has a picture on its quads, and numbers that were measured of both.
 struct DressedSurface
 {
     std::shared_ptr<const QuadSurface> surface;
@@ -48,7 +48,7 @@ DressedSurface textured_surface(const SurfaceTextureSettings& settings, std::uin
                                 const DistributionPlace& place);
 DressedSurface surface_of_objects(const SurfaceObjectSettings& settings, std::uint64_t seed);
 
-/// The picture of a surface, or its file of glTF, by the end of the name.
+/// Writes the picture of a surface, or its file of glTF, by the end of the name.
 void write_dressed(const std::filesystem::path& file, const DressedSurface& dressed, int pixels);
 
 }

@@ -1,4 +1,4 @@
-// kind = "textured_surface" and kind = "surface_objects": what quads of a mesh are dressed in.
+// kind = "textured_surface" and kind = "surface_objects" cover the quads of a mesh with textures and with objects.
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"

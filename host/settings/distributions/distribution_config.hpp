@@ -99,7 +99,7 @@ enum class DotForm
 };
 inline constexpr WordTable<DotForm, 2> dot_forms{{{{DotForm::circles, "circles"}, {DotForm::strokes, "strokes"}}}};
 
-/// The order in which marks are drawn.
+/// Marks are drawn in one of these orders.
 enum class PenTravel
 {
     nearest,
@@ -108,7 +108,7 @@ enum class PenTravel
 inline constexpr WordTable<PenTravel, 2> pen_travels{
     {{{PenTravel::nearest, "nearest"}, {PenTravel::as_made, "as-made"}}}};
 
-/// A sheet of paper for a plotter: see host/distribution/ink/plot.hpp.
+/// A plotter draws on such a sheet of paper: see host/distribution/ink/plot.hpp.
 struct PlotSheet
 {
     double width = 0; ///< of the picture, in millimetres; 0: a pixel is a unit

@@ -1,5 +1,5 @@
-// How a mesh becomes a surface of quads: keys of [[distribution]] kind = "surface" with method = "quads", and of
-// textures and objects on surfaces.
+// These settings say how a mesh becomes a surface of quads. They are keys of [[distribution]] kind = "surface" with
+// method = "quads", and of textures and objects on surfaces.
 #pragma once
 
 #include "base/word_table.hpp"
@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// Where the quads of a surface come from.
+/// The quads of a surface come from one of these.
 enum class QuadWay
 {
     faces,    ///< of the mesh, all of which are quads

@@ -11,10 +11,11 @@
 namespace poissonlab {
 namespace {
 
-/// Random sets of windows, of which the best is taken.
+/// The best of so many random sets of windows is taken.
 constexpr std::uint32_t attempts = 32;
 
-/// The half of the width in which pieces of two edges overlap, and of the square that a new piece covers, in sides.
+/// Pieces of two edges overlap in a band, and a new piece covers a rounded square, whose half widths these are in
+/// sides.
 constexpr double overlap = 0.2, core = 0.28;
 
 /// Pixels across an edge, T x T: the edge runs between the middle rows, from the left, and the tile lies above it.
@@ -25,7 +26,7 @@ struct EdgePiece
 
     const TurnedSource& at(int x, int y) const { return sources[static_cast<std::size_t>(y * size + x)]; }
 
-    /// The piece as the tile beyond the edge sees it.
+    /// Returns the piece as the tile beyond the edge sees it.
     EdgePiece turned() const
     {
         EdgePiece other = *this;
@@ -51,7 +52,7 @@ void append_pixel(PngPixels& pixels, const PngPixels& exemplar, SourcePixel sour
     pixels.values.insert(pixels.values.end(), first, first + exemplar.channels);
 }
 
-/// A picture of width x height pixels of sources.
+/// Draws a picture of width x height pixels of sources.
 template <class Source>
 PngPixels picture_of(const PngPixels& exemplar, int width, int height, const Source& source)
 {
@@ -61,7 +62,7 @@ PngPixels picture_of(const PngPixels& exemplar, int width, int height, const Sou
     return pixels;
 }
 
-/// Pieces of all labels from windows of the exemplar, and what joining them costs.
+/// Makes pieces of all labels from windows of the exemplar, and tiles of these pieces.
 class QuadTexture
 {
 public:
@@ -149,7 +150,7 @@ private:
         return pieces;
     }
 
-    /// An edge that begins as the windows of its ends do: each end's window begins at its vertex. Where both are the
+    /// Makes the piece of an edge that begins at each end as the window of that end does. Where both windows are the
     /// same, the piece is the same after half a turn.
     EdgePiece piece_between(const ExemplarWindow& a, const ExemplarWindow& b, bool is_same, std::int64_t& cost) const
     {
@@ -178,7 +179,7 @@ private:
         return joined;
     }
 
-    /// The pixel of a label that lies so far along its side, and so deep in the tile.
+    /// Returns the pixel of a label that lies so far along its side, and so deep in the tile.
     TurnedSource pixel_of(const Pieces& pieces, std::uint32_t label, int along, int depth) const
     {
         return pieces.of_labels[label].at(along, size_ / 2 - 1 - depth);
@@ -188,7 +189,7 @@ private:
     {
         const int half = size_ / 2, band = std::max(2, static_cast<int>(overlap * size_));
         std::vector<PixelRole> roles;
-        for (int a = 0; a < half; ++a) // depth beyond the first side, that beyond the next one being b
+        for (int a = 0; a < half; ++a) // a is the depth at the first side, b that at the next one
             for (int b = 0; b < half; ++b) {
                 const int reach = std::min(a, b) < set_.gutter ? 0 : band;
                 roles.push_back(a < b - reach   ? PixelRole::kept

@@ -1,4 +1,4 @@
-// Texture tiles for surfaces of quads: generalised Wang tiles, and corner tiles that may be turned.
+// This makes texture tiles for surfaces of quads: generalised Wang tiles, and corner tiles that may be turned.
 //
 // Fu and Leung, Texture tiling on arbitrary topological surfaces using Wang tiles, EGSR 2005. On a surface no direction
 // is that of rows: a side of a quad may meet any side of the next one. Colours are then the same for all sides, and a
@@ -26,10 +26,10 @@ enum class QuadLabels
 inline constexpr WordTable<QuadLabels, 2> quad_label_words{
     {{{QuadLabels::wang, "wang"}, {QuadLabels::corner, "corner"}}}};
 
-/// The labels of a tile's sides, counterclockwise from the lower one.
+/// A tile has these labels of its sides, counterclockwise from the lower one.
 using SideLabels = std::array<std::uint32_t, 4>;
 
-/// A pixel of the exemplar, turned by quarters counterclockwise.
+/// A pixel of a tile comes from one of the exemplar, turned by quarters counterclockwise.
 struct TurnedSource
 {
     SourcePixel pixel;
@@ -43,7 +43,7 @@ struct QuadTextureRequest
     TextureRequest pieces; ///< size, candidates, seed, weight
 };
 
-/// A complete set.
+/// A set is complete: it has a tile for all labels that may come together.
 struct QuadTextureSet
 {
     int size = 0;
@@ -54,15 +54,15 @@ struct QuadTextureSet
 };
 
 std::uint32_t label_count(QuadLabels labels, std::uint32_t colors);
-/// The label of the same edge as the tile beyond it sees it.
+/// Returns the label of an edge as the tile beyond it sees it.
 std::uint32_t opposite_label(QuadLabels labels, std::uint32_t colors, std::uint32_t label);
 
-/// The labels after the side `first`, which comes first.
+/// Returns the labels of a tile that is turned so that the side `first` comes first.
 SideLabels turned_labels(const SideLabels& labels, std::uint32_t first);
-/// The turn with the least labels: the side that comes first in them.
+/// Returns the side that comes first in the least of the four turns of these labels.
 std::uint32_t least_turn(const SideLabels& labels);
 
-/// Throws InputError where the exemplar is too small.
+/// Makes a complete set. Throws InputError where the exemplar is too small.
 QuadTextureSet make_quad_texture(const PngPixels& exemplar, const QuadTextureRequest& request,
                                  const PieceProgress& progress);
 

@@ -1,4 +1,5 @@
-// Points on lines: Rényi's parking problem, all pairs by brute force, and places between which no point is missing.
+// Points on lines are held against Rényi's parking problem, all pairs by brute force, and places where one might be
+// missing.
 #include "host/distribution/regions/line_points.hpp"
 
 #include "base/regions/region_text.hpp"
@@ -81,7 +82,8 @@ TEST(PointsOnLines, AreRenyisParkedCars)
     }
 }
 
-/// A crossing, a bend with a sharp angle, a loop, lines side by side, a dead end there and back, and an edge twice.
+/// These lines have a crossing, a bend with a sharp angle, a loop, lines side by side, a dead end there and back, and
+/// an edge twice.
 const std::string streets = "GEOMETRYCOLLECTION (MULTILINESTRING ((0 0, 90 60), (0 60, 90 0, 5 3), (20 50, 20 50)), "
                             "LINESTRING (0 61, 90 61), LINESTRING (0 61.5, 90 61.5), LINESTRING (40 70, 70 80, 40 70), "
                             "LINESTRING (90 60, 0 0), POLYGON ((30 10, 60 10, 60 40, 30 10)))";

@@ -1,4 +1,5 @@
-// Masks as pictures: power by the sum over all pixels, closed forms of histograms and waves, and what is refused.
+// Measures of masks are held against sums over all pixels and closed forms of histograms and waves; wrong ones are
+// refused.
 #include "host/distribution/masks/mask_picture.hpp"
 
 #include "base/images/png_file.hpp"
@@ -21,7 +22,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// Powers by definition.
+/// Computes powers by their definition.
 std::vector<double> summed_power(const std::vector<double>& values, std::uint32_t width, std::uint32_t height)
 {
     double squares = 0;
@@ -95,7 +96,7 @@ TEST(MaskPictures, KnowHowEvenTheirHistogramIs)
                 1e-12);
 }
 
-/// A row of pixels below each eighth of the values: distances are known, and the torus is a rectangle.
+/// A row of pixels is below each eighth of the values: distances are known, and the torus is a rectangle.
 TEST(MaskPictures, HaveThresholdsWhosePixelsArePoints)
 {
     const MaskPicture mask = made_mask(32, 8, [](std::size_t i) { return i % 4 == 0 && i / 32 % 4 == 0 ? 3 : 200; });
@@ -106,7 +107,7 @@ TEST(MaskPictures, HaveThresholdsWhosePixelsArePoints)
     EXPECT_NEAR(levels[0].least_distance, 4, 1e-6);
     EXPECT_NEAR(levels[0].mean_nearest, std::sqrt(std::sqrt(3.0) / 2), 1e-9); // a square lattice
     EXPECT_NEAR(levels[0].low_power, 0, 1e-12);
-    // Sixteenths of all pixels, where values tell them apart.
+    // Levels are sixteenths of all pixels, where values tell these apart.
     const std::vector<MaskLevel> all = mask_levels(made_mask(16, 16, [](std::size_t i) { return i * 37 % 256; }));
     ASSERT_EQ(all.size(), 15U);
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].below, 16 * (i + 1));

@@ -1,4 +1,4 @@
-// Textures, objects and points of tiles on surfaces of quads: what is measured, and files that are read again.
+// These tests measure textures, objects and points of tiles on surfaces of quads, and read their files again.
 #include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/textures/surface_texture.hpp"
 
@@ -32,7 +32,7 @@ QuadSettings chair(std::uint32_t refine)
     return quads;
 }
 
-/// The pixel of a quad that lies so far along a side, counterclockwise, and so deep.
+/// Returns the pixel of a quad that lies so far along a side, counterclockwise, and so deep.
 std::vector<std::uint8_t> pixel_of(const QuadAtlas& atlas, QuadCorner side, int along, int depth)
 {
     const auto place = turned_place((along + 0.5) / atlas.side, (depth + 0.5) / atlas.side, side.corner);
@@ -97,7 +97,7 @@ TEST(TexturedSurfaces, FitAcrossAllEdgesAndAreReadAgain)
     const DressedSurface dressed = textured_surface(settings, 1, {});
     EXPECT_EQ(number_of(dressed.numbers, "mismatches"), 0);
     EXPECT_EQ(number_of(dressed.numbers, "euler"), 2);
-    // What a quad shows beyond a side, in its gutter, is what the next quad shows there, whichever sides meet.
+    // A quad shows beyond a side, in its gutter, what the next quad shows there, whichever sides meet.
     const QuadTopology& topology = dressed.surface->topology;
     for (std::uint32_t q = 0; q < dressed.surface->mesh.quads.size(); ++q)
         for (std::uint32_t k = 0; k < 4; ++k)
@@ -157,7 +157,8 @@ TEST(TiledQuads, KeepTheirDistanceAlongTheSurface)
     EXPECT_NEAR(static_cast<double>(set.points.size()), 2000, 200);
     const double distance = number_of(numbers, "surface_distance"), least = number_of(numbers, "least_distance");
     EXPECT_NEAR(distance, number_of(numbers, "tile_distance") / 2, 1e-9); // sides are 1/2, and nothing is stretched
-    // By hand: all pairs; two faces at a right angle are nearer through space by a factor of sqrt 2 at most.
+    // All pairs are compared by brute force; two faces at a right angle are nearer through space by a factor of sqrt 2
+    // at most.
     const PointSet places = set.places();
     double nearest = 10;
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -1,5 +1,4 @@
-// Texture tiles for quads: how many there are, and that neighbours continue each other, pixel by pixel, whichever sides
-// meet.
+// Texture tiles for quads are counted, and neighbours must continue each other, pixel by pixel, whichever sides meet.
 #include "host/texture/quads/quad_texture.hpp"
 
 #include "tests/host/texture/random_picture.hpp"
@@ -18,7 +17,8 @@ QuadTextureSet small_set(QuadLabels labels, std::uint32_t colors)
                              [](const std::string&, std::size_t, std::size_t) {});
 }
 
-/// A pixel of a tile that lies so far along a side, counterclockwise, and so deep; turned as seen with that side below.
+/// Returns a pixel of a tile that lies so far along a side, counterclockwise, and so deep; turned as seen with that
+/// side below.
 TurnedSource seen_from(const QuadTextureSet& set, std::size_t tile, std::uint32_t side, int along, int depth)
 {
     const int last = set.size - 1;
@@ -55,7 +55,7 @@ TEST(QuadTextures, OfGeneralisedWangTilesAreCompleteAndFit)
 {
     for (const std::uint32_t colors : {1u, 2u}) {
         const QuadTextureSet set = small_set(QuadLabels::wang, colors);
-        // Burnside: colourings of four sides with n labels, but for turns.
+        // Burnside's lemma counts colourings of four sides with n labels, up to turns.
         const std::size_t n = 2 * colors;
         EXPECT_EQ(set.tiles.size(), (n * n * n * n + n * n + 2 * n) / 4);
         expect_to_fit(set, QuadLabels::wang, colors);

@@ -1,5 +1,5 @@
-// Surfaces of quads, and Poisson disk tiles on them. Distances are measured anew, by ways through places of edges,
-// which are straight in space on each face of a polycube.
+// These tests are of surfaces of quads, and of Poisson disk tiles on them. Distances are measured by ways through
+// places of edges, which are straight in space on each face of a polycube.
 #include "tiles/quads/quad_points.hpp"
 
 #include "tests/support/errors.hpp"
@@ -18,7 +18,7 @@ namespace {
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-/// The surface of unit cubes.
+/// Makes the surface of unit cubes.
 QuadMesh polycube(const std::set<std::array<int, 3>>& cubes)
 {
     QuadMesh mesh;
@@ -46,7 +46,7 @@ QuadMesh polycube(const std::set<std::array<int, 3>>& cubes)
 
 QuadMesh cube() { return polycube({{0, 0, 0}}); }
 
-/// A seat with a back: 3, 4 and 5 squares meet.
+/// Makes a seat with a back, at whose corners 3, 4 and 5 squares meet.
 QuadMesh chair() { return polycube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 1, 1}, {1, 1, 1}}); }
 
 QuadMesh ring()
@@ -54,7 +54,7 @@ QuadMesh ring()
     return polycube({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
 }
 
-/// A torus of `side` x `side` quads, whose places in space do not matter.
+/// Makes a torus of `side` x `side` quads, whose places in space do not matter.
 QuadMesh flat_torus(std::uint32_t side)
 {
     QuadMesh mesh{std::vector<MeshPoint>(side * side), {}};
@@ -109,7 +109,7 @@ TEST(QuadMeshes, AreSmoothedAsCatmullAndClarkDo)
     for (MeshPoint& p : mesh.vertices)
         for (double& c : p) c = 2 * c - 1;
     const QuadMesh smooth = smoothed(mesh, QuadTopology(mesh));
-    // By hand, of the cube of side 2: corners (F + 2 R) / 3 = 5/9, middles of edges 3/4.
+    // The rules for corners, (F + 2 R) / 3, and for edges give 5/9 and 3/4 for a cube of side 2.
     for (std::size_t v = 0; v < 8; ++v)
         for (const double c : smooth.vertices[v]) EXPECT_NEAR(std::abs(c), 5.0 / 9, 1e-15);
     for (std::size_t v = 8; v < 20; ++v) {
@@ -170,8 +170,8 @@ TEST(QuadPoints, KeepTheirDistanceOnATorusAsInThePlane)
     EXPECT_LT(covered, 0.57);
 }
 
-/// The shortest way between places of two quads that share a vertex, over places of their common edge, or over places
-/// of the two edges of a quad between them: never shorter than the true one.
+/// Finds the shortest way between places of two quads that share a vertex, over places of their common edge, or of the
+/// two edges of a quad between them: never shorter than the true one.
 class WaysOverEdges
 {
 public:
@@ -194,7 +194,7 @@ public:
     }
 
 private:
-    /// The end of the edge that the corner's quad and the one before it share.
+    /// Returns the end of the edge that the corner's quad and the one before it share.
     MeshPoint edge_place(std::uint32_t vertex, std::size_t i, int step) const
     {
         const QuadCorner at = topology_.around(vertex)[i % topology_.valence(vertex)];
@@ -245,7 +245,7 @@ TEST(QuadPoints, AreThoseOfFewTilesOnLargeSurfaces)
 {
     const QuadMesh mesh = refined(chair(), QuadTopology(chair()), 12);
     const QuadPoints laid = lay_quad_points(mesh, QuadTopology(mesh), {0.25, 1, 3});
-    // Four corners of four sectors each, by turns, times directions of edges that are the same from both ends.
+    // Tiles are combinations of four sectors, up to turns, and of directions of edges that are alike at both ends.
     EXPECT_LT(laid.tiles, mesh.quads.size() / 5);
     EXPECT_EQ(laid.disks, 3); // of 3, 4 and 5 quads
 }
@@ -254,7 +254,7 @@ TEST(ConeDistances, GoTheShorterWayAroundAndThroughTheVertex)
 {
     // Two places on sides of a corner of three quads, opposite each other: 135 degrees apart.
     EXPECT_NEAR(cone_squared(3, {0, 1, 0}, {1, std::sqrt(0.5), std::sqrt(0.5)}), 2 + std::sqrt(2), 1e-12);
-    // Of six quads, half a turn and more leads through the vertex.
+    // Around six quads, a way of half a turn or more leads through the vertex.
     EXPECT_DOUBLE_EQ(cone_squared(6, {0, 1, 0}, {3, 1, 0}), 4);
     EXPECT_DOUBLE_EQ(cone_squared(4, {0, 1, 1}, {2, 1, 1}), 8);
     EXPECT_DOUBLE_EQ(cone_squared(4, {0, 1, 0}, {3, 0, 1}), 0);

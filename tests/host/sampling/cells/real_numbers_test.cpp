@@ -1,5 +1,5 @@
-// Devices without double precision: their numbers, made of integers, have the bits of the processor's doubles, and so
-// have relaxed points. Each of these tests runs on such devices as well, see tests/kernels/on_other_device.sh.
+// Numbers of devices without double precision, which are made of integers, have the bits of the processor's doubles,
+// and so have relaxed points. Each of these tests runs on such devices as well, see tests/kernels/on_other_device.sh.
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/kernel_source.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-/// Two numbers, and what is made of them.
+/// This kernel makes results of all operations on two numbers.
 constexpr const char* all_operations = R"(
 #pragma OPENCL FP_CONTRACT OFF
 #define DOUBLES 0
@@ -45,7 +45,8 @@ using Bits = std::uint64_t;
 Bits bits_of(double value) { return std::bit_cast<Bits>(value); }
 double double_of(Bits bits) { return std::bit_cast<double>(bits); }
 
-/// Numbers of every kind: any bits, small integers, subnormal ones, neighbours of the last number, and all borders.
+/// Makes numbers of every kind: any bits, small integers, subnormal ones, neighbours of the last number, and all
+/// borders.
 std::vector<Bits> numbers(std::size_t count, std::uint64_t seed)
 {
     static const double borders[] = {0.0,
@@ -94,7 +95,7 @@ std::vector<Bits> numbers(std::size_t count, std::uint64_t seed)
     return result;
 }
 
-/// Expects the bits of a number; of what is no number, any.
+/// Expects the bits of a number, and any NaN for NaN.
 void expect_bits(Bits bits, double expected, const char* what, double a, double b)
 {
     EXPECT_TRUE(std::isnan(expected) ? std::isnan(double_of(bits)) : bits == bits_of(expected))
@@ -143,7 +144,7 @@ TEST(RealNumbers, HaveTheBitsOfTheProcessor)
     }
 }
 
-/// A hash of bytes (FNV-1a).
+/// Hashes bytes (FNV-1a).
 class Hash
 {
 public:
@@ -160,7 +161,7 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-/// Sets of so many points: random, at the borders of the torus, in clusters, coinciding, and lattices.
+/// Makes sets of so many points: random, at the borders of the torus, in clusters, coinciding, and lattices.
 std::vector<PointSet> all_kinds(std::size_t n, std::uint64_t seed)
 {
     std::mt19937_64 random(seed + n);
