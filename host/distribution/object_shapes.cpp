@@ -216,6 +216,14 @@ const std::vector<std::string>& object_looks(int dimension)
     return dimension == 3 ? space : plane;
 }
 
+contract::objects::Spread spread_of(const SpreadChoice& choice, double unit)
+{
+    return {choice.kind == SpreadChoice::Kind::constant  ? std::uint32_t{contract::objects::SPREAD_CONSTANT}
+            : choice.kind == SpreadChoice::Kind::uniform ? std::uint32_t{contract::objects::SPREAD_UNIFORM}
+                                                         : std::uint32_t{contract::objects::SPREAD_NORMAL},
+            static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
+}
+
 void set_look(ObjectScene& scene, const std::string& name, int dimension)
 {
     const auto& looks = looks_in(dimension);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "host/distribution/objects.hpp"
+#include "host/settings/keys/choices.hpp"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ const ObjectShapes& object_shapes();
 
 /// The names of looks in the plane, the default first, and in space.
 const std::vector<std::string>& object_looks(int dimension);
+
+/// The spread that a setting asks for, as kernels take it. Lengths are divided by `unit`.
+contract::objects::Spread spread_of(const SpreadChoice& choice, double unit);
 
 /// Sets layers, palette and background of a look. Throws std::logic_error for a name that is none.
 void set_look(ObjectScene& scene, const std::string& look, int dimension);

@@ -48,12 +48,12 @@ Command dressing_command(const char* word, const char* notes, void (*work)(const
 
 Command texture_surface_command()
 {
-    return dressing_command("textured_surface", texture_surface_notes, dress_in_texture);
+    return dressing_command("textured-surface", texture_surface_notes, dress_in_texture);
 }
 
 Command distribute_objects_command()
 {
-    return dressing_command("surface_objects", surface_objects_notes, dress_in_objects);
+    return dressing_command("surface-objects", surface_objects_notes, dress_in_objects);
 }
 
 }

@@ -53,14 +53,6 @@ std::string object_label(const ObjectSettings& s)
     return fmt::format("Objects: {}{}", s.object, s.dimension == 3 ? " in space" : "");
 }
 
-Spread spread_of(const SpreadChoice& choice, double unit)
-{
-    return {choice.kind == SpreadChoice::Kind::constant  ? std::uint32_t{SPREAD_CONSTANT}
-            : choice.kind == SpreadChoice::Kind::uniform ? std::uint32_t{SPREAD_UNIFORM}
-                                                         : std::uint32_t{SPREAD_NORMAL},
-            static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
-}
-
 /// Tiles a unit of length: D 7.6.2.2, where the text has its inverse.
 double tiles_per_unit(const ObjectSettings& settings, std::uint32_t points_per_tile)
 {

@@ -1,5 +1,6 @@
 #include "host/distribution/textures/quad_atlas.hpp"
 
+#include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/mesh_vectors.hpp"
 
@@ -45,14 +46,13 @@ public:
     nlohmann::ordered_json views = nlohmann::ordered_json::array();
 };
 
-/// Returns the bytes of a picture's PNG file, which is written beside another file and removed.
-std::string png_bytes(const std::filesystem::path& beside, const PngPixels& pixels)
+/// Returns the bytes of a picture's PNG file.
+std::string png_bytes(const PngPixels& pixels)
 {
-    const std::filesystem::path file = beside.string() + ".png";
+    const ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "picture.png";
     write_png(file, pixels);
-    std::string bytes = read_whole_file(file);
-    std::filesystem::remove(file);
-    return bytes;
+    return read_whole_file(file);
 }
 
 void append_word(std::string& to, std::uint32_t word)
@@ -196,9 +196,9 @@ void write_glb(const std::filesystem::path& file, const QuadMesh& mesh, const Qu
     buffer.add(v.normals, 34962);
     buffer.add(v.texture, 34962);
     buffer.add(v.corners, 34963);
-    buffer.add_bytes(png_bytes(file, atlas.color), 0);
+    buffer.add_bytes(png_bytes(atlas.color), 0);
     const bool has_normals = !atlas.normal.values.empty();
-    if (has_normals) buffer.add_bytes(png_bytes(file, atlas.normal), 0);
+    if (has_normals) buffer.add_bytes(png_bytes(atlas.normal), 0);
 
     std::vector<float> low(3, INFINITY), high(3, -INFINITY);
     for (std::size_t i = 0; i < v.places.size(); ++i) {

@@ -22,14 +22,6 @@ namespace {
 
 using namespace contract::objects;
 
-Spread spread_of(const SpreadChoice& choice, double unit)
-{
-    return {choice.kind == SpreadChoice::Kind::constant  ? std::uint32_t{SPREAD_CONSTANT}
-            : choice.kind == SpreadChoice::Kind::uniform ? std::uint32_t{SPREAD_UNIFORM}
-                                                         : std::uint32_t{SPREAD_NORMAL},
-            static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
-}
-
 /// This is the nearest object to a place, and where the place is from its point.
 struct NearestObject
 {

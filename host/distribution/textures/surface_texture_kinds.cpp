@@ -1,4 +1,4 @@
-// kind = "textured_surface" and kind = "surface_objects" cover the quads of a mesh with textures and with objects.
+// kind = "textured-surface" and kind = "surface-objects" cover the quads of a mesh with textures and with objects.
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -94,17 +94,17 @@ DistributionResult make_object_result(const SurfaceObjectSettings& settings, std
 
 Kind textured_surface_kind()
 {
-    return make_kind<SurfaceTextureSettings>({"distribution", "textured_surface", "texture surface",
+    return make_kind<SurfaceTextureSettings>({"distribution", "textured-surface", "texture surface",
                                               "Texture on a surface",
-                                              "Lay texture tiles on the quads of a mesh, of any genus"},
+                                              "Lay texture tiles on the quads of a mesh, of any genus", false},
                                              texture_keys, texture_label, make_texture_result);
 }
 
 Kind surface_object_kind()
 {
     return make_kind<SurfaceObjectSettings>(
-        {"distribution", "surface_objects", "distribute objects", "Objects on a surface",
-         "Evaluate the procedural object distribution function on the quads of a mesh"},
+        {"distribution", "surface-objects", "distribute objects", "Objects on a surface",
+         "Evaluate the procedural object distribution function on the quads of a mesh", false},
         object_keys, object_label, make_object_result);
 }
 

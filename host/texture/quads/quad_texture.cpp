@@ -93,7 +93,6 @@ public:
         for (const ExemplarWindow& window : windows_of(best)) used.add(window);
         const Pieces pieces = pieces_of(windows_of(best));
         const Joined cuts = joined(pieces);
-        set_.cost = cuts.cost;
         std::vector<SourceCanvas> canvases;
         for (const SideLabels& sides : set_.labels) {
             set_.tiles.push_back(quilted(pieces, cuts, sides));

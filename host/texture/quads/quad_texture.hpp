@@ -50,7 +50,6 @@ struct QuadTextureSet
     int gutter = 0;                               ///< pixels beyond each side, which a neighbour has as well
     std::vector<SideLabels> labels;               ///< of each tile: the least of its four turns
     std::vector<std::vector<TurnedSource>> tiles; ///< size + 2 gutter pixels wide, row by row from the top
-    std::int64_t cost = 0;                        ///< of all cuts between edges
 };
 
 std::uint32_t label_count(QuadLabels labels, std::uint32_t colors);
