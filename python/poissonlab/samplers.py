@@ -38,14 +38,14 @@ def seed_of(rng, name):
     return int(generator.integers(2**63 - 1, endpoint=True))
 
 
-def refuse_unknown(name, given, known):
-    """Raises TypeError where a keyword is not one of these."""
+def refuse_unknown(name, given, known, has_random=False):
+    """Raises TypeError where a keyword is not one of these; has_random: the object has random(n)."""
     for key in given:
         if key in known:
             continue
         if key in ("seed", "random_state"):
             raise TypeError(f"{name}() has no parameter {key!r}: it is called rng, as in {name}(rng={given[key]!r})")
-        if key in ("n", "points", "samples"):
+        if has_random and key in ("n", "points", "samples"):
             raise TypeError(f"{name}() has no parameter {key!r}: random(n) takes the number of points")
         near = difflib.get_close_matches(key, known, 1)
         hint = f"; did you mean {near[0]!r}?" if near else f": it has {', '.join(known)}"
@@ -71,7 +71,8 @@ class Sampler:
             raise TypeError("Sampler is what all methods have in common: make an object of a method")
         name = type(self).__name__
         own = list(self.__signature__.parameters)
-        refuse_unknown(name, {key: value for key, value in parameters.items() if key not in SHARED_KEYS}, own)
+        refuse_unknown(name, {key: value for key, value in parameters.items() if key not in SHARED_KEYS}, own,
+                       has_random=True)
         self.d = d
         self.seed = seed_of(rng, name)
         self.engine = engine
@@ -208,7 +209,7 @@ class Sampler:
             return _poissonlab.SetMaker(name, self.config(n))
         except InputError as error:
             words = str(error).removeprefix(f"{name}: ").removeprefix(f'sampler = "{self.name}": ')
-            words = re.sub(r"^points\b|\banalysis\.points\b", "n", re.sub(r"\bdimension\b", "d", words))
+            words = re.sub(r"^points\b|\banalysis\.points\b", "n", re.sub(r"^dimension\b|\banalysis\.dimension\b", "d", words))
             raise InputError(f"{name}: {words}") from None
 
     def __getstate__(self):

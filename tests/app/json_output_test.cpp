@@ -79,6 +79,9 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"texture build",
          {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
         {"texture verify", {"texture", "tiles", "16"}},
+        {"texture surface",
+         {"cube.off --exemplar grey.pgm --size 16 --candidates 1 --pixels 32 --quiet --out a.png", "quads", "6"}},
+        {"distribute objects", {"cube.off --points 200 --texels 8 --pixels 32 --quiet --out a.png", "quads", "6"}},
         {"texture cells", {"cells.toml --window 0 0 5 4 --quiet --out a.csv", "cells", "20"}},
         {"texture export", {"texture --formats dds --out engine", "layers", "16"}},
         {"texture endless", {"hexagons --exemplar grey.pgm --window 0 0 16 9 --quiet --out a.png", "height", "9"}},
@@ -102,6 +105,8 @@ TEST(JsonOutput, IsOneObjectOfEachCommandThatHasIt)
     for (int i = 0; i < 32 * 32; ++i) picture += std::to_string(i * 7 % 256) + "\n";
     folder.write("grey.pgm", picture);
     folder.write("cells.toml", "[[corner]]\ncolor = \"#000000\"\n[[corner]]\ncolor = \"#ffffff\"\n[rule]\n");
+    folder.write("cube.off", "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                             "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     folder.write("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     for (const auto& [command, sample] : json_cases()) {
         missing.erase(command);

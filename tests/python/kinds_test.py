@@ -119,10 +119,15 @@ class Kinds(unittest.TestCase):
         with self.assertRaisesRegex(poissonlab.InputError, "along: goes with method darts|along.*darts"):
             distribute.points(region=roads, along=True, method="lloyd", points=9)
 
+    def test_unknown_keywords_of_kinds_are_not_those_of_samplers(self):
+        with self.assertRaisesRegex(TypeError, r"no parameter 'n': it has"):
+            distribute.darts(n=3)
+
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "cells"})
+                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "cells",
+                          "textured_surface", "surface_objects"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 

@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/images/raw_picture.hpp"
 #include "base/text/decimal_commas.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/crew/thread_limit.hpp"
@@ -121,10 +122,26 @@ void check_periodic(const AnalyzeOptions& options)
         throw InputError("analyze: --periodic does not go with --region: nothing goes around a torus there");
 }
 
+/// The experiment of a config that the user has not written and whose lines say nothing.
+Experiment experiment_of_text(const std::string& text)
+{
+    const std::string name = "analyze";
+    try {
+        return make_experiment(parse_config(text, name), "", 0);
+    } catch (const InputError& error) {
+        if (error.place().file != name) throw;
+        throw error.moved_to({name});
+    }
+}
+
 /// Measures a picture as a mask of thresholds, by the kind of work that does so.
 void analyze_mask(const AnalyzeOptions& options)
 {
-    const std::string name = printable(options.files.front().string());
+    const std::string name = printable(std::ranges::find_if(options.files, has_picture_name)->string());
+    for (const std::string& typed : {options.files.front().string(), options.label, options.channel})
+        if (printable(typed) != typed)
+            throw InputError(fmt::format("analyze: {}: names of pictures, labels and channels must be printable UTF-8",
+                                         printable(typed)));
     if (options.files.size() > 1) throw InputError(fmt::format("analyze: {}: a picture is measured alone", name));
     const bool has_others = !options.domain.empty() || options.particles != no_type || !options.region.empty() ||
                             !options.periodic.empty() || !options.overrides.empty() || options.gallery ||
@@ -133,12 +150,13 @@ void analyze_mask(const AnalyzeOptions& options)
         throw InputError(fmt::format("analyze: {}: is a picture, which is measured as a mask of thresholds: --out, "
                                      "--label, --channel, --threads and --quiet go with it",
                                      name));
+    read_picture_header(options.files.front());
     const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     std::string text = fmt::format("title = {}\n[[distribution]]\nkind = \"mask-picture\"\nmask = {}\n", quoted(label),
                                    quoted(options.files.front().string()));
     if (!options.channel.empty()) text += fmt::format("channel = {}\n", quoted(options.channel));
-    Experiment experiment = make_experiment(parse_config(text, "analyze"), "", 0);
+    Experiment experiment = experiment_of_text(text);
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / safe_name(label) : options.out;
     Progress progress(Progress::detect(options.quiet));

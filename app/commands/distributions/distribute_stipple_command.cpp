@@ -75,10 +75,8 @@ bool has_file(const KindOptions& o, const std::string& ending)
 void check_plot(const KindOptions& o, const StippleSettings& settings)
 {
     if (!settings.plot || has_file(o, ".svg") || has_file(o, ".dxf")) return;
-    throw InputError(fmt::format("{}: {}: goes with an --out that ends in .svg or .dxf", o.command(),
-                                 settings.plot->width > 0                  ? "--width"
-                                 : settings.plot->dots == DotForm::strokes ? "--dots"
-                                                                           : "--travel"));
+    throw InputError(
+        fmt::format("{}: --{}: goes with an --out that ends in .svg or .dxf", o.command(), settings.plot->option));
 }
 
 void write_marks(const KindOptions& o, const StippleSettings& settings, const InkPicture& picture,

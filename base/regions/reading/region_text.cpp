@@ -114,7 +114,8 @@ private:
     /// Features are kept as they are typed, before polygons become their union.
     void remember_features()
     {
-        if (typed_.shapes.ids.size() < 2 || feature_of_polygon_.size() + feature_of_line_.size() == 0) return;
+        if (typed_.shapes.ids.size() < 2) return;
+        if ((reading_.is_along ? feature_of_line_ : feature_of_polygon_).empty()) return;
         for (const std::string& id : typed_.shapes.ids) source_.features.push_back({id});
         for (std::size_t i = 0; i < shapes_.polygons.size() && i < feature_of_polygon_.size(); ++i)
             source_.features[feature_of_polygon_[i]].polygons.push_back(shapes_.polygons[i]);
@@ -247,8 +248,9 @@ Obstacles in_plane_of(const PlaneRegion& region, const Obstacles& obstacles, con
     const std::vector<std::string> notes = obstacles.notes;
     const bool has_angles = from ? from->has_angles : is_mapped(region);
     const double turn = turn_of(from && has_angles ? *from : map_system(region.source->system));
-    Obstacles mapped =
-        mapped_shapes(has_angles ? laid_in_strip(obstacles, turn, name) : obstacles, *map, box_of(region));
+    const std::vector<RegionRing>& lines = lines_of(region);
+    Obstacles mapped = mapped_shapes(has_angles ? laid_in_strip(obstacles, turn, name) : obstacles, *map,
+                                     lines.empty() ? box_of(region) : box_around(lines));
     const RegionBox box = box_of_all(mapped);
     if (!std::isfinite(box.longest()))
         throw InputError(name + ": has a place that the region's plane has not: they must be in the same part of the "

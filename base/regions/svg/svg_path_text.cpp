@@ -46,7 +46,7 @@ PathRings parsed_path(PathOptions& options, const std::string& name)
     try {
         Geom::parse_svg_path(options.data.c_str(), path);
     } catch (const std::exception& error) {
-        throw InputError(fmt::format("{}: is no path of SVG: {}", name, printable(error.what())));
+        throw InputError(fmt::format("{}: is not a path of SVG: {}", name, printable(error.what())));
     }
     if (!(options.tolerance > 0)) options.tolerance = usual_path_tolerance * path.box().longest();
     return path;

@@ -111,7 +111,7 @@ Geom::PathVector path_of(const SvgAttributes& attributes)
     try {
         return Geom::parse_svg_path(found->second.c_str());
     } catch (const std::exception& error) {
-        throw InputError(fmt::format("d: is no path of SVG: {}", printable(error.what())));
+        throw InputError(fmt::format("d: is not a path of SVG: {}", printable(error.what())));
     }
 }
 

@@ -18,7 +18,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::size_t mask_sixteenths = 16;
-constexpr std::uint32_t most_mask_side = 16'384;
+constexpr std::uint32_t most_mask_side = 4096; // nine arrays of doubles take 1.2 GB
 
 double number_at(const RawPicture& picture, std::size_t pixel, std::size_t channel)
 {
@@ -84,12 +84,7 @@ MaskLevel measured_level(const MaskPicture& mask, double threshold, std::size_t 
     }
     level.rings = ring_power(field_power(there, mask.width, mask.height), mask.width, mask.height);
     const double root = root_of_volume(sides), end = principal_frequency(points.size(), 2) / 2 / root;
-    double sum = 0, count = 0;
-    for (std::size_t k = 0; k < level.rings.power.size() && level.rings.frequency[k] < end; ++k) {
-        sum += level.rings.frequency[k] * level.rings.power[k];
-        count += level.rings.frequency[k];
-    }
-    level.low_power = count > 0 ? sum / count : 0;
+    level.low_power = mean_power_below(level.rings, end);
     if (points.size() < 2) return level;
     const PeriodicBox box = periodic_box(sides);
     level.least_distance = std::round(min_toroidal_distance(points, box) * root * 1e6) / 1e6;
@@ -97,6 +92,16 @@ MaskLevel measured_level(const MaskPicture& mask, double threshold, std::size_t 
     return level;
 }
 
+}
+
+double mean_power_below(const RingPower& rings, double end)
+{
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k < rings.power.size() && rings.frequency[k] < end; ++k) {
+        sum += rings.frequency[k] * rings.power[k];
+        weights += rings.frequency[k];
+    }
+    return weights > 0 ? sum / weights : 0;
 }
 
 MaskPicture read_mask_picture(const MaskPictureSettings& settings)

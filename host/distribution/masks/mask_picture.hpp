@@ -55,6 +55,9 @@ struct RingPower
 };
 RingPower ring_power(const std::vector<double>& power, std::uint32_t width, std::uint32_t height);
 
+/// The mean power of frequencies below `end`, in cycles a pixel.
+double mean_power_below(const RingPower& rings, double end);
+
 /// This is measured of the pixels below a threshold or, where these are more than half, of those that are not.
 struct MaskLevel
 {

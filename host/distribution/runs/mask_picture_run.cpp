@@ -1,6 +1,6 @@
 // kind = "mask-picture" measures a mask of thresholds of any origin.
-#include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
+#include "base/images/raw_picture.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/masks/mask_picture.hpp"
@@ -24,7 +24,9 @@ void mask_picture_keys(Keys& keys, MaskPictureSettings& s)
     keys.picture("mask", s.mask, "the mask: a picture whose values are thresholds").required();
     keys.text("channel", s.channel, "which of its channels is measured, as its file names them: R, G, B, A")
         .otherwise("the only one, or the one that all colours have in common");
-    if (keys.is_read()) keys.check("mask", [&] { read_mask_picture(s); });
+    if (!keys.is_read()) return;
+    keys.check("mask", [&] { read_picture_header(s.mask); });
+    keys.check(s.channel.empty() ? "mask" : "channel", [&] { read_mask_picture(s); });
 }
 
 std::string mask_picture_label(const MaskPictureSettings& s) { return "Mask " + name_of_input(s.mask.string()); }
@@ -90,9 +92,11 @@ std::string part_words(const MaskPicture& mask, const MaskLevel& level)
 MarkPicture power_curves(const MaskPicture& mask, const RingPower& own, const std::vector<MaskLevel>& levels)
 {
     std::vector<MarkCurve> curves{ring_curve("values", 0, own, own.power)};
-    for (const MaskLevel& level : levels)
-        if (2 * level.below <= mask.pixels() && curves.size() < 8)
-            curves.push_back(ring_curve(part_words(mask, level), curves.size(), level.rings, level.rings.power));
+    const std::size_t every = levels.size() > 8 ? 2 : 1;
+    for (std::size_t k = every - 1; k < levels.size(); k += every)
+        if (2 * levels[k].below <= mask.pixels())
+            curves.push_back(
+                ring_curve(part_words(mask, levels[k]), curves.size(), levels[k].rings, levels[k].rings.power));
     return curve_marks({"frequency, cycles a pixel", 0, 0.5, 0.1}, {"radially averaged power", 0, 4, 1}, 1, curves);
 }
 
@@ -103,16 +107,6 @@ MarkPicture anisotropy_curve(const RingPower& own)
     for (const double part : own.anisotropy) decibels.push_back(10 * std::log10(std::max(part, 1e-9)));
     return curve_marks({"frequency, cycles a pixel", 0, 0.5, 0.1}, {"anisotropy, dB", -10, 10, 5}, 0,
                        {ring_curve("values", 0, own, decibels)});
-}
-
-double mean_power_below(const RingPower& rings, double end)
-{
-    double sum = 0, weights = 0;
-    for (std::size_t k = 0; k < rings.power.size() && rings.frequency[k] < end; ++k) {
-        sum += rings.frequency[k] * rings.power[k];
-        weights += rings.frequency[k];
-    }
-    return weights > 0 ? sum / weights : 0;
 }
 
 double mean_anisotropy(const RingPower& rings)

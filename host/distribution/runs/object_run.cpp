@@ -31,7 +31,7 @@ const std::vector<std::string>& looks_of(int dimension)
 void object_keys(Keys& keys, ObjectSettings& s)
 {
     keys.integer("dimension", s.dimension, 2, 3, "objects in the plane, or in space");
-    keys.word("object", s.object, looks_of(s.dimension), "what objects look like");
+    keys.word("object", s.object, looks_of(s.dimension), "the look of objects");
     keys.tiles(s.tiles).otherwise("corner tiles of 3 colours, 32 points; in space sphere tiles of 2, 128 points");
     keys.number("objects", s.objects, {1e-6, 1e6}, "objects in a unit square or cube, on average");
     keys.number("window", s.window, {1e-6, 1e3}, "the side of the picture").unit("units");

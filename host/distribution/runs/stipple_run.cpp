@@ -42,8 +42,11 @@ void plotter_keys(Keys& keys, StippleSettings& s)
     keys.word("travel", sheet.travel, pen_travels, "for plotters: the order of marks");
     if (!keys.is_read()) return;
     if (sheet.pen > 0 && sheet.width == 0) throw keys.invalid("pen", "goes with " + keys.name_of("width"));
-    for (const char* key : {"width", "pen", "dots", "travel"})
-        if (keys.is_given(key)) s.plot = sheet;
+    for (const char* key : {"travel", "dots", "pen", "width"})
+        if (keys.is_given(key)) {
+            sheet.option = key;
+            s.plot = sheet;
+        }
 }
 
 void mark_keys(Keys& keys, StippleSettings& s)

@@ -109,7 +109,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     const bool has_quads = s.method == SurfaceMethod::quads;
     s.quads.mesh = s.mesh;
     quad_keys(keys, s.quads, has_quads, "method = quads");
-    keys.integer("colors", s.colors, 1, 16, "of vertices of quads: more colours, more tiles")
+    keys.integer("colors", s.colors, 1, 16, "the number of colours of vertices of quads; more colours make more tiles")
         .only_if(has_quads, "method = quads");
     if (!keys.is_read()) return;
     if (has_quads) keys.check("mesh", [&] { s.quads.read = quad_surface(s.quads); });

@@ -18,6 +18,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::size_t most_quads = std::size_t{1} << 22;
+constexpr int most_cubes_from_0 = 1 << 16;
 
 /// Polycubes may be off their grid by this part of a cube's side.
 constexpr double grid_slack = 0.01;
@@ -217,7 +218,12 @@ std::vector<PolycubeTriangle> polycube_triangles(std::vector<Corners> corners, d
     std::vector<PolycubeTriangle> triangles;
     for (Corners& t : corners) {
         for (MeshPoint& corner : t)
-            for (double& c : corner) c /= side;
+            for (double& c : corner) {
+                c /= side;
+                if (!(std::abs(c) < most_cubes_from_0))
+                    throw InputError(fmt::format("the polycube is more than {} cubes from 0: cube_side is larger",
+                                                 most_cubes_from_0));
+            }
         const MeshPoint normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
         std::size_t axis = 0;
         for (std::size_t k = 1; k < 3; ++k)
@@ -317,7 +323,7 @@ std::shared_ptr<const QuadSurface> quad_surface(const QuadSettings& settings)
         const std::size_t coarse = mesh.quads.size() / settings.refine / settings.refine;
         return std::make_shared<const QuadSurface>(QuadSurface{std::move(mesh), std::move(topology), coarse});
     } catch (const InputError& error) {
-        if (std::string(error.what()).starts_with(settings.mesh.string())) throw;
+        if (!error.place().file.empty()) throw;
         throw error.moved_to({settings.mesh.string()});
     }
 }

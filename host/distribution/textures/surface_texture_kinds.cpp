@@ -30,9 +30,9 @@ void texture_keys(Keys& keys, SurfaceTextureSettings& s)
         .unit("pixels")
         .only_if(!s.heights.empty(), "heights");
     keys.word("tiles", s.labels, quad_label_words, "generalised Wang tiles, or corner tiles");
-    keys.integer("colors", s.colors, 1, 5, "of edges, at most 3; of corner tiles those of vertices");
+    keys.integer("colors", s.colors, 1, 5, "the number of colours of edges, at most 3; with corner tiles, of vertices");
     if (keys.is_given("colors") && s.labels == QuadLabels::wang && s.colors > 3)
-        throw keys.invalid("colors", "must be at most 3 of Wang tiles");
+        throw keys.invalid("colors", "must be at most 3 with Wang tiles");
     keys.integer("size", s.size, 16, 512, "the side of a tile").unit("pixels");
     keys.integer("candidates", s.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
     if (keys.is_given("size") && s.size % 2 != 0) throw keys.invalid("size", "must be even");
@@ -41,8 +41,8 @@ void texture_keys(Keys& keys, SurfaceTextureSettings& s)
 void object_keys(Keys& keys, SurfaceObjectSettings& s)
 {
     mesh_keys(keys, s.quads);
-    keys.integer("points", s.points, 1, 1 << 22, "objects on the surface, about");
-    keys.word("object", s.object, object_looks(2), "what objects look like");
+    keys.integer("points", s.points, 1, 1 << 22, "the number of objects on the surface, about");
+    keys.word("object", s.object, object_looks(2), "the look of objects");
     keys.integer("texels", s.texels, 2, 256, "the pixels along a side of a quad in the atlas");
     keys.spread("size", s.size, {0, 1}, "the size of objects, in parts of their disks");
     keys.spread("orientation", s.orientation, {-1e4, 1e4}, "how objects are turned").unit("radians");

@@ -115,6 +115,7 @@ struct PlotSheet
     double pen = 0;   ///< in millimetres; 0: the pen is as wide as marks are
     DotForm dots = DotForm::circles;
     PenTravel travel = PenTravel::nearest;
+    std::string option = "travel"; ///< one of the keys that were given
 };
 
 /// kind = "stippling" and "hatching": see host/distribution/stipple.hpp. Either `points` or `mark_width` is

@@ -230,17 +230,24 @@ TEST(GlobeObstacles, LieInThePlaneOfTheRegion)
 /// A track along a parallel bends in the plane, and the far end of a long one does not matter.
 TEST(GlobeObstacles, HaveLinesThatBend)
 {
-    const PlaneRegion region = globe_box(4, 50, 6, 51);
-    const Obstacles line =
-        read_obstacles(R"({"type": "LineString", "coordinates": [[-60, 50.5], [70, 50.5]]})", {}, region);
-    ASSERT_THAT(line.lines, SizeIs(1));
-    EXPECT_GT(line.lines[0].size(), 50U);
-    EXPECT_LT(line.lines[0].size(), 5000U);
-    for (const auto& a : lines_within(line, box_of(region)))
-        for (const double part : {0.0, 0.5, 1.0}) {
-            const PointSet place = as_in_files(region, {2, {a[0] + part * (a[2] - a[0]), a[1] + part * (a[3] - a[1])}});
-            EXPECT_NEAR(place[0][1], 50.5, 3e-6);
-        }
+    RegionReading along;
+    along.is_along = true;
+    const PlaneRegion inside = globe_box(4, 50, 6, 51);
+    const PlaneRegion track = read_region(R"({"type": "LineString", "coordinates": [[4, 50], [6, 51]]})", along);
+    for (const PlaneRegion& region : {inside, track}) {
+        const Obstacles line =
+            read_obstacles(R"({"type": "LineString", "coordinates": [[-60, 50.5], [70, 50.5]]})", {}, region);
+        ASSERT_THAT(line.lines, SizeIs(1));
+        EXPECT_GT(line.lines[0].size(), 50U);
+        EXPECT_LT(line.lines[0].size(), 5000U);
+        const RegionBox box = lines_of(region).empty() ? box_of(region) : box_around(lines_of(region));
+        for (const auto& a : lines_within(line, box))
+            for (const double part : {0.0, 0.5, 1.0}) {
+                const PointSet place =
+                    as_in_files(region, {2, {a[0] + part * (a[2] - a[0]), a[1] + part * (a[3] - a[1])}});
+                EXPECT_NEAR(place[0][1], 50.5, 3e-6);
+            }
+    }
 }
 
 }

@@ -55,6 +55,7 @@ void for_places_along(const std::vector<RegionRing>& lines, double distance, con
 {
     for (const RegionRing& line : lines)
         for (std::size_t i = 1; i < line.size(); ++i) {
+            if (line[i - 1] == line[i]) continue;
             const double steps = std::ceil(1000 * street_distance(line[i - 1], line[i]) / distance);
             for (double step = 0; step <= steps; ++step)
                 check(RoadPlace{line[i - 1][0] + (line[i][0] - line[i - 1][0]) * step / steps,

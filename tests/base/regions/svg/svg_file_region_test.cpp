@@ -131,7 +131,7 @@ TEST_F(SvgFileRegions, RefuseWhatIsNotKnown)
     EXPECT_THAT(refusal("<rect height='1'/>"), EndsWith("<rect>: its width and height must be above 0"));
     EXPECT_THAT(refusal("<circle/>"), EndsWith("<circle>: its radius must be above 0"));
     EXPECT_THAT(refusal("<polygon points='0 0 1 1 2'/>"), HasSubstr("<polygon>: points \"0 0 1 1 2\": must be pairs"));
-    EXPECT_THAT(refusal("<path d='M0 0 X'/>"), HasSubstr("a.svg:2: <path>: d: is no path of SVG"));
+    EXPECT_THAT(refusal("<path d='M0 0 X'/>"), HasSubstr("a.svg:2: <path>: d: is not a path of SVG"));
     EXPECT_THAT(refusal("<path d='M0 0 L9 9'/>"), EndsWith("a.svg:2: <path>: goes around nothing"));
     EXPECT_THAT(refusal("<path d='M0 0 L9 9 L9 0 L0 9z'/>"), HasSubstr("a.svg:2: <path>: "));
     EXPECT_THAT(refusal("<g>"), HasSubstr("a.svg:3: is not XML: mismatched tag"));

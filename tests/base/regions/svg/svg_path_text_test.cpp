@@ -104,7 +104,7 @@ TEST(SvgPathRegions, AreFilledByTheRuleOfSvg)
 TEST(SvgPathRegions, AreRefusedWhereTheyAreNone)
 {
     const auto told = [](const std::string& text) { return message_of([&] { read_region("path " + text); }); };
-    EXPECT_THAT(told("M0 0 L1 0 1 1 x"), HasSubstr("path M0 0 L1 0 1 1 x: is no path of SVG: "));
+    EXPECT_THAT(told("M0 0 L1 0 1 1 x"), HasSubstr("path M0 0 L1 0 1 1 x: is not a path of SVG: "));
     EXPECT_THAT(told("M0 0 L1 0"), HasSubstr("has no closed path: must be path M... of SVG, with an area"));
     EXPECT_THAT(told("evenodd"), HasSubstr("has no closed path"));
     EXPECT_THAT(told("M0 0 2 2 2 0 0 2z"), HasSubstr("cross"));
