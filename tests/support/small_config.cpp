@@ -16,7 +16,7 @@ std::map<std::string, long> largest_values(const std::string& toml)
     std::map<std::string, long> values{
         {"points", 256},         {"realizations", 2}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
         {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
-        {"points_per_tile", 16}, {"size", 256},       {"colors", 2}};
+        {"points_per_tile", 16}, {"size", 256},       {"colors", 2}, {"smooth", 0}};
     const auto has = [&](const char* line) { return toml.find(line) != std::string::npos; };
     if (has("dimension = 3")) values.at("points") = 2048, values.at("points_per_tile") = 128;
     if (has("equal_moments = 2")) values.at("points_per_tile") = 32;

@@ -136,7 +136,7 @@ TEST_F(GltfFiles, SayWhatIsWrong)
     TriangleMesh mesh = bent_sheet();
     mesh.vertices[3][1] = NAN;
     EXPECT_THAT(refusal("a.glb", test::glb_bytes(mesh)),
-                EndsWith("a.glb: meshes[0].primitives[0].attributes.POSITION = 0: row 4 has a coordinate that is no "
+                EndsWith("a.glb: meshes[0].primitives[0].attributes.POSITION = 0: row 4 has a coordinate that is not a "
                          "finite number"));
     mesh = bent_sheet();
     mesh.triangles[2][1] = 1000;

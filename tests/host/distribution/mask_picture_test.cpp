@@ -136,8 +136,13 @@ TEST_F(MaskPictureFiles, AreReadAsTheirNumbersAre)
     EXPECT_EQ(grey.height, 5U);
     EXPECT_EQ(grey.codes, 256U);
     for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(grey.values[i], ramp(i)); // no light, no alpha
-    const auto clear = png("b.png", 2, [&](std::size_t i) { return i % 2 == 0 ? ramp(i / 2) : 9; });
-    const MaskPicture with_alpha = read_mask_picture({clear, ""});
+    RawPicture clear{12, 5, SampleType::byte, {"Y", "A"}, {}};
+    for (std::size_t i = 0; i < 60; ++i) {
+        clear.bytes.push_back(static_cast<std::uint8_t>(ramp(i)));
+        clear.bytes.push_back(9);
+    }
+    write_raw_picture(folder_.path() / "b.png", clear);
+    const MaskPicture with_alpha = read_mask_picture({folder_.path() / "b.png", ""});
     EXPECT_EQ(with_alpha.values, grey.values);
     EXPECT_THAT(with_alpha.note, HasSubstr("alpha is left out"));
     const auto colors =
