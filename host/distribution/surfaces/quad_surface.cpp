@@ -299,14 +299,15 @@ void quad_keys(Keys& keys, QuadSettings& s, bool applies, const std::string& whe
     only_there(keys.word("quads", s.way, quad_ways,
                          "where quads come from: faces of the mesh, or squares of a polycube or a cube that it is "
                          "mapped to"));
+    const auto with = [&](const std::string& way) { return when.empty() ? way : when + ", " + way; };
     const bool has_polycube = applies && s.way == QuadWay::polycube;
     keys.file("polycube", s.polycube, "the polycube: the mesh's faces with its vertices on cubes", "a mesh")
-        .only_if(has_polycube, "quads = polycube");
+        .only_if(has_polycube, with("quads = polycube"));
     keys.number("cube_side", s.cube_side, {1e-9, 1e9}, "the side of the polycube's cubes")
         .unit("units of its file")
-        .only_if(has_polycube, "quads = polycube");
+        .only_if(has_polycube, with("quads = polycube"));
     keys.integer("smooth", s.smooth, 0, 6, "steps of Catmull and Clark's subdivision, each of four quads out of one")
-        .only_if(applies && s.way == QuadWay::faces, "quads = faces");
+        .only_if(applies && s.way == QuadWay::faces, with("quads = faces"));
     only_there(keys.integer("refine", s.refine, 1, 256, "parts along each side of a quad, each of which has a tile"));
     if (keys.is_read() && has_polycube && s.polycube.empty())
         throw keys.problem(fmt::format("needs {}", keys.name_of("polycube")));

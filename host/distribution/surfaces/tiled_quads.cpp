@@ -9,9 +9,15 @@
 #include <numbers>
 
 namespace poissonlab {
+namespace {
+
+/// This part of the plane is in disks of the distance's diameter around saturated darts.
+constexpr double covered = 0.547;
+
+}
+
 double quad_distance(std::size_t points, std::size_t quads)
 {
-    constexpr double covered = 0.547; // the part of the plane in disks of that diameter around saturated darts
     return std::sqrt(covered * 4 / std::numbers::pi * static_cast<double>(quads) / static_cast<double>(points));
 }
 
@@ -19,8 +25,9 @@ void check_quad_points(std::size_t points, std::size_t quads)
 {
     const double each = static_cast<double>(points) / static_cast<double>(quads);
     if (quad_distance(points, quads) <= most_quad_distance && each <= 65536) return;
-    throw InputError(
-        fmt::format("{:.4g} points on each of {} quads: tiles have 10 to 65,536; fewer quads have more", each, quads));
+    const double least = covered * 4 / std::numbers::pi / (most_quad_distance * most_quad_distance);
+    throw InputError(fmt::format(
+        "{:.4g} points on each of {} quads: tiles have {:.4g} to 65,536; fewer quads have more", each, quads, least));
 }
 
 std::shared_ptr<const SurfaceMesh> mesh_of_quads(const MeshPointSettings& settings)
