@@ -34,10 +34,10 @@ TurnedSource seen_from(const QuadTextureSet& set, std::size_t tile, std::uint32_
 /// Compares what each tile shows beyond each side with all tiles that may lie there.
 void expect_to_fit(const QuadTextureSet& set, QuadLabels labels, std::uint32_t colors)
 {
-    int compared = 0;
     for (std::size_t a = 0; a < set.tiles.size(); ++a)
-        for (std::uint32_t i = 0; i < 4; ++i)
-            for (std::size_t b = 0; b < set.tiles.size(); b += 3)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            int compared = 0;
+            for (std::size_t b = 0; b < set.tiles.size(); ++b)
                 for (std::uint32_t j = 0; j < 4; ++j) {
                     if (set.labels[b][j] != opposite_label(labels, colors, set.labels[a][i])) continue;
                     for (int t = set.gutter; t < set.size - set.gutter; ++t) {
@@ -48,7 +48,8 @@ void expect_to_fit(const QuadTextureSet& set, QuadLabels labels, std::uint32_t c
                         ++compared;
                     }
                 }
-    EXPECT_GT(compared, 200);
+            EXPECT_GT(compared, 0) << "side " << i << " of tile " << a << " has no neighbour";
+        }
 }
 
 TEST(QuadTextures, OfGeneralisedWangTilesAreCompleteAndFit)
