@@ -2,6 +2,9 @@
 
 POISSONLAB_BUILD names a build folder whose module is packed as it is, and nothing is built: that of `./lab test` is
 build/release, for Debian's Python.
+
+With POISSONLAB_LIBRARIES=1 the wheel has the libraries that the module needs, for machines without them. Those of picture
+files are left out: they are some two hundred and sixty. Needs patchelf.
 """
 
 import os
@@ -36,6 +39,31 @@ def run(*command):
                          f"{HOW_TO_BUILD}") from None
 
 
+# What every Linux with a desktop or server has: the C library and the compiler's run time.
+OF_THE_SYSTEM = re.compile(r"(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|gcc_s|stdc\+\+))\.so")
+
+
+def libraries_of(module):
+    """The files of the libraries that a module needs, directly or not, by the names that it asks for."""
+    lines = subprocess.run(["ldd", module], check=True, capture_output=True, text=True).stdout.splitlines()
+    if lost := [line.split()[0] for line in lines if "not found" in line]:
+        raise SystemExit(f"poissonlab: {module.name} needs {lost[0]}, which is not on this machine")
+    found = dict(line.split()[:3:2] for line in lines if " => /" in line)
+    return {name: pathlib.Path(file) for name, file in found.items() if not OF_THE_SYSTEM.match(name)}
+
+
+def add_libraries(package, modules):
+    """Copies what the modules need into the folder `libraries` of the package, and has them look there."""
+    folder = package / "libraries"
+    folder.mkdir()
+    for module in modules:
+        for name, file in libraries_of(module).items():
+            if not (folder / name).exists():
+                shutil.copy2(file, folder / name)
+                run("patchelf", "--set-rpath", "$ORIGIN", folder / name)
+        run("patchelf", "--set-rpath", "$ORIGIN/libraries", module)
+
+
 class CMakeModule(build_ext):
     """Puts the module, the modules of pictures and particles that it loads, and the types that the build wrote beside the package."""
 
@@ -55,6 +83,8 @@ class CMakeModule(build_ext):
         package.mkdir(parents=True, exist_ok=True)
         for file in files:
             shutil.copy2(file, package)
+        if os.environ.get("POISSONLAB_LIBRARIES") == "1":
+            add_libraries(package, [package / files[0].name, package / "libpoissonlab_particles.so"])
 
     def built(self):
         """The folder of a build for the Python that runs this, which takes minutes the first time."""

@@ -204,17 +204,18 @@ Action explanation(const CLI::App& program, const std::vector<std::string>& topi
     if (topic == std::vector<std::string>{"samplers"}) return samplers_command().action;
     if (topic == std::vector<std::string>{"man-page"}) return print_man_page;
     const CLI::App* app = &program;
-    std::string before;
+    std::string before, parents;
     for (const std::string& word : topic) {
         const std::vector<std::string> names = names_of_commands(*app);
         if (names.empty()) throw InputError("help explains one topic at a time");
         if (std::ranges::find(names, word) == names.end())
             throw InputError(fmt::format("no help on \"{}{}\"{} (topics: {})", before, shortened(printable(word)),
                                          did_you_mean(word, names), fmt::join(names, ", ")));
+        parents += (parents.empty() ? "" : " ") + app->get_name();
         app = app->get_subcommand(word);
         before += word + " ";
     }
-    return [text = app->help()] {
+    return [text = app->help(parents)] {
         fmt::print("{}", text);
         return 0;
     };

@@ -43,6 +43,41 @@ int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box)
     return size;
 }
 
+double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
+{
+    double sum = 0;
+    int count = 0;
+    for (int y = fy; y < fy + block; ++y)
+        for (int x = fx; x < fx + block; ++x)
+            if (x != 0 || y != 0) {
+                sum += spectrum.at(x, y);
+                ++count;
+            }
+    return count > 0 ? sum / count : 0;
+}
+
+Spectrum block_means(const Spectrum& spectrum, int block)
+{
+    if (spectrum.dimension != 2 || block < 1 || spectrum.size % block != 0)
+        throw std::invalid_argument("block_means: needs a 2D spectrum whose size is a multiple of the block");
+    Spectrum means = spectrum;
+    means.size = spectrum.size / block;
+    means.variance.clear();
+    means.power.clear();
+    const int lowest = -spectrum.size / 2;
+    for (int row = 0; row < means.size; ++row)
+        for (int column = 0; column < means.size; ++column)
+            means.power.push_back(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
+    return means;
+}
+
+int block_for(int size, int largest)
+{
+    int block = 1;
+    while (size / block > largest && size % (2 * block) == 0) block *= 2;
+    return block;
+}
+
 SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method, double bin_width)
     : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method), bin_width_(bin_width)
 {

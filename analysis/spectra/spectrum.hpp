@@ -45,10 +45,24 @@ struct Spectrum
     }
 };
 
+/// The mean power of the block of a 2D spectrum whose lowest frequencies are (fx, fy), without frequency (0, 0).
+double mean_power(const Spectrum& spectrum, int fx, int fy, int block);
+
+/// A 2D spectrum's means over blocks of `block` x `block` frequencies, of which `size` must be a multiple. Has no
+/// variance.
+Spectrum block_means(const Spectrum& spectrum, int block);
+
+/// The smallest power of two by which `size` may be divided so that it becomes `largest` at most, or the largest by
+/// which it can be divided without a rest.
+int block_for(int size, int largest);
+
 /// Sizes beyond which the rule below does not go by itself: 8,192^2 doubles are 512 MiB, 256^3 128 MiB, and there are
 /// several arrays of that size.
 inline constexpr int largest_spectrum_2d = 8192;
 inline constexpr int largest_spectrum_3d = 256;
+
+/// Files of 2D spectra that are larger hold means over blocks unless all is asked for: 16 MiB, and not 512 MiB.
+inline constexpr int largest_stored_spectrum = 2048;
 
 /// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power

@@ -26,6 +26,11 @@ void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
         .otherwise("by the number of points");
     if (o.spectrum_size % 2 != 0) throw keys.invalid("spectrum_size", "must be even");
     keys.number("bin_width", o.bin_width, {1, 100}, "of radial curves").unit("frequencies");
+    keys.flag(
+        "keep_spectrum", o.keep_spectrum,
+        fmt::format("whether spectra of more than {} frequencies along an axis are stored whole, not as means over "
+                    "blocks, in 2D",
+                    largest_stored_spectrum));
     keys.flag("volume", o.volume, "whether the whole spectrum is stored, in 3D");
 }
 
@@ -74,10 +79,10 @@ void check_box(const Keys& keys, const AnalysisOptions& o, bool is_any_in_region
 void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension, bool is_any_in_region)
 {
     if (!o.spectrum)
-        for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles", "tapers"})
+        for (const char* key : {"spectrum_size", "bin_width", "keep_spectrum", "volume", "tiles", "tapers"})
             if (keys.is_given(key)) throw keys.invalid(key, "does not go with spectrum = \"none\"; leave it out");
-    if (o.volume && dimension != 3)
-        throw keys.invalid("volume", "needs dimension = 3: spectra of 2D sets are stored whole");
+    if (o.keep_spectrum && dimension != 2) throw keys.invalid("keep_spectrum", "needs dimension = 2; see volume");
+    if (o.volume && dimension != 3) throw keys.invalid("volume", "needs dimension = 3; see keep_spectrum");
     if (o.zone_plate && dimension != 2)
         throw keys.invalid("zone_plate", "needs dimension = 2: the zone plate is a function of the plane");
     if ((o.region || is_any_in_region) && o.spectrum_size > largest_region_spectrum)

@@ -20,6 +20,7 @@ struct AnalysisOptions
     std::optional<PeriodogramMethod> spectrum = PeriodogramMethod::fast; ///< nothing: no spectra
     int spectrum_size = 0;         ///< frequency samples along each axis, even; 0: spectrum_size()
     double bin_width = 1;          ///< of the radial curves' annuli or shells, in frequency samples; at least 1
+    bool keep_spectrum = false;    ///< whether large spectra are stored whole; 2D only
     bool volume = false;           ///< whether the whole spectrum is stored; 3D only
     bool zone_plate = false;       ///< whether sets sample the zone plate; 2D only
     int tiles = 0;                 ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled

@@ -58,7 +58,10 @@ std::vector<std::string> AnalysisUnit::write_spectrum_files(UnitStore& store, co
 {
     std::vector<std::string> files = {file_names::spectrum, file_names::radial};
     const Spectrum spectrum = series_.mean_spectrum();
-    write_spectrum(store.file(key, file_names::spectrum), spectrum, metadata);
+    const int block =
+        spectrum.dimension == 2 && !options_.keep_spectrum ? block_for(spectrum.size, largest_stored_spectrum) : 1;
+    write_spectrum(store.file(key, file_names::spectrum), block > 1 ? block_means(spectrum, block) : spectrum,
+                   metadata);
     if (options_.volume) {
         write_spectrum_volume(store.file(key, file_names::spectrum_volume), spectrum, metadata);
         files.emplace_back(file_names::spectrum_volume);

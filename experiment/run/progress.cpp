@@ -59,8 +59,8 @@ Progress::Style Progress::detect(bool quiet, bool json)
 void Progress::start(const WorkTotals& totals)
 {
     totals_ = totals;
-    made_ = analysed_ = 0;
-    begin_ = said_ = clock_();
+    made_ = analysed_ = {};
+    begin_ = said_ = advanced_ = clock_();
     const std::uint64_t stored = totals.realizations - totals.to_make;
     if (style_ == Style::json)
         print_event({{"event", "start"}, {"realizations", totals.realizations}, {"stored", stored}});
@@ -70,12 +70,31 @@ void Progress::start(const WorkTotals& totals)
 
 double Progress::elapsed() const { return std::chrono::duration<double>(clock_() - begin_).count(); }
 
-/// Seconds left, assuming that remaining realizations take as long to make and analyse as those done.
+void Progress::Pace::add(double time, std::uint64_t more)
+{
+    if (count == 0) {
+        first_seconds = time;
+        first_count = more;
+    }
+    seconds += time;
+    count += more;
+}
+
+double Progress::Pace::seconds_each() const
+{
+    if (count == 0) return 0;
+    if (count == first_count) return seconds / static_cast<double>(count);
+    return (seconds - first_seconds) / static_cast<double>(count - first_count);
+}
+
+/// Seconds left, assuming that remaining realizations take as long to make as those made, and as long to analyse as
+/// those analysed; where nothing is known of one, as long as the other.
 double Progress::seconds_left() const
 {
-    const std::uint64_t done = made_ + analysed_;
-    const std::uint64_t all = std::max(totals_.to_make + totals_.to_analyse, done);
-    return done == 0 ? 0 : elapsed() / static_cast<double>(done) * static_cast<double>(all - done);
+    const double make = made_.count > 0 ? made_.seconds_each() : analysed_.seconds_each();
+    const double analyse = analysed_.count > 0 ? analysed_.seconds_each() : make;
+    return make * static_cast<double>(totals_.to_make - made_.count) +
+           analyse * static_cast<double>(totals_.to_analyse - analysed_.count);
 }
 
 /// "52/120 realizations, 1.20 M points/s, 2 min 05 s left"
@@ -83,20 +102,33 @@ std::string Progress::state() const
 {
     const std::uint64_t stored = totals_.realizations - totals_.to_make;
     const std::string rate = points_per_second_ > 0 ? ", " + rate_text(points_per_second_) : "";
-    return fmt::format("{}/{} realizations{}, {} left", stored + made_, totals_.realizations, rate,
+    return fmt::format("{}/{} realizations{}, {} left", stored + made_.count, totals_.realizations, rate,
                        duration_text(seconds_left()));
 }
 
 void Progress::sampled(std::size_t points, double seconds)
 {
     points_per_second_ = seconds > 0 ? static_cast<double>(points) / seconds : 0;
-    elsewhere(1, 0);
+    // Building what the first realization needs takes time that the others do not.
+    advance(1, 0, made_.count == 0 ? seconds : elapsed());
 }
 
-void Progress::elsewhere(std::uint64_t made, std::uint64_t analysed)
+void Progress::analysed() { advance(0, 1, elapsed()); }
+
+void Progress::elsewhere(std::uint64_t made, std::uint64_t analysed) { advance(made, analysed, elapsed()); }
+
+/// Counts what is done, and the time since the last call, of which at most `most_seconds` were spent on this.
+void Progress::advance(std::uint64_t made, std::uint64_t analysed, double most_seconds)
 {
-    made_ = std::min(made_ + made, totals_.to_make);
-    analysed_ = std::min(analysed_ + analysed, totals_.to_analyse);
+    const auto now = clock_();
+    const double since = std::chrono::duration<double>(now - std::exchange(advanced_, now)).count();
+    made = std::min(made, totals_.to_make - made_.count);
+    analysed = std::min(analysed, totals_.to_analyse - analysed_.count);
+    if (made + analysed > 0) {
+        const double each = std::min(since, most_seconds) / static_cast<double>(made + analysed);
+        if (made > 0) made_.add(each * static_cast<double>(made), made);
+        if (analysed > 0) analysed_.add(each * static_cast<double>(analysed), analysed);
+    }
     show_state();
 }
 
@@ -105,15 +137,15 @@ void Progress::show_state()
     if (style_ == Style::terminal && (is_time(seconds_between_bars) || !line_open_)) {
         constexpr int width = 24;
         const std::uint64_t all = std::max<std::uint64_t>(totals_.to_make + totals_.to_analyse, 1);
-        const int filled = static_cast<int>(width * (made_ + analysed_) / all);
+        const int filled = static_cast<int>(width * (made_.count + analysed_.count) / all);
         update(fmt::format("[{:#<{}}{:-<{}}] {}", "", filled, "", width - filled, state()));
     } else if (style_ == Style::plain && is_time(seconds_between_lines)) {
         print(state());
     } else if (style_ == Style::json && is_time(seconds_between_events)) {
         print_event({{"event", "progress"},
                      {"realizations", totals_.realizations},
-                     {"made", totals_.realizations - totals_.to_make + made_},
-                     {"analysed", totals_.realizations - totals_.to_analyse + analysed_},
+                     {"made", totals_.realizations - totals_.to_make + made_.count},
+                     {"analysed", totals_.realizations - totals_.to_analyse + analysed_.count},
                      {"points_per_second", points_per_second_},
                      {"seconds_left", seconds_left()}});
     }

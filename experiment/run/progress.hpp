@@ -44,7 +44,7 @@ public:
     void sampled(std::size_t points, double seconds);
 
     /// A realization was analysed.
-    void analysed() { elsewhere(0, 1); }
+    void analysed();
 
     /// Other processes have made and analysed realizations.
     void elsewhere(std::uint64_t made, std::uint64_t analysed);
@@ -68,6 +68,20 @@ public:
     void report(const std::string& path);
 
 private:
+    /// How long work of one sort takes. What happens once, such as building kernels and planning transforms, is in the
+    /// time of what is done first, which counts only as long as nothing else is done.
+    struct Pace
+    {
+        void add(double time, std::uint64_t more);
+        double seconds_each() const; ///< 0: nothing is done yet
+
+        double seconds = 0;
+        std::uint64_t count = 0;
+        double first_seconds = 0;
+        std::uint64_t first_count = 0;
+    };
+
+    void advance(std::uint64_t made, std::uint64_t analysed, double most_seconds);
     std::string state() const;
     void show_state();
     void print(const std::string& line);
@@ -82,8 +96,9 @@ private:
     std::chrono::steady_clock::time_point begin_;
     std::chrono::steady_clock::time_point said_; ///< when something was last said without need
     WorkTotals totals_;
-    std::uint64_t made_ = 0;
-    std::uint64_t analysed_ = 0;
+    std::chrono::steady_clock::time_point advanced_; ///< when a realization was last made or analysed
+    Pace made_;
+    Pace analysed_;
     double points_per_second_ = 0; ///< of the last realization made here
     bool line_open_ = false;
 };

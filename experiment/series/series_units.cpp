@@ -59,6 +59,7 @@ UnitKey SeriesUnits::analysis_of(const char* kind, const RealizationRange& range
                       .add("window", options_.window)
                       .add("periodic", options_.is_periodic)
                       .add("distances_only", options_.distances_only);
+    if (options_.keep_spectrum) key.add("keep_spectrum", true);
     if (!options_.box_sides.empty()) key.add("box", fmt::format("{}", options_.box_sides));
     if (options_.region) key.add("region", options_.region->hash).add("envelope", options_.region->envelope);
     return key;

@@ -250,7 +250,8 @@ class Analysis:
         Row v, column u is the frequency (u - M/2, v - M/2) in cycles per unit length; in 3D the slice comes first. In
         a box these are cycles along its sides.
         White noise has power 1; frequency zero, in the middle, has the number of points. Results that were opened have
-        float32 values, and of 3D spectra the planes only: see spectrum_planes.
+        float32 values, of 2D spectra beyond 2,048 frequencies along an axis means over blocks (unless the config has
+        keep_spectrum = true), and of 3D spectra the planes only: see spectrum_planes.
         """
         return frozen_columns(self._source.spectra(False)).get("")
 

@@ -9,20 +9,6 @@ namespace {
 
 constexpr int largest_page_picture = 512;
 
-/// The mean power of the block whose lowest frequencies are (fx, fy), without DC.
-double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
-{
-    double sum = 0;
-    int count = 0;
-    for (int y = fy; y < fy + block; ++y)
-        for (int x = fx; x < fx + block; ++x)
-            if (x != 0 || y != 0) {
-                sum += spectrum.at(x, y);
-                ++count;
-            }
-    return count > 0 ? sum / count : 0;
-}
-
 }
 
 GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mapping, int block)
@@ -52,11 +38,6 @@ Spectrum in_true_proportion(const Spectrum& plane, double column_side, double ro
     return stretched;
 }
 
-int page_block(int spectrum_size)
-{
-    int block = 1;
-    while (spectrum_size / block > largest_page_picture && spectrum_size % (2 * block) == 0) block *= 2;
-    return block;
-}
+int page_block(int spectrum_size) { return block_for(spectrum_size, largest_page_picture); }
 
 }

@@ -43,12 +43,20 @@ std::vector<Spectrum> in_true_proportion(const std::vector<Spectrum>& planes, co
             in_true_proportion(planes.at(2), share(1), share(2))};
 }
 
-/// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
+/// How many frequencies along each axis a pixel of a stored spectrum stands for.
+int stored_block(const SpectrumPicture& picture, const Spectrum& stored)
+{
+    return picture.dimension == 2 ? picture.size / std::max(1, stored.size) : 1;
+}
+
+/// The planes that results.json promises: one of a 2D spectrum, which may be of means over blocks, several of a 3D one.
 std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
 {
     auto planes = read_spectrum_planes(picture.file);
     const bool in_space = picture.dimension == 3;
-    if (planes.front().size != picture.size || planes.size() != (in_space ? shown_planes(picture.size).size() : 1))
+    const int size = planes.front().size;
+    if (size * stored_block(picture, planes.front()) != picture.size ||
+        planes.size() != (in_space ? shown_planes(picture.size).size() : 1))
         throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", picture.file.string(),
                                      in_space ? "images of a 3D spectrum's planes" : "an image", picture.size,
                                      picture.size));
@@ -79,8 +87,11 @@ Drawing draw_close_ups(const std::vector<Spectrum>& planes)
 /// The whole number of pixels for a small image's pixel.
 int magnification(int size) { return std::max(1, density_pixels / size); }
 
-GreyImage draw_autocorrelation(const Spectrum& spectrum)
+/// Means over blocks of b x b frequencies are those of a torus of side 1 / b with as many points to an area, whose
+/// frequencies are b apart.
+GreyImage draw_autocorrelation(Spectrum spectrum, int block)
 {
+    spectrum.points /= static_cast<std::size_t>(block) * static_cast<std::size_t>(block);
     const SquareImage image = autocorrelation(spectrum, autocorrelation_reach(spectrum.points));
     return draw_density(image, magnification(image.size));
 }
@@ -89,7 +100,7 @@ GreyImage draw_autocorrelation(const Spectrum& spectrum)
 void draw_whole_spectrum(const SpectrumPicture& picture, const Panel& panel, const fs::path& folder)
 {
     const auto planes = read_planes(picture);
-    const int block = spectrum_page_block(picture.size, picture.dimension);
+    const int block = spectrum_page_block(planes.front().size, picture.dimension);
     if (picture.dimension == 3) {
         const auto draw = [&](int pixel) { return draw_spectrum_planes(planes, report_tone_mapping, pixel); };
         const Drawing shown = draw(block);
@@ -102,7 +113,7 @@ void draw_whole_spectrum(const SpectrumPicture& picture, const Panel& panel, con
     const GreyImage shown = draw(block);
     write_png(folder / print_file(panel), block == 1 ? shown : draw(1));
     write_png(folder / shown_file(panel), shown);
-    write_png(folder / thumbnail_file(panel), draw(block * std::max(1, picture.size / block / thumbnail_size)));
+    write_png(folder / thumbnail_file(panel), draw(block * std::max(1, planes.front().size / block / thumbnail_size)));
 }
 
 void draw_spectrum_picture(const SpectrumPicture& picture, const Panel& panel, const fs::path& folder)
@@ -114,7 +125,8 @@ void draw_spectrum_picture(const SpectrumPicture& picture, const Panel& panel, c
     if (picture.part == Part::cube) write_png(file, draw_spectrum_cube(planes, report_tone_mapping));
     if (picture.part == Part::slices) write_in_pixels(file, draw_slices(planes));
     if (picture.part == Part::close_ups) write_in_pixels(file, draw_close_ups(planes));
-    if (picture.part == Part::autocorrelation) write_png(file, draw_autocorrelation(planes.front()));
+    if (picture.part == Part::autocorrelation)
+        write_png(file, draw_autocorrelation(planes.front(), stored_block(picture, planes.front())));
 }
 
 /// The image of a file, which results.json promises to have that size.

@@ -26,11 +26,25 @@ std::string line_style(std::size_t index)
     return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index), dashes.empty() ? "1" : "(" + dashes + ")");
 }
 
-std::string axis_text(const char* name, const PlotAxis& axis)
+/// The step between ticks of a linear axis, 1, 2 or 5 times a power of ten, at which numbers of four digits and more do
+/// not run into each other. 0: gnuplot chooses, whose steps suit shorter ones.
+double step_for_long_numbers(const PlotAxis& axis)
+{
+    if (axis.logarithmic || axis.step > 0 || !(axis.high >= 1000)) return axis.step;
+    constexpr double characters = 46; // that an axis has room for
+    const double digits = std::floor(std::log10(axis.high)) + 1;
+    const double least = (axis.high - axis.low) * (digits + 2) / characters;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {power, 2 * power, 5 * power})
+        if (step >= least) return step;
+    return 10 * power;
+}
+
+std::string axis_text(const char* name, const PlotAxis& axis, double step)
 {
     auto text = fmt::format("set {}range [{:g}:{:.10g}]\n", name, axis.low, axis.high);
     if (axis.logarithmic) text += fmt::format("set logscale {}\n", name);
-    if (axis.step > 0) text += fmt::format("set {}tics {:g}\n", name, axis.step);
+    if (step > 0) text += fmt::format("set {}tics {:g}\n", name, step);
     std::string ticks;
     for (const auto& [place, words] : axis.ticks)
         ticks += fmt::format("{}{} {:g}", ticks.empty() ? "" : ", ", gnuplot_quoted(words), place);
@@ -47,7 +61,7 @@ std::string axes(const Plot& plot)
                             "set lmargin {:g}\nset rmargin {:g}\nset tmargin 0.7\nunset key\n",
                             frame_color, grid_color, plot.x.label, plot.y.label, toward_axis, plot.left_margin,
                             plot.right_margin) +
-                axis_text("x", plot.x) + axis_text("y", plot.y);
+                axis_text("x", plot.x, step_for_long_numbers(plot.x)) + axis_text("y", plot.y, plot.y.step);
     return plot.y.logarithmic ? text + "set format y '10^{%L}'\n" : text;
 }
 

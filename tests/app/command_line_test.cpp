@@ -51,7 +51,13 @@ TEST_F(CommandLine, HelpAndVersion)
         EXPECT_THAT(help.out, HasSubstr(word));
     EXPECT_EQ(run({"help"}).out, help.out);
     EXPECT_THAT(run({"run", "--help"}).out, HasSubstr("--set KEY=VALUE"));
-    EXPECT_EQ(run({"help", "run"}).status, 0);
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"run"}, {"distribute", "stipple"}}) {
+        std::vector<std::string> topic = command, asked = command;
+        topic.insert(topic.begin(), "help");
+        asked.emplace_back("--help");
+        EXPECT_EQ(run(topic).out, run(asked).out);
+    }
     const Outcome version = run({"--version"});
     EXPECT_EQ(version.status, 0);
     EXPECT_THAT(version.out, testing::StartsWith("poissonlab 0."));

@@ -4,6 +4,7 @@ import importlib.util
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -33,8 +34,8 @@ with open("/proc/self/maps") as maps:
 
 @unittest.skipUnless(all(map(importlib.util.find_spec, ("setuptools", "wheel"))), "needs python3-setuptools, -wheel")
 class Wheels(FolderTest):
-    def build(self, build_folder):
-        environment = {**os.environ, "POISSONLAB_BUILD": str(build_folder)}
+    def build(self, build_folder, **more):
+        environment = {**os.environ, "POISSONLAB_BUILD": str(build_folder), **more}
         environment.pop("PYTHONPATH")
         return subprocess.run([sys.executable, "-B", "-c", BUILD_WHEEL, self.folder], cwd=SOURCE, env=environment,
                               capture_output=True, text=True, check=False)
@@ -71,12 +72,29 @@ class Wheels(FolderTest):
                               env={**os.environ, "PYTHONPATH": str(installed)}, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         libraries = done.stdout.split()
-        self.assertEqual(len(libraries), 2)
+        self.assertGreaterEqual(len(libraries), 2)
         for library in libraries:
             self.assertTrue(library.startswith(f"{installed}/poissonlab/"), library)
         self.assert_same_bytes(numpy.load(self.folder / "points.npy"),
                                pl.DartThrowing(d=2, relative_radius=0.7, rng=1).random(300))
         self.assert_same_bytes(numpy.load(self.folder / "tiles.npy"), pl.TileSet(TILE_SET).window(-3, 5, 4, 2, seed=9))
+
+    @unittest.skipUnless(shutil.which("patchelf"), "needs patchelf")
+    def test_with_libraries_take_nothing_from_the_machine_but_its_c_library(self):
+        done = self.build(pathlib.Path(PROGRAM).parent, POISSONLAB_LIBRARIES="1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (wheel,) = self.folder.glob("*.whl")
+        package = self.folder / "installed/poissonlab"
+        with zipfile.ZipFile(wheel) as archive:
+            archive.extractall(package.parent)
+        libraries = package / "libraries"
+        loaded = {pathlib.Path(pl._poissonlab.__file__).name, "libpoissonlab_particles.so"}
+        for file in [*(package / name for name in loaded), *libraries.iterdir()]:
+            for line in subprocess.run(["ldd", file], check=True, capture_output=True, text=True).stdout.splitlines():
+                name, _, place = line.strip().partition(" => ")
+                if place and not re.match(r"lib(c|m|dl|rt|pthread|resolv|util|gcc_s|stdc\+\+)\.so", name):
+                    self.assertTrue(place.startswith(f"{libraries}/"), f"{file.name}: {line}")
+        self.assert_works(package.parent)
 
     def test_are_refused_of_a_folder_without_a_build(self):
         done = self.build(self.folder)

@@ -77,7 +77,7 @@ END
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic ranges.cpp -o ranges
 [ "$(./ranges)" = "$quarter $least $squared" ]
 
-# Windows is tried where a compiler for it is there.
+# Windows is tried where a compiler for it is there, and where Wine is, the programs print there what they print here.
 windows=${WINDOWS_COMPILER_PREFIX:-x86_64-w64-mingw32}
 if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
   "$windows-gcc" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines.exe
@@ -85,4 +85,14 @@ if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
     "$windows-g++" -std=c++11 -Wall -Wextra -Werror -pedantic -static "$file.cpp" -o "$file.exe"
   done
   echo "compiled for Windows"
+  if wine=$(PATH=$PATH:/usr/lib/wine command -v wine64); then
+    export WINEPREFIX=$folder/wine WINEDEBUG=-all
+    compare() { diff <("./$1" "${@:2}") <("$wine" "$1.exe" "${@:2}" | tr -d '\r'); }
+    compare ten_lines
+    compare scatter
+    compare ranges
+    compare example corner-c4-n64-r075.ptiles -3 2 40 25
+    "$(dirname "$wine")/wineserver64" -k 2>/dev/null || true
+    echo "run by Wine"
+  fi
 fi

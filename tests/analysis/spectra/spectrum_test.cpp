@@ -25,6 +25,25 @@ TEST(SpectrumSize, FollowsEquation66)
     EXPECT_EQ(spectrum_size(1'000, 3), 64);    // 47.5
 }
 
+TEST(BlockMeans, LeaveOutFrequencyZero)
+{
+    Spectrum spectrum{2, 4, 9, 1, {}};
+    for (int i = 0; i < 16; ++i) spectrum.power.push_back(i); // frequency (0, 0) is number 10
+    const Spectrum means = block_means(spectrum, 2);
+    EXPECT_EQ(means.size, 2);
+    EXPECT_EQ(means.points, 9U);
+    EXPECT_EQ(means.power, (std::vector<double>{2.5, 4.5, 10.5, 40.0 / 3}));
+    EXPECT_EQ(block_means(spectrum, 4).power, (std::vector<double>{110.0 / 15}));
+    EXPECT_THROW(block_means(spectrum, 3), std::invalid_argument);
+}
+
+TEST(BlockMeans, BlocksArePowersOfTwoThatDivideTheSize)
+{
+    for (const auto& [size, block] :
+         {std::pair{2, 1}, {2048, 1}, {2050, 2}, {4096, 2}, {4098, 2}, {5000, 4}, {8192, 4}})
+        EXPECT_EQ(block_for(size, 2048), block) << size;
+}
+
 TEST(SpectrumEstimate, CountsEveryRealizationOnce)
 {
     std::mt19937_64 random(1);

@@ -74,10 +74,31 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
         time.wait(11);
         progress.step("tile 3 of 16");
     }
-    // After 12 s, 3 of 16 halves are done (2 realizations made, 1 analysed); after 24 s, 7.
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "2/8 realizations, 1 k points/s, 52.0 s left\n"
-                                                      "4/8 realizations, 1 k points/s, 30.9 s left\n"
+    // The time before the first realization, which samples for 0.1 s, is not expected again: six seconds each are left.
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "2/8 realizations, 1 k points/s, 36.0 s left\n"
+                                                      "4/8 realizations, 1 k points/s, 24.0 s left\n"
                                                       "tile 3 of 16\n");
+}
+
+TEST(Progress, SecondsLeftAreRightAfterATenth)
+{
+    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s for what all of them share: 90 s are left after one.
+    FakeTime time;
+    testing::internal::CaptureStdout();
+    {
+        Progress progress(Progress::Style::plain, time.clock());
+        progress.start({10, 10, 10});
+        time.wait(31);
+        progress.sampled(100, 1);
+        time.wait(9);
+        progress.analysed();
+        time.wait(1);
+        progress.sampled(100, 1);
+        time.wait(9);
+        progress.analysed();
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "1/10 realizations, 100 points/s, 19.0 s left\n"
+                                                      "2/10 realizations, 100 points/s, 80.0 s left\n");
 }
 
 TEST(Progress, WhatIsStoredCountsAsDone)
@@ -122,7 +143,7 @@ TEST(Progress, OnATerminalOneLineUpdatesItself)
         progress.step("half-way");
     }
     EXPECT_EQ(testing::internal::GetCapturedStdout(),
-              "\r\033[K[######------------------] 1/2 realizations, 1 k points/s, 3.0 s left"
+              "\r\033[K[######------------------] 1/2 realizations, 1 k points/s, 0.3 s left"
               "\r\033[Khalf-way\r\033[K");
 }
 
@@ -152,7 +173,7 @@ TEST(Progress, EventsAreObjectsALine)
                                          {"made", 3},
                                          {"analysed", 0},
                                          {"points_per_second", 1000.0},
-                                         {"seconds_left", 10.0}}));
+                                         {"seconds_left", 0.5}}));
     EXPECT_EQ(events[2], (nlohmann::json{{"event", "series"}, {"text", "A \"b\""}, {"seconds", 2.0}}));
     EXPECT_EQ(events[3],
               (nlohmann::json{{"event", "run"}, {"number", 1}, {"count", 2}, {"title", "T"}, {"seconds", 2.0}}));

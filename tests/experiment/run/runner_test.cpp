@@ -82,6 +82,29 @@ TEST(Runner, AveragesPeriodogramsInOrder)
         EXPECT_FLOAT_EQ(static_cast<float>(stored.power[i]), static_cast<float>(expected.power[i]));
 }
 
+TEST(Runner, StoresLargeSpectraAsMeansOverBlocksUnlessAllIsAskedFor)
+{
+    const TemporaryFolder folder;
+    Experiment experiment = experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(16, 0); })});
+    experiment.analysis.spectrum_size = 2 * largest_stored_spectrum;
+    const auto stored = [&](bool keep) {
+        experiment.analysis.keep_spectrum = keep;
+        run(experiment, folder.path() / (keep ? "all" : "means"));
+        return read_spectrum_planes(folder.path() / (keep ? "all/s/spectrum.exr" : "means/s/spectrum.exr")).at(0);
+    };
+    const Spectrum all = stored(true), means = stored(false);
+    ASSERT_EQ(all.size, 2 * largest_stored_spectrum);
+    ASSERT_EQ(means.size, largest_stored_spectrum);
+    const int half = largest_stored_spectrum / 2;
+    for (int y = -half; y < half; y += 7)
+        for (int x = -half; x < half; x += 7) {
+            if (x == 0 && y == 0) continue; // its block has frequency (0, 0), which is left out
+            const double sum = all.at(2 * x, 2 * y) + all.at(2 * x + 1, 2 * y) + all.at(2 * x, 2 * y + 1) +
+                               all.at(2 * x + 1, 2 * y + 1);
+            ASSERT_NEAR(means.at(x, y), sum / 4, 1e-6 * sum) << x << ", " << y; // float32
+        }
+}
+
 TEST(Runner, StoresPairCorrelationsOfAllSets)
 {
     const TemporaryFolder folder;

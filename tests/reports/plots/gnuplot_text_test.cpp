@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <regex>
 
 namespace poissonlab {
 namespace {
@@ -103,6 +104,30 @@ TEST(Plots, OfOneSeriesKeepTheAxesOfAll)
     EXPECT_EQ(one.x.high, 3);
     EXPECT_TRUE(has_curve(all, 1));
     EXPECT_FALSE(has_curve(all, 2));
+}
+
+/// Digits of DejaVu Sans are 0.636 of the font's size wide.
+TEST(Plots, NumbersBelowTheAxisDoNotRunIntoEachOther)
+{
+    const TemporaryFolder folder;
+    for (const double high :
+         {9.5, 95.0, 511.0, 999.0, 1023.0, 1999.0, 2047.0, 4095.0, 8191.0, 9999.0, 65'535.0, 1e6, 4.2e6}) {
+        Plot plot = plot_with({"a"});
+        plot.x.high = plot.curves[0].end = high;
+        draw_with_gnuplot({gnuplot_picture(alone(plot, 0), folder.path() / "a")}, PrintPictures::none);
+        const auto svg = read_whole_file(folder.path() / "a.svg");
+        const std::regex number("translate\\(([0-9.]+),([0-9.]+)\\)[^>]*font-size=\"([0-9.]+)\"[^>]*middle\">\\s*"
+                                "<text><tspan[^>]*> *([0-9.]+)</tspan>");
+        double end_of_last = -1;
+        int numbers = 0;
+        for (std::sregex_iterator it(svg.begin(), svg.end(), number), none; it != none; ++it, ++numbers) {
+            const double middle = std::stod((*it)[1]), size = std::stod((*it)[3]);
+            const double half = 0.5 * 0.636 * size * static_cast<double>((*it)[4].length());
+            EXPECT_GT(middle - half, end_of_last + 3) << (*it)[4] << " of " << high;
+            end_of_last = middle + half;
+        }
+        EXPECT_GE(numbers, 4) << high;
+    }
 }
 
 TEST(PlotThumbnail, IsThePlotWithoutWords)
