@@ -127,6 +127,15 @@ void check_box(const Config& config, const MethodConfig& method)
                                      name, config.dimension == 2 ? "square" : "cube"));
 }
 
+/// The name of a series' folder. Commands have the label that a user gives them: their programs are often the same.
+std::string series_name(const MethodConfig& method, const Combination& chosen)
+{
+    const bool has_label = method.sampler->name == "command" && !method.label.empty();
+    const std::string name =
+        has_label ? series_label(method, chosen) : name_of(*method.sampler, method.settings, chosen);
+    return safe_name(name).substr(0, longest_name);
+}
+
 SeriesPlan make_series(const Config& config, std::size_t method_index, const Combination& chosen)
 {
     const MethodConfig& method = config.methods[method_index];
@@ -134,7 +143,7 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     check_box(config, method);
     SeriesPlan series;
     series.place = {method_index, indices_of(method, chosen)};
-    series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
+    series.name = series_name(method, chosen);
     series.where = method.where;
     series.sampler = &sampler;
     series.parameters = chosen_parameters(sampler, method.settings, chosen);

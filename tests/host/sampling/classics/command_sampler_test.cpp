@@ -266,7 +266,7 @@ TEST_F(CommandSampling, NothingButWhatIsNotThereIsAnError)
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
-TEST_F(CommandSampling, SeriesAreNamedAfterTheProgram)
+TEST_F(CommandSampling, SeriesAreNamedAfterTheLabelOrTheProgram)
 {
     const auto plan =
         make_plan(parse_config("[[method]]\nsampler = \"command\"\n"
@@ -279,6 +279,7 @@ TEST_F(CommandSampling, SeriesAreNamedAfterTheProgram)
     EXPECT_EQ(plan[1].label, "sh (2)");
     EXPECT_EQ(plan[2].name, "command-cat");
     EXPECT_EQ(plan[2].label, "cat");
+    EXPECT_EQ(plan[3].name, "Mine");
     EXPECT_EQ(plan[3].label, "Mine");
 }
 
@@ -308,7 +309,7 @@ TEST(YourMethod, Runs)
                                  "--set", "analysis.realizations=2", "--out", "o"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     // One point in each row and column is what N-rooks is.
-    const PointSet points = read_points(out.path() / "o/command-awk/realization-001.dat").at(0);
+    const PointSet points = read_points(out.path() / "o/N-rooks/realization-001.dat").at(0);
     ASSERT_EQ(points.size(), 256U);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::set<int> cells;
