@@ -90,17 +90,18 @@ double squared_on_torus(const PointSet& points, const PeriodicBox& box, std::siz
     return sum;
 }
 
+struct PairOfPoints
+{
+    double squared = 0;
+    std::size_t first = 0, second = 0;
+
+    auto operator<=>(const PairOfPoints&) const = default;
+};
+
 /// Counts pairs closer than `reach`, the closest first; a point takes part in its first pair alone.
 std::size_t separate_pairs(const PointSet& points, double reach, const PeriodicBox& box)
 {
-    struct Pair
-    {
-        double squared = 0;
-        std::size_t first = 0, second = 0;
-
-        auto operator<=>(const Pair&) const = default;
-    };
-    std::vector<Pair> pairs;
+    std::vector<PairOfPoints> pairs;
     const SparseGrid grid(points, reach, box);
     for (std::size_t i = 0; i < points.size(); ++i)
         grid.for_each_around(i, [&](std::size_t j) {
@@ -111,7 +112,7 @@ std::size_t separate_pairs(const PointSet& points, double reach, const PeriodicB
     std::ranges::sort(pairs);
     std::vector<bool> is_taken(points.size());
     std::size_t count = 0;
-    for (const Pair& pair : pairs) {
+    for (const PairOfPoints& pair : pairs) {
         if (is_taken[pair.first] || is_taken[pair.second]) continue;
         is_taken[pair.first] = is_taken[pair.second] = true;
         ++count;

@@ -15,6 +15,7 @@
 #include "host/settings/config_tree.hpp"
 #include "host/settings/keys/choices.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
