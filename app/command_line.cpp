@@ -8,6 +8,7 @@
 #include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "host/device/device.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "version.hpp"
 
@@ -129,6 +130,17 @@ CLI::Option* add_option(CLI::App& app, const Option& option, bool& value)
     return app.add_flag(option.name, value, option.help);
 }
 
+/// The action of a command. A device that it names must be there, also where the work turns out to need none.
+Action action_with_device(const Command& command)
+{
+    const auto option = std::ranges::find(command.options, "--device", &Option::name);
+    if (option == command.options.end()) return command.action;
+    return [action = command.action, device = std::get<std::string*>(option->target)] {
+        if (!device->empty()) Device::find(*device);
+        return action();
+    };
+}
+
 /// Makes the command part of the parser `parent`; when arguments call for it, its action joins `called`.
 void add_command(CLI::App& parent, const Command& command, std::vector<Action>& called)
 {
@@ -142,7 +154,7 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
     for (const Command& part : command.commands) add_command(app, part, called);
     if (!command.absent_module.empty()) return; // check_is_built() has seen that no arguments call for it
     if (command.action)
-        app.callback([&called, action = command.action] { called.push_back(action); });
+        app.callback([&called, action = action_with_device(command)] { called.push_back(action); });
     else
         app.require_subcommand(1);
 }

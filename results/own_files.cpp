@@ -1,6 +1,7 @@
 #include "results/own_files.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/output_place.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +48,17 @@ void check_own_file(const fs::path& file, std::span<const std::string_view> mark
                                  printable(folder.string()), name == own_pages.front() ? "an" : "a", name));
 }
 
+}
+
+void check_output_folder(const fs::path& out, const std::string& begin)
+{
+    std::error_code unknown;
+    const std::string option = fmt::format("{}--out {}: ", begin, printable(out.string()));
+    if (names_standard_output(out)) throw InputError(option + "standard output takes a file; a folder is needed");
+    if (fs::is_symlink(out, unknown) && !fs::exists(out, unknown))
+        throw InputError(option + "is a link to what is not there; a folder is needed");
+    if (fs::exists(out, unknown) && !fs::is_directory(out, unknown))
+        throw InputError(option + "is a file; a folder is needed");
 }
 
 void check_own_page(const fs::path& page) { check_own_file(page, page_marks); }

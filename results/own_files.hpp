@@ -3,11 +3,16 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 
 namespace poissonlab {
 
 /// Pages of a report beside the results; the overview is the first.
 inline constexpr std::array own_pages{"index.html", "compare.html", "claims.html"};
+
+/// Throws InputError, a line that begins with `begin` and `--out NAME: `, where no folder can be: for a file, standard
+/// output, and a link that leads nowhere. Folders that are not there yet are fine.
+void check_output_folder(const std::filesystem::path& out, const std::string& begin = {});
 
 /// Throws InputError, `--out FOLDER: has an index.html that poissonlab did not write ...`, where the page is there and
 /// is none of a report: these say in their heads what has written them.

@@ -73,6 +73,7 @@ fs::path checked_output(const std::string& command, const std::string& option, c
                         const OutputFormats& formats)
 {
     const std::string begin = fmt::format("{}: {} {}: ", command, option, printable(file.string()));
+    if (file.empty()) throw InputError(begin + "must be the name of a file");
     const fs::path name = output_name(file, formats);
     check_ending(begin, name, formats);
     const bool is_alone = formats.with_second_file.empty() || name.extension() != formats.with_second_file;

@@ -1,6 +1,7 @@
 #include "base/files/json_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +55,46 @@ nlohmann::json parsed_json(std::string_view text, const std::string& name)
     } catch (const nlohmann::json::out_of_range& error) { // a number that no double holds
         throw InputError::at({name}, fmt::format("is not JSON: {}", reason(error.what())));
     }
+}
+
+namespace {
+
+constexpr char record_separator = '\x1e';
+
+std::string_view without_separator(std::string_view line)
+{
+    const std::size_t begin = line.find_first_not_of(std::string{' ', '\t', '\r', record_separator});
+    return begin == line.npos ? std::string_view{} : line.substr(begin);
+}
+
+}
+
+bool begins_as_geojson(std::string_view text)
+{
+    return text.starts_with('{') || (text.starts_with(record_separator) && without_separator(text).starts_with('{'));
+}
+
+nlohmann::json parsed_geojson(std::string_view text, const std::string& name)
+{
+    LineReader lines(text);
+    lines.next();
+    const bool is_sequence =
+        lines.rest().find('{') != std::string_view::npos && nlohmann::json::accept(without_separator(lines.line()));
+    if (!is_sequence) return parsed_json(without_separator(text), name);
+    nlohmann::json features = nlohmann::json::array();
+    for (LineReader each(text); each.next();) {
+        const std::string_view line = without_separator(each.line());
+        if (line.empty()) continue;
+        try {
+            nlohmann::json value = parsed_json(line, name);
+            const bool is_feature = value.is_object() && value.value("type", nlohmann::json()) == "Feature";
+            features.push_back(is_feature ? std::move(value)
+                                          : nlohmann::json{{"type", "Feature"}, {"geometry", std::move(value)}});
+        } catch (const InputError& error) {
+            throw error.moved_to({name, each.number()});
+        }
+    }
+    return {{"type", "FeatureCollection"}, {"features", std::move(features)}};
 }
 
 }

@@ -17,4 +17,11 @@ nlohmann::json read_json_file(const std::filesystem::path& file);
 /// level.
 nlohmann::json parsed_json(std::string_view text, const std::string& name);
 
+/// Does a text begin as one of GeoJSON does?
+bool begins_as_geojson(std::string_view text);
+
+/// The value of a text of GeoJSON. A sequence of values, one a line (RFC 8142, with or without its separators), becomes
+/// a FeatureCollection. Throws InputError as parsed_json() does.
+nlohmann::json parsed_geojson(std::string_view text, const std::string& name);
+
 }

@@ -43,7 +43,9 @@ bool has_particles(hid_t file)
 {
     for (std::size_t type = 0; type < particle_types; ++type)
         if (has_link(file, fmt::format("PartType{}", type))) return true;
-    return false;
+    // A part of a snapshot may have none of its particles.
+    return has_link(file, "Header") && !has_link(file, "points") &&
+           group_numbers(file, "Header", "NumFilesPerSnapshot").has_value();
 }
 
 /// The attribute `domain` of the table /points: two numbers.

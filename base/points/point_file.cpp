@@ -1,11 +1,14 @@
 #include "base/points/point_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/json_file.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/flat_points.hpp"
 #include "base/points/hdf5_reading.hpp"
 #include "base/points/point_file_formats.hpp"
+#include "base/text/decimal_commas.hpp"
+#include "base/text/plain_text.hpp"
 
 #include <fmt/format.h>
 
@@ -91,7 +94,7 @@ std::vector<PointSet> read_all_coordinates(const std::filesystem::path& path, co
     if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
     if (lines.next() && trimmed(lines.line()) == ply_magic) return read_ply_points(file);
-    if (trimmed(file.bytes).starts_with('{')) return read_geojson_points(file);
+    if (begins_as_geojson(trimmed(file.bytes))) return read_geojson_points(file);
     return read_text_points(file);
 }
 
@@ -165,8 +168,13 @@ std::vector<std::filesystem::path> without_further_parts(const std::vector<std::
 {
     std::vector<std::filesystem::path> kept;
     std::map<std::filesystem::path, std::filesystem::path> first_of; // parts, and the file that names them all
+    const auto place_of = [](const std::filesystem::path& file) {    // pipes such as /dev/stdin have none
+        std::error_code unknown;
+        const auto place = std::filesystem::weakly_canonical(file, unknown);
+        return unknown ? file : place;
+    };
     for (const auto& file : files) {
-        const auto named = first_of.find(std::filesystem::weakly_canonical(file));
+        const auto named = first_of.find(place_of(file));
         if (named != first_of.end()) {
             if (told)
                 told(fmt::format("{}: is read already, as part of the snapshot of {}", printable(file.string()),
@@ -176,7 +184,7 @@ std::vector<std::filesystem::path> without_further_parts(const std::vector<std::
         kept.push_back(file);
         const auto parts = files_of_points(file);
         if (parts.size() < 2) continue;
-        for (const auto& part : parts) first_of.emplace(std::filesystem::weakly_canonical(part), file);
+        for (const auto& part : parts) first_of.emplace(place_of(part), file);
     }
     return kept;
 }
@@ -189,15 +197,6 @@ void check_no_particles(const PointReading& how, const std::filesystem::path& pa
                                      fmt::format(fmt::runtime(how.options.particles), *how.particles)));
 }
 
-std::string_view plain_text(const std::string& name, std::string_view text)
-{
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw InputError::at({name}, "is text in UTF-16, as some programs call \"Unicode\": must be saved as UTF-8");
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    return text;
-}
-
 double number_in(const PointFileContent& file, int line, std::string_view word)
 {
     double value = 0;
@@ -206,7 +205,7 @@ double number_in(const PointFileContent& file, int line, std::string_view word)
         fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy), HDF5 or UTK (.bin)");
     fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
                        allowed_coordinate(0.5 * file.domain[0].low + 0.5 * file.domain[0].high, file.domain[0]) +
-                           "; a line that is not a point starts with `# `");
+                           "; a line that is not a point starts with `# `" + decimal_comma_words(word));
 }
 
 void fail_in_point_file(const PointFileContent& file, int line, std::string_view value, std::string_view allowed)

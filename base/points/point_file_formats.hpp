@@ -133,9 +133,6 @@ std::string allowed_coordinate(double value, const CoordinateRange& range);
 /// Throws InputError where a type of particles is asked of a file that has none.
 void check_no_particles(const PointReading& how, const std::filesystem::path& path);
 
-/// Text without what editors of some systems put in front, a byte order mark. Throws InputError for UTF-16.
-std::string_view plain_text(const std::string& name, std::string_view text);
-
 /// Throws InputError `file:line: value: allowed`; line 0 is left out.
 [[noreturn]] void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,
                                      std::string_view allowed);

@@ -17,7 +17,7 @@ public:
 
     PointSet read()
     {
-        const nlohmann::json json = parsed_json(file_.bytes, file_.name);
+        const nlohmann::json json = parsed_geojson(file_.bytes, file_.name);
         add(json);
         if (set_.dimension == 0) fail_in_point_file(file_, 0, "GeoJSON", "must have a Point or a MultiPoint");
         unit_.finish();

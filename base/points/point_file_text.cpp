@@ -43,14 +43,14 @@ public:
             fail_in_point_file(file_, announced_line_, announced_, "is not the number of points, which is " + points);
     }
 
-    void add_line(std::string_view line, int number)
+    void add_line(std::string_view line, int number, std::string_view rest)
     {
         const std::string_view text = trimmed(line);
         if (text.empty()) return;
         if (text == "#") {
             end_realization(number);
         } else if (text.front() != '#') {
-            add_point(text, number);
+            add_point(text, number, rest);
         }
     }
 
@@ -71,7 +71,7 @@ private:
                                        file_.domain[0].low, file_.domain[0].high));
     }
 
-    void add_point(std::string_view text, int line)
+    void add_point(std::string_view text, int line, std::string_view rest)
     {
         if (is_announced_number(text)) {
             announced_line_ = line;
@@ -79,7 +79,7 @@ private:
             return;
         }
         if (has_ended_) fail_in_point_file(file_, line, text, "a file that is read in pieces has one set");
-        if (is_before_points() && table_.takes(text, line)) return;
+        if (is_before_points() && table_.takes(text, line, rest)) return;
         const auto words = table_.coordinates(text, line);
         const auto count = static_cast<int>(words.size());
         for (std::size_t axis = 0; axis < words.size(); ++axis) {
@@ -159,7 +159,7 @@ void stream_text_points(const PointFileContent& file, const PieceSink& sink)
     constexpr std::size_t numbers_of_piece = std::size_t{1} << 19;
     TextPoints points(file, sink);
     for (LineReader lines(file.bytes); lines.next();) {
-        points.add_line(lines.line(), lines.number());
+        points.add_line(lines.line(), lines.number(), lines.rest());
         points.hand_on(lines.rest().data(), numbers_of_piece);
     }
     points.finish_pieces();
@@ -168,7 +168,7 @@ void stream_text_points(const PointFileContent& file, const PieceSink& sink)
 std::vector<PointSet> read_text_points(const PointFileContent& file)
 {
     TextPoints points(file);
-    for (LineReader lines(file.bytes); lines.next();) points.add_line(lines.line(), lines.number());
+    for (LineReader lines(file.bytes); lines.next();) points.add_line(lines.line(), lines.number(), lines.rest());
     return points.finish();
 }
 

@@ -8,6 +8,7 @@
 #include "base/points/hdf5_reading.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/text/plain_text.hpp"
 
 #include <algorithm>
 #include <array>

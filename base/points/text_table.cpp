@@ -94,16 +94,17 @@ bool are_of_globe(const std::vector<std::string>& names)
            std::ranges::any_of(names, [](const std::string& name) { return globe_axis_of(name).has_value(); });
 }
 
-/// Are these the names that pandas gives to the columns of an array, behind its index?
-bool are_counted(const std::vector<std::string>& names)
+/// Are these the names that pandas gives to the columns of an array, behind its index or without one?
+bool are_counted(std::vector<std::string> names)
 {
-    static const std::vector<std::string> plane{"", "0", "1"}, space{"", "0", "1", "2"};
+    static const std::vector<std::string> plane{"0", "1"}, space{"0", "1", "2"};
+    if (names.front().empty()) names.erase(names.begin());
     return names == plane || names == space;
 }
 
 }
 
-bool TextTable::takes(std::string_view line, int number)
+bool TextTable::takes(std::string_view line, int number, std::string_view rest)
 {
     if (separator_ == Separator::unknown && line.size() == 5 && in_small_letters(line).starts_with("sep=") &&
         has(",;\t", line[4])) {
@@ -113,7 +114,7 @@ bool TextTable::takes(std::string_view line, int number)
     if (!names_.empty()) return false;
     find_separator(line);
     split(line, number);
-    if (!are_names()) {
+    if (!are_names(rest)) {
         if (separator_ == Separator::comma || separator_ == Separator::blank) separator_ = Separator::blank_or_comma;
         return false;
     }
@@ -164,10 +165,14 @@ void TextTable::split(std::string_view line, int number)
     }
 }
 
-bool TextTable::are_names() const
+/// Without the index of pandas its names may be numbers, which they are not where fractions follow.
+bool TextTable::are_names(std::string_view rest) const
 {
     const std::vector<std::string> names(fields_.begin(), fields_.end());
-    if (are_counted(names)) return true;
+    if (are_counted(names)) {
+        LineReader next(rest);
+        return names.front().empty() || (separator_ == Separator::comma && next.next() && has(next.line(), '.'));
+    }
     const auto is_axis = [](const std::string& name) { return axis_of(name) || globe_axis_of(name); };
     return std::ranges::none_of(names, is_a_number) && std::ranges::any_of(names, is_a_word) &&
            (separator_ != Separator::blank || std::ranges::any_of(names, is_axis));
@@ -178,11 +183,14 @@ void TextTable::take_names(int number)
     names_.assign(fields_.begin(), fields_.end());
     std::array<std::optional<std::size_t>, 3> found;
     std::vector<std::string> others;
-    const bool of_globe = are_of_globe(names_);
+    const bool of_globe = are_of_globe(names_), is_counted = are_counted(names_);
+    const std::size_t count = names_.size() - names_.front().empty();
+    if (is_counted && count == names_.size())
+        file_.tell("its first line is taken for the names that pandas gives to columns");
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        const auto axis = are_counted(names_) && i > 0 ? std::optional(i - 1)
-                          : of_globe                   ? globe_axis_of(names_[i])
-                                                       : axis_of(names_[i]);
+        const auto axis = is_counted && !names_[i].empty() ? std::optional(i - (names_.size() - count))
+                          : of_globe                       ? globe_axis_of(names_[i])
+                                                           : axis_of(names_[i]);
         if (!axis) {
             others.push_back(names_[i].empty() ? "one without a name" : names_[i]);
         } else if (found[*axis]) {
@@ -192,7 +200,7 @@ void TextTable::take_names(int number)
         }
     }
     if (!found[0] || !found[1])
-        fail_in_point_file(file_, number, fmt::format("{}", fmt::join(names_, ", ")),
+        fail_in_point_file(file_, number, names_in_words(),
                            "is no point, nor names of columns: among these must be x and y, of points in space z, or "
                            "longitude and latitude");
     for (const auto& column : found)
@@ -203,6 +211,11 @@ void TextTable::take_names(int number)
                                : found[2] ? "x, y and z"
                                           : "x and y",
                                fmt::join(others, ", ")));
+}
+
+std::string TextTable::names_in_words() const
+{
+    return shortened(printable(fmt::format("{}", fmt::join(names_, ", "))), 100);
 }
 
 std::span<const std::string_view> TextTable::coordinates(std::string_view line, int number)
@@ -227,8 +240,10 @@ std::span<const std::string_view> TextTable::coordinates(std::string_view line, 
 /// R writes names of rows in a first column, which has no name itself.
 void TextTable::check_fields(std::string_view line, int number)
 {
+    const bool is_numbered = separator_ != Separator::comma && // which may be a decimal one
+                             fields_.front().find_first_not_of("0123456789") == std::string_view::npos;
     if (std::exchange(is_first_point_, false) && fields_.size() == names_.size() + 1 &&
-        (line.starts_with('"') || !is_a_number(fields_.front()))) {
+        (line.starts_with('"') || is_numbered || !is_a_number(fields_.front()))) {
         has_row_names_ = true;
         if (columns_.size() == names_.size()) file_.tell("the names of rows, in front, are left out");
     }
@@ -237,7 +252,7 @@ void TextTable::check_fields(std::string_view line, int number)
     const std::string hint = has_decimal_commas() ? "" : decimal_comma_words(line);
     fail_in_point_file(
         file_, number, fmt::format("{} {}", fields_.size(), noun(fields_.size(), "field")),
-        fmt::format("must be {}, as the names of the columns say ({}){}", needed, fmt::join(names_, ", "), hint));
+        fmt::format("must be {}, as the names of the columns say ({}){}", needed, names_in_words(), hint));
 }
 
 /// Throws where commas stand within numbers, as many languages write decimals: "12,5 7" is no point in space.

@@ -22,9 +22,9 @@ class TextTable
 public:
     explicit TextTable(const PointFileContent& file) : file_(file) {}
 
-    /// Takes a line before all points. True where it is about the table, and no point. Throws InputError for names
-    /// without x and y.
-    bool takes(std::string_view line, int number);
+    /// Takes a line before all points; `rest` is the text behind it. True where it is about the table, and no point.
+    /// Throws InputError for names without x and y.
+    bool takes(std::string_view line, int number, std::string_view rest);
 
     /// The words of a point's coordinates, until the next line. Throws InputError.
     std::span<const std::string_view> coordinates(std::string_view line, int number);
@@ -42,8 +42,9 @@ private:
 
     void find_separator(std::string_view line);
     void split(std::string_view line, int number);
-    bool are_names() const;
+    bool are_names(std::string_view rest) const;
     void take_names(int number);
+    std::string names_in_words() const;
     /// Decimal commas are read where no comma separates numbers.
     bool has_decimal_commas() const { return separator_ == Separator::semicolon || separator_ == Separator::tab; }
     void check_fields(std::string_view line, int number);

@@ -3,6 +3,7 @@
 #include "base/regions/space_region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace poissonlab {
@@ -15,6 +16,11 @@ bool begins_with(std::string_view text, std::string_view word)
 }
 
 namespace {
+
+/// Kinds of shapes that WKT has and that are not read.
+constexpr std::array unread_wkt{"CURVE",        "SURFACE",    "CIRCULARSTRING",    "COMPOUNDCURVE",
+                                "CURVEPOLYGON", "LINEARRING", "POLYHEDRALSURFACE", "TIN",
+                                "TRIANGLE"};
 
 /// The word alone, before a bracket or before blanks: what goes on otherwise is a file's name, such as points.geojson.
 bool begins_with_whole(std::string_view text, std::string_view word)
@@ -32,7 +38,9 @@ bool is_wkt_text(std::string_view text)
     for (const char* word : {"POLYGON", "POINT", "LINESTRING", "GEOMETRYCOLLECTION"})
         for (const char* dimensions : {"", "Z", "M", "ZM"})
             if (begins_with_whole(text, std::string(word) + dimensions)) return true;
-    return false;
+    // Others are not known here, which their reader says: a bracket tells them from names of files.
+    return text.find('(') != text.npos &&
+           std::ranges::any_of(unread_wkt, [&](const char* word) { return begins_with_whole(text, word); });
 }
 
 std::string_view without_blanks_around(std::string_view text)

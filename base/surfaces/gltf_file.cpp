@@ -92,6 +92,8 @@ void GltfFile::check_version() const
     const StoredObject asset = root_->object("asset");
     if (const std::string version = asset.text("version"); !version.starts_with("2."))
         throw asset.error("version", "only glTF 2 is read");
+    if (asset.has("minVersion") && asset.text("minVersion") != "2.0")
+        throw asset.error("minVersion", "only glTF 2.0 is read");
 }
 
 void GltfFile::check_extensions() const
@@ -102,6 +104,16 @@ void GltfFile::check_extensions() const
             fail(fmt::format("extensionsRequired: {} is not known here, and without it the file cannot be read right: "
                              "store it without this extension",
                              shortened(name)));
+}
+
+std::vector<std::string> GltfFile::notes() const
+{
+    std::vector<std::string> unknown;
+    if (root_->has("extensionsUsed")) unknown = root_->texts("extensionsUsed");
+    std::erase_if(unknown, [](const std::string& name) { return is_known_extension(name); });
+    for (std::string& name : unknown)
+        name = "the extension " + shortened(printable(name)) + " of the file is not known here: it was left out";
+    return unknown;
 }
 
 std::vector<StoredObject> GltfFile::list(const std::string& name) const

@@ -26,6 +26,9 @@ public:
 
     const StoredObject& root() const { return *root_; }
 
+    /// A sentence for each extension that the file uses, does not require, and that is not known here.
+    std::vector<std::string> notes() const;
+
     /// A list of objects of the file; empty where there is none.
     std::vector<StoredObject> list(const std::string& name) const;
 

@@ -33,6 +33,7 @@ public:
     PolygonSoup read()
     {
         constexpr Movement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+        soup_.notes = content_.notes();
         for (const std::size_t node : roots()) add_node(node, unmoved, 0);
         if (soup_.texture_points.empty()) soup_.texture_corners.clear();
         return std::move(soup_);

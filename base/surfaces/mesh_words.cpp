@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "base/text/plain_text.hpp"
 
 #include <fmt/format.h>
 
@@ -29,9 +30,7 @@ MeshWords::MeshWords(const std::string& file, std::string_view text, Lines lines
 
 std::string_view MeshWords::text_of_mesh(const std::string& file, std::string_view text, std::string& changed)
 {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw InputError::at({file}, "is text of UTF-16: store it as UTF-8");
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    text = plain_text(file, text);
     if (!has_lone_return(text)) return text;
     changed.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i)

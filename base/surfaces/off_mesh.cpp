@@ -151,7 +151,7 @@ std::optional<OffKeyword> off_keyword(std::string_view word)
     keyword.has_normals = skip("N");
     keyword.has_weights = skip("4");
     keyword.has_dimension = skip("n");
-    if (!skip("OFF") || word.find_first_not_of("0123456789") != word.npos) return std::nullopt;
+    if ((!skip("OFF") && !skip("off")) || word.find_first_not_of("0123456789") != word.npos) return std::nullopt;
     keyword.glued = word;
     return keyword;
 }

@@ -24,7 +24,9 @@ class LazyDevice
 public:
     LazyDevice(std::string selector, unsigned threads, Engine engine)
         : selector_(std::move(selector)), threads_(threads), engine_(engine)
-    {}
+    {
+        if (!selector_.empty()) Device::find(selector_, needs_); // a device that was named must be there
+    }
 
     /// The default device is one that meets these needs, if there is one. Before the device is used.
     void look_for(const KernelNeeds& needs) { needs_ = needs; }

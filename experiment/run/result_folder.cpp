@@ -68,8 +68,7 @@ bool looks_like_series(const fs::path& folder)
 void ResultFolder::check(const fs::path& out, const std::vector<std::string>& series)
 {
     std::error_code error;
-    if (fs::exists(out, error) && !fs::is_directory(out, error))
-        throw InputError("--out " + out.string() + ": is a file; a folder is needed");
+    check_output_folder(out);
     if (fs::exists(out / file_names::collection, error))
         throw InputError("--out " + out.string() + ": is the folder of a collection; choose another folder");
     check_own_files(out);

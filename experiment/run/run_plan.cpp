@@ -41,9 +41,8 @@ std::vector<PlannedRun> plan_collection(const Collection& collection, const RunO
 /// Throws InputError where `out` is not for collections.
 void check_collection_folder(const fs::path& out)
 {
+    check_output_folder(out);
     std::error_code error;
-    if (fs::exists(out, error) && !fs::is_directory(out, error))
-        throw InputError("--out " + out.string() + ": is a file; a folder is needed");
     if (fs::exists(out / file_names::results, error))
         throw InputError("--out " + out.string() +
                          ": has the results of a single run; a collection needs a folder of its own");

@@ -75,6 +75,7 @@ DistributionPlace place_of(const std::string& name, const std::string& engine, c
     if (!found)
         throw InputError(fmt::format("{}: engine = {}: must be one of \"{}\"{}", name, engine,
                                      fmt::join(engines.all(), "\", \""), did_you_mean(engine, engines.all())));
+    if (!device.empty()) Device::find(device); // throws where there is none of this name, whatever the work needs
     const auto opened = std::make_shared<std::optional<Device>>();
     return {*found,
             [opened, device]() -> Device& {

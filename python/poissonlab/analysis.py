@@ -345,18 +345,38 @@ def to_unit(points, ranges, name):
     return numpy.minimum((points - low) / (high - low), 1 - 2.0**-53)
 
 
+def without_rounding(item, ranges, name):
+    """The set of an argument. A few coordinates of float32 that rounding has put on the ends of a domain lie at its begin,
+    as those of files do: 0.99999999 becomes 1."""
+    given = numpy.asarray(item)
+    points = numpy.asarray(given, dtype=float)
+    ranges = numpy.asarray(ranges or [(0, 1)], dtype=float)
+    if given.dtype.kind != "f" or given.dtype.itemsize >= 8 or points.ndim != 2 or len(ranges) not in (1, points.shape[1]):
+        return points
+    low, high = numpy.broadcast_to(ranges, (points.shape[1], 2)).T
+    reach = numpy.finfo(given.dtype).eps / 2 * numpy.maximum(abs(low), abs(high))
+    rounded = ((points >= high) & (points <= high + reach)) | ((points < low) & (points >= low - reach))
+    if 0 < rounded.sum() <= max(3, points.size // 10000):
+        warnings.warn(f"{name}: {rounded.sum()} of {points.size} coordinates lie on the end of the domain by rounding: taken "
+                      "as its begin, as on the torus", stacklevel=4)
+        return numpy.where(rounded, low, points)
+    return points
+
+
 def sets_of(points, ranges, particles, label):
     """The sets that an argument stands for, a list of arrays of shape (points, dimension)."""
-    is_one = isinstance(points, (str, os.PathLike)) or (isinstance(points, numpy.ndarray) and points.ndim == 2)
+    is_one = isinstance(points, (str, os.PathLike)) or (hasattr(points, "__array__") and numpy.ndim(points) == 2)
     items = [points] if is_one else list(points)
     if items and all(isinstance(item, (str, os.PathLike)) for item in items):
         return _poissonlab.read_points(items, ranges, particles, True, 3)
     if particles is not None:
         raise _poissonlab.InputError(f"analyze: particles={particles}: is for files of snapshots")
-    arrays = [numpy.asarray(item, dtype=float) for item in items]
-    if arrays and arrays[0].ndim < 2:  # its items are points
-        arrays = [numpy.asarray(items, dtype=float)]
-    if ranges is None or numpy.isinf(ranges[0][0]):
+    if items and numpy.ndim(items[0]) < 2:  # its items are points
+        items = [items]
+    if ranges is not None and numpy.isinf(ranges[0][0]):
+        return [numpy.asarray(item, dtype=float) for item in items]
+    arrays = [without_rounding(item, ranges, f"{label}: realization {i}") for i, item in enumerate(items)]
+    if ranges is None:
         return arrays
     return [to_unit(array, ranges, f"{label}: realization {i}") for i, array in enumerate(arrays)]
 

@@ -133,6 +133,12 @@ protected:
         folder_.write("mixed.csv", "x;y\n0,5;0.25\n");
         folder_.write("wide.csv", "x,y\n120.5,8\n511.7,300\n12,64.5\n88,500.5\n");
         write_points(folder_.path() / "glass.hdf5", {3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}});
+        folder_.write("utf16.geojson", std::string_view("\xff\xfe{\0", 4));
+        folder_.write("array.npz", "PK\x03\x04");
+        folder_.write("long.txt", "# domain 0:1000 0:1\n5 0.5\n");
+        folder_.write("packed.obj", "\x1f\x8b\x08");
+        folder_.write("lines.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 2]}\n{\"type\": 1\n");
+        std::filesystem::create_symlink("nowhere", folder_.path() / "link");
         std::filesystem::create_directory(folder_.path() / "folder");
         std::filesystem::current_path(folder_.path());
         said_of("tiles build corner --colors 2 --points 4 --relative-radius 0.4 --lloyd 1 --engine reference --quiet "

@@ -110,7 +110,10 @@ ConfigTable box_entry(const AnalyzeOptions& options, const std::vector<double>& 
             "plane within it, give it as --region, such as \"rectangle 0 0 2 1\"");
     ConfigList list;
     for (const double side : sides) list.push_back({side, {}, fmt::format("{}", side)});
-    return entry_of("--domain", "box", list, {});
+    ConfigTable entries = entry_of("--domain", "box", list, {});
+    if (options.domain.empty()) // the file says it
+        entries.front().node.location.file = printable(options.files.front().string()) + ": its box";
+    return entries;
 }
 
 void check_periodic(const AnalyzeOptions& options)

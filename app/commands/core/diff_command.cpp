@@ -1,6 +1,7 @@
 // poissonlab diff: which numbers of two results changed beyond their error.
 #include "app/commands/command.hpp"
 #include "reports/diff/compare_runs.hpp"
+#include "results/own_files.hpp"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,7 @@ struct DiffOptions
 /// Prints what changed between two results. Returns the exit status.
 int diff(const DiffOptions& options)
 {
+    if (!options.out.empty()) check_output_folder(options.out, "diff: ");
     const auto [changed, text] = compare_runs(options.before, options.after, options.out,
                                               options.json  ? "json"
                                               : options.all ? "all"

@@ -2,6 +2,7 @@
 #include "app/commands/command.hpp"
 #include "experiment/run/progress.hpp"
 #include "reports/site/export.hpp"
+#include "results/own_files.hpp"
 
 namespace poissonlab {
 namespace {
@@ -25,6 +26,7 @@ struct ExportOptions
 
 void export_files(const ExportOptions& options)
 {
+    check_output_folder(options.out, "export: ");
     Progress progress(Progress::detect(options.quiet));
     const bool all = !options.plots && !options.points && !options.gallery && !options.claims;
     export_results(options.folders, options.out,

@@ -5,6 +5,7 @@
 #include "base/text/noun.hpp"
 #include "experiment/run/progress.hpp"
 #include "experiment/store/unit_store.hpp"
+#include "results/own_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,7 @@ void merge(const MergeOptions& options)
         if (!std::filesystem::is_directory(folder / unit_folder_name))
             throw InputError(fmt::format("merge: {}: has no {} folder; output folders of `run --shard` are needed",
                                          folder.string(), unit_folder_name));
+    check_output_folder(options.out, "merge: ");
     UnitStore store(options.out / unit_folder_name);
     auto merged = nlohmann::ordered_json::array();
     Progress progress(Progress::detect(options.quiet || options.as_json));

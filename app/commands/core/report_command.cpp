@@ -2,6 +2,7 @@
 #include "app/commands/command.hpp"
 #include "app/commands/core/finish_report.hpp"
 #include "base/errors/errors.hpp"
+#include "results/own_files.hpp"
 
 namespace poissonlab {
 namespace {
@@ -21,6 +22,7 @@ void report(const ReportOptions& options)
         throw InputError("report: --out is missing: with several folders it must say where the report goes");
     Progress progress(Progress::detect(options.quiet));
     const auto out = options.out.empty() ? options.folders.front() : options.out;
+    check_output_folder(out, "report: ");
     finish_report(options.folders, out, progress, options.print ? PrintPictures::drawn : PrintPictures::none,
                   options.gallery ? Gallery::laid_behind : Gallery::offered);
 }

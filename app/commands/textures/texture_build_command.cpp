@@ -9,6 +9,7 @@
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/texture_build.hpp"
+#include "results/own_files.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 #include "tiles/texture/tiling_measures.hpp"
@@ -43,13 +44,6 @@ struct TextureBuildOptions : KindOptions
     using KindOptions::KindOptions;
     std::filesystem::path out;
 };
-
-void check_folder(const std::filesystem::path& folder)
-{
-    std::error_code unknown;
-    if (std::filesystem::exists(folder, unknown) && !std::filesystem::is_directory(folder, unknown))
-        throw InputError(fmt::format("texture build: --out {}: is not a folder", folder.string()));
-}
 
 /// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.
 std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t seed)
@@ -153,7 +147,7 @@ BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSett
 void build_texture_tiles(const TextureBuildOptions& options)
 {
     const KindSettings read = options.settings();
-    check_folder(options.out);
+    check_output_folder(options.out, "texture build: ");
     const auto begin = std::chrono::steady_clock::now();
     const BuiltTexture built = built_texture(options, read.as<TextureSettings>());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -180,9 +180,7 @@ void check_export(const TextureExportOptions& o)
             fmt::format("texture export: --relief {}: must be a number greater than 0 and at most 10000", o.relief));
     if (!std::isnan(o.relief) && o.normals.empty())
         throw InputError("texture export: --relief: goes with --normals, whose heights it is for");
-    std::error_code unknown;
-    if (std::filesystem::exists(o.out, unknown) && !std::filesystem::is_directory(o.out, unknown))
-        throw InputError(fmt::format("texture export: --out {}: is not a folder", o.out.string()));
+    check_output_folder(o.out, "texture export: ");
     const bool has_page = o.formats.empty() || std::ranges::find(o.formats, "page") != o.formats.end();
     if (has_page) check_own_page(o.out / page_name);
 }

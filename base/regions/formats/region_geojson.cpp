@@ -138,7 +138,7 @@ std::string system_of(const GeoJson& object)
 
 RegionShapes shapes_of_geojson(std::string_view text, const std::string& name)
 {
-    const GeoJson json = parsed_json(text, name);
+    const GeoJson json = parsed_geojson(text, name);
     GeoJsonReader reader(name);
     reader.add(json, "");
     reader.found.system = system_of(json);

@@ -2,12 +2,14 @@
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/regions/formats/region_shapes.hpp"
+#include "base/regions/region_words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -25,11 +27,13 @@ public:
 
     RegionShapes read()
     {
-        read_srid();
-        read_geometry(0);
-        skip_blanks();
-        if (rest_.starts_with(';')) rest_.remove_prefix(1);
-        skip_blanks();
+        do { // files may have several, one a line
+            read_srid();
+            read_geometry(0);
+            skip_blanks();
+            if (rest_.starts_with(';')) rest_.remove_prefix(1);
+            skip_blanks();
+        } while (is_wkt_text(rest_));
         if (!rest_.empty()) throw problem("goes on after its end: " + shown_rest());
         return std::move(found_);
     }
@@ -53,7 +57,11 @@ private:
         const std::string number(rest_.substr(5, end - 5));
         if (rest_[4] != '=' || number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
             throw problem(shortened(printable(rest_.substr(0, end))) + ": must be SRID= and a number");
-        if (number.find_first_not_of('0') != std::string::npos) found_.system = "EPSG:" + number;
+        if (number.find_first_not_of('0') != std::string::npos) {
+            const std::string before = std::exchange(found_.system, "EPSG:" + number);
+            if (!before.empty() && before != found_.system)
+                throw problem(fmt::format("has several systems of coordinates, {} and {}", before, found_.system));
+        }
         rest_.remove_prefix(end + 1);
     }
 

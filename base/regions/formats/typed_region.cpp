@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
+#include "base/files/json_file.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/regions/region_raster.hpp"
@@ -9,13 +10,16 @@
 #include "base/regions/region_words.hpp"
 #include "base/regions/space_region.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "base/text/plain_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <optional>
+#include <system_error>
 
 namespace poissonlab {
 namespace {
@@ -93,13 +97,18 @@ bool has_drawing_name(std::string_view file)
 
 }
 
+/// A longer text that is no file was meant to say a region, and is not shown as a whole.
+constexpr std::size_t longest_absent_name = 250;
+
 const char* const no_region =
     "is neither GeoJSON nor WKT, nor a picture or drawing, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS, "
     "formula X0 Y0 X1 Y1 EXPRESSION or path M... of SVG";
 
 TypedRegion::TypedRegion(const std::string& text, bool is_along)
 {
-    const bool is_file = !is_region_text(text);
+    std::error_code unknown;
+    const bool is_file =
+        !is_region_text(text) && (text.size() <= longest_absent_name || std::filesystem::exists(text, unknown));
     name = is_file ? printable(text) : shortened(printable(text), 40);
     if (is_file && has_drawing_name(text)) {
         kind = TypedKind::shape;
@@ -115,10 +124,12 @@ TypedRegion::TypedRegion(const std::string& text, bool is_along)
         shapes.shapes.polygons = region_of_picture(text).polygons;
         return;
     }
-    const std::string content(without_blanks_around(is_file ? read_whole_file(text) : text));
+    const std::string file = is_file ? read_whole_file(text) : "";
+    const std::string content(without_blanks_around(is_file ? plain_text(name, file) : text));
+    if (is_file && content.empty()) throw InputError(name + ": is empty");
     if (is_space_region_text(content))
         throw InputError(name + ": is a region of space; this takes regions of the plane");
-    if (content.starts_with('{')) {
+    if (begins_as_geojson(content)) {
         kind = TypedKind::json;
         shapes = shapes_of_geojson(content, name);
     } else if (is_wkt_text(content)) {
@@ -126,10 +137,15 @@ TypedRegion::TypedRegion(const std::string& text, bool is_along)
         shapes = shapes_of_wkt(content, name);
     } else if (is_along && begins_with(content, "path ")) {
         kind = TypedKind::shape;
-        shapes.shapes.lines = lines_of_svg_path(content, shortened(printable(content), 40));
+        shapes.shapes.lines = lines_of_svg_path(content, is_file ? name : shortened(printable(content), 40));
     } else if (is_region_text(content)) {
         kind = TypedKind::shape;
-        shapes.shapes.polygons = shape_of(content).polygons;
+        try {
+            shapes.shapes.polygons = shape_of(content).polygons;
+        } catch (const InputError& error) {
+            if (!is_file) throw;
+            throw InputError(name + ": " + error.what());
+        }
     }
 }
 

@@ -58,8 +58,13 @@ std::optional<MapSystem> said_system(const TypedRegion& typed, const RegionReadi
 std::optional<MapSystem> source_system(const TypedRegion& typed, const RegionReading& reading)
 {
     const auto said = said_system(typed, reading);
-    if (said || reading.is_planar || !typed.is_wkt()) return said;
+    if (said || reading.is_planar || (!typed.is_wkt() && !typed.is_json())) return said;
     const RegionBox box = box_of_all(typed.shapes.shapes);
+    const RegionBox turned{{box.low[1], box.low[0]}, {box.high[1], box.high[0]}};
+    if (!fits_globe(box) && fits_globe(turned) && is_far_away(box))
+        throw InputError(fmt::format("{}: coordinates from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) look like latitude and "
+                                     "longitude: longitude must come first, or planar say that they are lengths",
+                                     typed.name, box.low[0], box.low[1], box.high[0], box.high[1]));
     if (fits_globe(box) && is_far_away(box)) refuse_degrees(box, typed.name, "it is small and far from 0");
     return {};
 }

@@ -3,6 +3,7 @@
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/text/noun.hpp"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -136,12 +137,13 @@ std::optional<double> millimetres_of(std::string_view text)
 Plot plot_of(const MarkGroup& marks, double width, double height, const PlotSheet& sheet)
 {
     const double scale = sheet.width > 0 ? sheet.width / width : 1;
-    Plot plot{width * scale, height * scale, sheet, {}, 0, 0, 0};
+    Plot plot{width * scale, height * scale, sheet, {}};
     std::vector<Stroke> strokes = strokes_on(marks, height, scale);
     plot.way_as_made = way_of(strokes);
     if (sheet.travel == PenTravel::nearest) strokes = nearest_first(strokes);
     plot.way = way_of(strokes);
     for (const Stroke& stroke : strokes) {
+        if (sheet.pen > stroke[4] * (1 + 1e-9)) ++plot.narrow;
         if (!is_dot(stroke)) {
             plot.marks.strokes.push_back(sheet.pen > 0 ? with_pen(stroke, sheet.pen) : stroke);
             continue;
@@ -161,6 +163,9 @@ std::string plot_words(const Plot& plot)
     if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
         words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
                              plot.widest_hole);
+    if (plot.narrow > 0)
+        words += fmt::format("; the pen is wider than {} {}, which become too dark: a thinner pen or fewer dots fit",
+                             plot.narrow, noun(plot.narrow, "mark"));
     return words;
 }
 

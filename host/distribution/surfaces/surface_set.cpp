@@ -142,8 +142,8 @@ std::vector<std::string> SurfaceMesh::notes() const
     if (mesh.divided > 0)
         notes.push_back(counted(mesh.divided, "face", "faces") + " of more than three corners became triangles");
     if (const std::size_t dropped = surface.flat + mesh.dropped; dropped > 0)
-        notes.push_back(counted(dropped, "face", "faces") +
-                        " without an area, or that no triangles fill, were left out");
+        notes.push_back(counted(dropped, "face", "faces") + " without an area, or that no triangles fill, " +
+                        (dropped == 1 ? "was" : "were") + " left out");
     if (surface.open_edges > 0)
         notes.push_back("the surface is open: " + counted(surface.open_edges, "edge has a face", "edges have faces") +
                         " on one side only, and beyond it no points keep others away");

@@ -243,7 +243,7 @@ TEST_F(TextureCommand, WrongArguments)
     expect_error("build corner --colors 2 --size 16 --exemplar none.png --out o",
                  "texture build: --exemplar none.png: no such file: must be a picture's file");
     expect_error("build corner --colors 2 --size 16 --exemplar noise.png --out noise.png",
-                 "texture build: --out noise.png: is not a folder");
+                 "texture build: --out noise.png: is a file; a folder is needed");
     expect_error("build corner --colors 2 --size 16 --exemplar /dev/null --out o",
                  "texture build: --exemplar /dev/null: is a device, no file: must be a picture's file");
     const std::string whole = content_of(folder_.path() / "noise.png");

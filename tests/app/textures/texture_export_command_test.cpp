@@ -273,7 +273,7 @@ TEST_F(TextureExport, SaysWhatIsWrong)
                  "texture export: normals of bumps: there is no such companion; there are: height");
     expect_error("export set --normals height --relief 0 --out e",
                  "texture export: --relief 0: must be a number greater than 0 and at most 10000");
-    expect_error("export set --out noise.png", "texture export: --out noise.png: is not a folder");
+    expect_error("export set --out noise.png", "texture export: --out noise.png: is a file; a folder is needed");
     build("omega --colors 4", "omega");
     expect_error(
         "export omega --normals height --out e",

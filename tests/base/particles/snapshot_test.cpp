@@ -177,8 +177,9 @@ for k, rows in enumerate([x[:300], x[300:300], x[300:]]):
              NumFilesPerSnapshot=3)
     snapshot('t_%03d.hdf5' % k, {1: rows}, NumPart_Total=counts(1, 729), NumFilesPerSnapshot=3)
     snapshot('u.%03d.hdf5' % k, {1: rows} if len(rows) else {0: rows}, NumFilesPerSnapshot=3)
+    snapshot('v.%d.hdf5' % k, {1: rows} if len(rows) else {}, NumFilesPerSnapshot=3)
 )");
-    for (const std::string name : {"s.0.hdf5", "s.1.hdf5", "s.2.hdf5", "u.000.hdf5", "u.001.hdf5"}) {
+    for (const std::string name : {"s.0.hdf5", "s.1.hdf5", "s.2.hdf5", "u.000.hdf5", "u.001.hdf5", "v.1.hdf5"}) {
         expect_x(name);
         EXPECT_THAT(told(name), ElementsAre(name + ": is read with all 3 files of its snapshot"));
     }

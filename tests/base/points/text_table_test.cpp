@@ -58,6 +58,16 @@ TEST(TextTable, LeavesOutOtherColumnsWithAWord)
     EXPECT_EQ(table(",0,1,2\n0,0.5,0.25,0.375\n1,0.125,0.75,0.625\n"), two_in_space);
 }
 
+TEST(TextTable, TakesNumbersForNamesWhereFractionsFollow)
+{
+    EXPECT_EQ(table("0,1\n0.5,0.25\n0.125,0.75\n"), two); // pandas, of an array, index=False
+    EXPECT_THAT(told_of("0,1\n0.5,0.25\n"),
+                ElementsAre("a.csv: its first line is taken for the names that pandas gives to columns"));
+    EXPECT_EQ(table("0,1,2\n0.5,0.25,0.375\n0.125,0.75,0.625\n"), two_in_space);
+    EXPECT_EQ(table("# domain 0:8\n0,1\n4,2\n"), (PointSet{2, {0, 0.125, 0.5, 0.25}}));
+    EXPECT_EQ(table("# domain 0:8\n0 1\n4.0 2.0\n"), (PointSet{2, {0, 0.125, 0.5, 0.25}}));
+}
+
 TEST(TextTable, LeavesOutClassesAsPlyDoes)
 {
     const ReadSet ply =
@@ -72,6 +82,8 @@ TEST(TextTable, LeavesOutRowNamesAsRWritesThem)
     const char* blanks = "\"x\" \"y\"\n\"1\" 0.5 0.25\n\"2\" 0.125 0.75\n"; // write.table
     EXPECT_EQ(table(blanks), two);
     EXPECT_THAT(told_of(blanks), ElementsAre("a.csv: the names of rows, in front, are left out"));
+    EXPECT_EQ(table("x y\n1 0.5 0.25\n2 0.125 0.75\n"), two); // write.table, quote = FALSE
+    EXPECT_THAT(input_error_of("a.csv", "x y\n0.1 0.5 0.25\n"), HasSubstr("a.csv:2: 3 fields: must be 2"));
     EXPECT_EQ(table("x y\noak 0.5 0.25\nelm 0.125 0.75\n"), two);
     EXPECT_THAT(input_error_of("a.csv", "x,y\n0.1,0.5,0.25\n"), // not a name
                 HasSubstr("a.csv:2: 3 fields: must be 2, as the names of the columns say (x, y)"));
@@ -129,6 +141,8 @@ TEST(TextTable, NamesTheFieldThatIsWrong)
               "a.csv:3: 1 field: must be 2, as the names of the columns say (x, y)");
     EXPECT_THAT(input_error_of("a.csv", "id,x,y\n\"1,0.5,0.5\n"),
                 HasSubstr("a quote stays open, or text goes on behind a closing one"));
+    EXPECT_THAT(input_error_of("a.csv", "x,y\n\"0,5\",\"0,25\"\n"),
+                HasSubstr("the comma of \"0,5\" is no decimal point: must be 0.5"));
     EXPECT_EQ(input_error_of("a.csv", "0.5;;0.5\n"), "a.csv:1: nothing between separators: must be a number");
 }
 

@@ -49,6 +49,16 @@ TEST(WktShapes, AreCollectionsAndMayBeEmpty)
                 HasSubstr("has no polygon: the region is empty"));
 }
 
+TEST(WktShapes, MayBeSeveral)
+{
+    const RegionShapes read = wkt("POLYGON ((0 0, 1 0, 0 1, 0 0));\r\nSRID=25832;POINT (1 2)\nSRID=25832;POINT EMPTY");
+    EXPECT_THAT(read.shapes.polygons, SizeIs(1));
+    EXPECT_THAT(read.shapes.points, SizeIs(1));
+    EXPECT_EQ(read.system, "EPSG:25832");
+    EXPECT_THAT(message_of([] { wkt("SRID=25832;POINT (1 2)\nSRID=4326;POINT (1 2)"); }),
+                HasSubstr("has several systems of coordinates, EPSG:25832 and EPSG:4326"));
+}
+
 TEST(WktShapes, AreRefusedByWhatIsWrong)
 {
     for (const auto& [text, words] : std::initializer_list<std::pair<std::string, std::string>>{
@@ -66,6 +76,22 @@ TEST(WktShapes, AreRefusedByWhatIsWrong)
     std::string nested = "POINT (1 2)";
     for (int i = 0; i < 40; ++i) nested = "GEOMETRYCOLLECTION (" + nested + ")";
     EXPECT_THAT(message_of([&] { wkt(nested); }), HasSubstr("collections are nested too deep"));
+}
+
+TEST(GeoJsonSequences, AreLayers)
+{
+    const std::string square = R"({"type": "Polygon", "coordinates": [[[0,0],[900,0],[900,900],[0,0]]]})";
+    const std::string point = R"({"type": "Feature", "id": 7, "geometry": {"type": "Point", "coordinates": [1,2]}})";
+    for (const std::string& text :
+         {square + "\n" + point, "\x1e" + square + "\n\x1e" + point + "\n", square + "\r\n\r\n" + point + "\r\n"}) {
+        const RegionShapes read = shapes_of_geojson(text, "g");
+        EXPECT_THAT(read.shapes.polygons, SizeIs(1)) << text;
+        EXPECT_THAT(read.shapes.points, SizeIs(1)) << text;
+        EXPECT_THAT(read.ids, ElementsAre("0", "7")) << text;
+    }
+    EXPECT_THAT(shapes_of_geojson("\x1e" + square, "g").shapes.polygons, SizeIs(1));
+    EXPECT_THAT(message_of([&] { shapes_of_geojson(square + "\n" + point + "\n{\"type\": 1\n", "g"); }),
+                HasSubstr("g:3: is not JSON"));
 }
 
 TEST(GeoJsonFeatures, TellWhichOfThemAPointLiesIn)

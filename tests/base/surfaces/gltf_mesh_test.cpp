@@ -121,6 +121,8 @@ TEST_F(GltfFiles, SayWhatIsWrong)
                 EndsWith("a.gltf: has no faces: no node of its scene has a mesh of triangles"));
     EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "1.0"}})"),
                 EndsWith("a.gltf: asset.version = \"1.0\": only glTF 2 is read"));
+    EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.1", "minVersion": "2.1"}})"),
+                EndsWith("a.gltf: asset.minVersion = \"2.1\": only glTF 2.0 is read"));
     EXPECT_THAT(refusal("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
                                       "nodes": [{"translation": [1, 2, 3]}]})"),
                 EndsWith("a.gltf: has no faces: no node of its scene has a mesh of triangles"));

@@ -71,8 +71,10 @@ TEST(Plots, AllowForThePen)
     EXPECT_THAT(plot_svg(plot), HasSubstr("fill=\"none\" stroke=\"#000000\" stroke-width=\"0.5\""));
     for (const auto& circle : elements_of(plot_svg(plot), "circle")) EXPECT_EQ(circle[2], 1.75);
     // A pen that is wider than the dots draws circles that are there.
-    for (const auto& circle : elements_of(plot_svg(plot_of(three_dots(), 100, 50, {.width = 200, .pen = 5})), "circle"))
-        EXPECT_EQ(circle[2], 0.005);
+    const Plot wide = plot_of(three_dots(), 100, 50, {.width = 200, .pen = 5});
+    for (const auto& circle : elements_of(plot_svg(wide), "circle")) EXPECT_EQ(circle[2], 0.005);
+    EXPECT_THAT(plot_words(wide), HasSubstr("the pen is wider than 3 marks, which become too dark"));
+    EXPECT_EQ(plot.narrow, 0U);
 }
 
 TEST(Plots, MayHaveShortStrokes)
