@@ -9,18 +9,25 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
+using Factor = Eigen::SimplicialLLT<Sparse>;
 
 constexpr double small_residual = 1e-9;
 constexpr int most_steps = 500;
+
+/// In long regions eigenvalues are differences of far larger numbers.
+constexpr double small_residual_of_long = 1e-6;
+constexpr int most_steps_of_long = 60;
 
 /// After all steps a mode may have up to this residual, relative to its forces. Masses of bilinear elements have a
 /// condition of 9 at most, so that an eigenvalue is within three residuals of that of a vibration; boundaries that are
@@ -41,26 +48,23 @@ struct Matrices
     Sparse mass, stiffness;
 };
 
-Matrices matrices_of(std::span<const std::size_t> number, std::size_t columns, std::array<double, 2> step)
+Matrices matrices_of(const TaperGrid& grid, std::array<double, 2> step)
 {
     const Chain along_x(step[0]), along_y(step[1]);
     std::vector<Eigen::Triplet<double, int>> mass, stiffness;
-    std::size_t count = 0;
-    for (std::size_t node = 0; node < number.size(); ++node) {
-        if (number[node] == no_node) continue;
-        ++count;
-        for (std::size_t dy = 0; dy < 3; ++dy)
-            for (std::size_t dx = 0; dx < 3; ++dx) {
-                const std::size_t other = number[node + (dy * columns + dx) - (columns + 1)];
-                if (other == no_node) continue;
-                const std::size_t x = dx == 1 ? 0 : 1, y = dy == 1 ? 0 : 1;
-                const int row = static_cast<int>(number[node]), column = static_cast<int>(other);
-                mass.emplace_back(row, column, along_x.mass[x] * along_y.mass[y]);
-                stiffness.emplace_back(row, column,
-                                       along_x.stiffness[x] * along_y.mass[y] + along_x.mass[x] * along_y.stiffness[y]);
-            }
-    }
-    const auto size = static_cast<Eigen::Index>(count);
+    for (std::size_t line = 0; line < grid.rows(); ++line)
+        for (std::size_t node = grid.row_begin(line); node < grid.row_begin(line + 1); ++node)
+            for (std::size_t dy = 0; dy < 3; ++dy)
+                for (std::size_t dx = 0; dx < 3; ++dx) {
+                    const std::size_t other = grid.number(grid.column(node) + dx - 1, line + dy - 1);
+                    if (other == no_node) continue;
+                    const std::size_t x = dx == 1 ? 0 : 1, y = dy == 1 ? 0 : 1;
+                    const int row = static_cast<int>(node), column = static_cast<int>(other);
+                    mass.emplace_back(row, column, along_x.mass[x] * along_y.mass[y]);
+                    stiffness.emplace_back(
+                        row, column, along_x.stiffness[x] * along_y.mass[y] + along_x.mass[x] * along_y.stiffness[y]);
+                }
+    const auto size = static_cast<Eigen::Index>(grid.size());
     Matrices matrices{Sparse(size, size), Sparse(size, size)};
     matrices.mass.setFromTriplets(mass.begin(), mass.end());
     matrices.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
@@ -97,40 +101,106 @@ InputError not_found(std::size_t count)
         fmt::format("{} tapers of this region cannot be told apart so closely: fewer tapers can be found", count));
 }
 
+/// Takes from the stiffness the potential with which a function is its lowest mode, with the eigenvalue 0 in each part
+/// of the region: u, whose stiffness is a load of 1 everywhere. Functions are u times g then, and what is left of their
+/// energy is the integral of u^2 |grad g|^2.
+Matrices released_of(const Matrices& drum)
+{
+    const Eigen::VectorXd load = drum.mass * Eigen::VectorXd::Ones(drum.mass.rows());
+    const Factor inverse(drum.stiffness);
+    if (inverse.info() != Eigen::Success) throw not_found(1);
+    const Eigen::VectorXd u = inverse.solve(load), forces = drum.stiffness * u;
+    Matrices released = drum;
+    for (Eigen::Index i = 0; i < u.size(); ++i) released.stiffness.coeffRef(i, i) -= forces[i] / u[i];
+    return released;
 }
 
-DrumModes drum_modes(std::span<const std::size_t> number, std::size_t columns, std::array<double, 2> step,
-                     std::size_t count)
+/// A block of vectors that become the lowest modes.
+class Subspace
 {
-    const Matrices drum = matrices_of(number, columns, step);
-    const Eigen::SimplicialLLT<Sparse> inverse(drum.stiffness);
-    if (inverse.info() != Eigen::Success) throw not_found(count);
-    const auto wanted = static_cast<Eigen::Index>(count);
-    const Eigen::Index block = std::min(drum.mass.rows(), wanted + std::max<Eigen::Index>(8, wanted / 2));
-    Eigen::MatrixXd vectors = start_vectors(drum.mass.rows(), block);
-    Eigen::VectorXd eigenvalues;
-    double largest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < most_steps && !(largest < small_residual); ++k) {
+public:
+    /// Finds the modes of `stiffness` by the inverse of it and `lift` masses.
+    Subspace(const Matrices& drum, double lift, Eigen::Index wanted)
+        : drum_(drum), inverse_(lift == 0 ? drum.stiffness : Sparse(drum.stiffness + lift * drum.mass)), lift_(lift),
+          wanted_(wanted),
+          vectors_(start_vectors(drum.mass.rows(),
+                                 std::min(drum.mass.rows(), wanted + std::max<Eigen::Index>(8, wanted / 2))))
+    {
+        if (inverse_.info() != Eigen::Success) throw not_found(static_cast<std::size_t>(wanted));
+    }
+
+    const Eigen::VectorXd& eigenvalues() const { return eigenvalues_; }
+
+    /// Throws InputError where modes are not found in so many steps.
+    void find(int most, double small)
+    {
+        double residual = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < most && !(residual < small); ++k) residual = step();
+        if (!(residual < largest_residual)) throw not_found(static_cast<std::size_t>(wanted_));
+    }
+
+    /// The modes that are wanted, without eigenvalues.
+    DrumModes found() const
+    {
+        DrumModes modes;
+        for (Eigen::Index i = 0; i < wanted_; ++i) modes.values.push_back(with_sign(vectors_.col(i)));
+        return modes;
+    }
+
+private:
+    /// Returns the largest residual of a mode that is wanted, relative to its forces and those of the lift.
+    double step()
+    {
         stop_if_interrupted();
-        const Eigen::MatrixXd solved = inverse.solve(drum.mass * vectors);
-        const Eigen::MatrixXd stiff = drum.stiffness * solved, massive = drum.mass * solved;
+        const Eigen::MatrixXd loads = drum_.mass * vectors_;
+        Eigen::MatrixXd solved(loads.rows(), loads.cols());
+        tbb::parallel_for(Eigen::Index{0}, loads.cols(),
+                          [&](Eigen::Index k) { solved.col(k) = inverse_.solve(loads.col(k)); });
+        const Eigen::MatrixXd stiff = drum_.stiffness * solved, massive = drum_.mass * solved;
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(solved.transpose() * stiff,
                                                                              solved.transpose() * massive);
-        vectors = solved * ritz.eigenvectors();
-        eigenvalues = ritz.eigenvalues();
-        const Eigen::MatrixXd forces = massive * ritz.eigenvectors() * eigenvalues.asDiagonal();
-        const Eigen::MatrixXd residual = stiff * ritz.eigenvectors() - forces;
-        largest = 0;
-        for (Eigen::Index i = 0; i < wanted; ++i)
-            largest = std::max(largest, residual.col(i).norm() / forces.col(i).norm());
+        vectors_ = solved * ritz.eigenvectors();
+        eigenvalues_ = ritz.eigenvalues();
+        const Eigen::MatrixXd masses = massive * ritz.eigenvectors();
+        const Eigen::MatrixXd residual = stiff * ritz.eigenvectors() - masses * eigenvalues_.asDiagonal();
+        double largest = 0;
+        for (Eigen::Index i = 0; i < wanted_; ++i)
+            largest = std::max(largest, residual.col(i).norm() / (masses.col(i) * (eigenvalues_[i] + lift_)).norm());
+        return largest;
     }
-    if (!(largest < largest_residual)) throw not_found(count);
-    DrumModes modes;
-    for (Eigen::Index i = 0; i < wanted; ++i) {
-        modes.values.push_back(with_sign(vectors.col(i)));
-        modes.eigenvalues.push_back(eigenvalues[i]);
+
+    const Matrices& drum_;
+    Factor inverse_;
+    double lift_;
+    Eigen::Index wanted_;
+    Eigen::MatrixXd vectors_;
+    Eigen::VectorXd eigenvalues_;
+};
+
+}
+
+DrumModes drum_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count)
+{
+    const Matrices drum = matrices_of(grid, step);
+    Subspace modes(drum, 0, static_cast<Eigen::Index>(count));
+    modes.find(most_steps, small_residual);
+    DrumModes found = modes.found();
+    const auto eigenvalues = modes.eigenvalues().head(static_cast<Eigen::Index>(count));
+    found.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
+    return found;
+}
+
+DrumModes released_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count, double length)
+{
+    const Matrices drum = matrices_of(grid, step), released = released_of(drum);
+    Subspace modes(released, std::pow(std::numbers::pi / length, 2), static_cast<Eigen::Index>(count));
+    modes.find(most_steps_of_long, small_residual_of_long);
+    DrumModes found = modes.found();
+    for (const std::vector<double>& values : found.values) {
+        const Eigen::Map<const Eigen::VectorXd> mode(values.data(), static_cast<Eigen::Index>(values.size()));
+        found.eigenvalues.push_back(mode.dot(drum.stiffness * mode));
     }
-    return modes;
+    return found;
 }
 
 }

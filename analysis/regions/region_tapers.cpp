@@ -17,35 +17,19 @@ namespace {
 constexpr double taper_cells = 128;
 constexpr double fewest_taper_cells = 32;
 
-/// A boundary on a line of the grid crosses no cell, where rounding moves it by less than this part of one.
-constexpr double rounded_part = 1e-6;
-
 /// Nodes in excess of tapers that are needed, so that each taper has a form.
 constexpr std::size_t nodes_a_taper = 16;
 
+/// A region is long if its box is, or if the grid over this has fewer nodes than the most tapers need.
+constexpr double longest_box = 32;
+
+/// Cells of long regions are a part of their width, twice the area over the boundary. So many of them would fill the
+/// area: as many as a compact region has, at least, and at most as memory and time allow, for each taper and in all.
+constexpr double cells_across = 16;
+constexpr double fewest_cells = 1 << 14, most_cells = 1 << 19, most_cells_times_tapers = 1 << 22;
+
 /// Values of sums over nodes that are kept, of 16 bytes each: a GiB. Where there are more, they are summed anew.
 constexpr std::size_t most_kept_values = std::size_t{1} << 26;
-
-/// Marks the cells whose inside an edge goes through; it is in units of cells.
-void mark_edge(std::array<double, 2> from, std::array<double, 2> to, const std::array<std::size_t, 2>& cells,
-               std::vector<char>& is_crossed)
-{
-    if (from[1] > to[1]) std::swap(from, to);
-    const auto first = static_cast<std::size_t>(std::clamp(from[1], 0.0, static_cast<double>(cells[1] - 1)));
-    for (std::size_t row = first; row < cells[1] && static_cast<double>(row) + rounded_part < to[1]; ++row) {
-        const double low = std::max(from[1], static_cast<double>(row) + rounded_part);
-        const double high = std::min(to[1], static_cast<double>(row + 1) - rounded_part);
-        if (low > high) continue;
-        const double slope = to[1] > from[1] ? (to[0] - from[0]) / (to[1] - from[1]) : 0;
-        const bool is_level = to[1] == from[1];
-        const double a = is_level ? from[0] : from[0] + slope * (low - from[1]);
-        const double b = is_level ? to[0] : from[0] + slope * (high - from[1]);
-        const double left = std::min(a, b), right = std::max(a, b);
-        for (auto column = static_cast<std::size_t>(std::clamp(left, 0.0, static_cast<double>(cells[0] - 1)));
-             column < cells[0] && static_cast<double>(column) + rounded_part < right; ++column)
-            if (static_cast<double>(column + 1) - rounded_part > left) is_crossed[row * cells[0] + column] = 1;
-    }
-}
 
 double sinc_of(double t) { return std::abs(t) < 1e-8 ? 1 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t); }
 
@@ -58,46 +42,51 @@ double pyramid_along(double frequency, double step)
 
 }
 
-/// The grid's nodes that have cells within the region on all sides.
-void RegionTapers::find_nodes(const FramedRegion& region)
+namespace {
+
+TaperGrid grid_over_box(const FramedRegion& region, double step, double fewest)
 {
     const RegionBox box = box_of(region.polygons());
-    const double longest = box.longest();
-    for (std::size_t k = 0; k < 2; ++k) {
-        const double side = box.high[k] - box.low[k];
-        cells_[k] = static_cast<std::size_t>(std::max(fewest_taper_cells, std::round(taper_cells * side / longest)));
-        frame_step_[k] = side / static_cast<double>(cells_[k]);
-        step_[k] = frame_step_[k] / region.unit_length();
-    }
-    std::vector<char> is_out(cells_[0] * cells_[1]);
-    const auto in_cells = [&](const std::array<double, 2>& p) {
-        return std::array{p[0] / frame_step_[0], p[1] / frame_step_[1]};
-    };
-    for (const RegionEdge& e : region.boundary().edges()) mark_edge(in_cells(e.from), in_cells(e.to), cells_, is_out);
-    for (std::size_t row = 0; row < cells_[1]; ++row)
-        for (std::size_t column = 0; column < cells_[0]; ++column)
-            if (!region.contains({(static_cast<double>(column) + 0.5) * frame_step_[0],
-                                  (static_cast<double>(row) + 0.5) * frame_step_[1]}))
-                is_out[row * cells_[0] + column] = 1;
-    const std::size_t columns = cells_[0] + 1;
-    number_.assign(columns * (cells_[1] + 1), no_node);
-    for (std::size_t row = 1; row < cells_[1]; ++row)
-        for (std::size_t column = 1; column < cells_[0]; ++column) {
-            const std::size_t above = row * cells_[0] + column, below = above - cells_[0];
-            if (is_out[above] || is_out[above - 1] || is_out[below] || is_out[below - 1]) continue;
-            number_[row * columns + column] = nodes_.size();
-            nodes_.push_back(row * columns + column);
-        }
+    std::array<std::size_t, 2> cells{};
+    for (std::size_t k = 0; k < 2; ++k)
+        cells[k] = static_cast<std::size_t>(std::max(fewest, std::round((box.high[k] - box.low[k]) / step)));
+    return {region, cells};
+}
+
+double length_of_boundary(const FramedRegion& region)
+{
+    double length = 0;
+    for (const RegionEdge& e : region.boundary().edges())
+        length += std::hypot(e.to[0] - e.from[0], e.to[1] - e.from[1]);
+    return length;
+}
+
+/// The width of cells of a long region, in the frame.
+double cell_of_long(const FramedRegion& region, double boundary, std::size_t tapers)
+{
+    const double wanted = std::pow(cells_across * boundary / 2, 2) / region.area();
+    const double most = std::min(most_cells, most_cells_times_tapers / static_cast<double>(tapers));
+    return std::sqrt(region.area() / std::clamp(wanted, fewest_cells, most));
+}
+
 }
 
 RegionTapers::RegionTapers(const FramedRegion& region, std::size_t count)
+    : grid_(grid_over_box(region, box_of(region.polygons()).longest() / taper_cells, fewest_taper_cells))
 {
-    find_nodes(region);
-    if (nodes_.size() < nodes_a_taper * count)
+    const RegionBox box = box_of(region.polygons());
+    const double shortest = std::min(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    const double boundary = length_of_boundary(region);
+    const bool is_long = box.longest() > longest_box * shortest || grid_.size() < nodes_a_taper * most_tapers;
+    if (is_long) grid_ = grid_over_box(region, cell_of_long(region, boundary, count), 1);
+    for (std::size_t k = 0; k < 2; ++k) step_[k] = grid_.step()[k] / region.unit_length();
+    if (grid_.size() < nodes_a_taper * count)
         throw InputError(fmt::format("the region is too thin for {} tapers: {} nodes of a grid of {} x {} squares over "
                                      "it have all squares around them inside; at most {} tapers",
-                                     count, nodes_.size(), cells_[0], cells_[1], nodes_.size() / nodes_a_taper));
-    DrumModes modes = drum_modes(number_, cells_[0] + 1, step_, count);
+                                     count, grid_.size(), grid_.cells()[0], grid_.cells()[1],
+                                     grid_.size() / nodes_a_taper));
+    DrumModes modes = is_long ? released_modes(grid_, step_, count, boundary / 2 / region.unit_length())
+                              : drum_modes(grid_, step_, count);
     values_ = std::move(modes.values);
     eigenvalues_ = std::move(modes.eigenvalues);
 }
@@ -107,14 +96,15 @@ double RegionTapers::at(std::size_t taper, const std::array<double, 2>& place) c
     std::array<std::size_t, 2> cell;
     std::array<double, 2> part;
     for (std::size_t k = 0; k < 2; ++k) {
-        const double in_cells = std::clamp(place[k] / frame_step_[k], 0.0, static_cast<double>(cells_[k]));
-        cell[k] = std::min(static_cast<std::size_t>(in_cells), cells_[k] - 1);
+        const std::size_t cells = grid_.cells()[k];
+        const double in_cells = std::clamp(place[k] / grid_.step()[k], 0.0, static_cast<double>(cells));
+        cell[k] = std::min(static_cast<std::size_t>(in_cells), cells - 1);
         part[k] = in_cells - static_cast<double>(cell[k]);
     }
     double sum = 0;
     for (std::size_t y = 0; y < 2; ++y)
         for (std::size_t x = 0; x < 2; ++x) {
-            const std::size_t node = number_[(cell[1] + y) * (cells_[0] + 1) + cell[0] + x];
+            const std::size_t node = grid_.number(cell[0] + x, cell[1] + y);
             if (node == no_node) continue;
             sum += values_[taper][node] * (x == 0 ? 1 - part[0] : part[0]) * (y == 0 ? 1 - part[1] : part[1]);
         }
@@ -124,11 +114,10 @@ double RegionTapers::at(std::size_t taper, const std::array<double, 2>& place) c
 PointSet RegionTapers::nodes() const
 {
     PointSet places{2, {}};
-    const std::size_t columns = cells_[0] + 1;
-    for (const std::size_t node : nodes_) {
-        places.coordinates.push_back(static_cast<double>(node % columns) * frame_step_[0]);
-        places.coordinates.push_back(static_cast<double>(node / columns) * frame_step_[1]);
-    }
+    for (std::size_t row = 0; row < grid_.rows(); ++row)
+        for (std::size_t node = grid_.row_begin(row); node < grid_.row_begin(row + 1); ++node)
+            places.coordinates.insert(places.coordinates.end(), {grid_.column(node) * grid_.step()[0],
+                                                                 static_cast<double>(row) * grid_.step()[1]});
     return places;
 }
 

@@ -18,12 +18,14 @@
 // Transactions on Signal Processing 43(1), 1995).
 //
 // They are found among functions that are bilinear in the cells of a grid over the region's box, 0 at and beyond cells
-// that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form. Of a pair of
-// equal frequency, as in a square, rounding decides the rotation: the two tapers can differ between machines, not the
-// sum of their spectra.
+// that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form. Cells are a 128th
+// of the box where that leaves nodes enough, otherwise parts of the region's width; only nodes inside are stored. Of a
+// pair of equal frequency, as in a square, rounding decides the rotation: the two tapers can differ between machines,
+// not the sum of their spectra.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
+#include "analysis/regions/taper_grid.hpp"
 #include "analysis/spectra/half_spectrum.hpp"
 #include "analysis/spectra/nonuniform_transform.hpp"
 
@@ -50,7 +52,7 @@ public:
     double at(std::size_t taper, const std::array<double, 2>& place) const;
 
     /// The root of the region's area, in lengths of the frame.
-    double unit_length() const { return frame_step_[0] / step_[0]; }
+    double unit_length() const { return grid_.step()[0] / step_[0]; }
 
     /// The frequency of the vibration of unit waves, squared, times 4 pi^2: the integral of the squared gradient.
     double eigenvalue(std::size_t taper) const { return eigenvalues_[taper]; }
@@ -61,12 +63,8 @@ public:
     const std::array<double, 2>& step() const { return step_; } ///< in roots of the region's area
 
 private:
-    void find_nodes(const FramedRegion& region);
-
-    std::array<double, 2> frame_step_{}, step_{};
-    std::array<std::size_t, 2> cells_{};
-    std::vector<std::size_t> nodes_;  ///< of the grid, row by row: those within
-    std::vector<std::size_t> number_; ///< of each node of the grid among those within, or one that is not there
+    TaperGrid grid_;
+    std::array<double, 2> step_{};
     std::vector<std::vector<double>> values_;
     std::vector<double> eigenvalues_;
 };

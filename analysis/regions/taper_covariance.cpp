@@ -1,5 +1,6 @@
 #include "analysis/regions/taper_covariance.hpp"
 
+#include "analysis/regions/region_transform.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 
 #include <tbb/parallel_for.h>
@@ -9,6 +10,7 @@
 #include <complex>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -16,12 +18,16 @@ namespace {
 using Wave = std::complex<double>;
 
 /// Differences of frequencies go up to so many root mean square frequencies of the highest taper: products of tapers
-/// have those of both. There are limits, as the time goes with the square.
+/// have those of both. Up to `summed_reach` they are summed plainly, as all compact regions have them; there is a
+/// limit, as time goes with the square.
 constexpr double root_mean_squares = 4;
-constexpr int least_reach = 4, most_reach = 32;
+constexpr int least_reach = 4, summed_reach = 32, most_reach = 512;
 
-/// Rings up to this many frequencies, or three reaches, are summed.
-constexpr int summed_radius = 64;
+/// Of larger tables next to all is in few differences, as those of a strip lie on a line: so much of the sum is kept.
+constexpr double kept_part = 0.999;
+
+/// Rings up to this many frequencies, or three reaches, but not more than `most_radius`, are summed.
+constexpr int summed_radius = 64, most_radius = 256;
 
 /// The transforms of products of tapers, sums over the nodes, which lie in rows.
 class ProductTransforms
@@ -69,9 +75,56 @@ private:
 
 int reach_of(const RegionTapers& tapers)
 {
-    const double root_mean_square = std::sqrt(tapers.eigenvalue(tapers.count() - 1)) / (2 * std::numbers::pi);
+    double largest = 0;
+    for (std::size_t k = 0; k < tapers.count(); ++k) largest = std::max(largest, tapers.eigenvalue(k));
+    const double root_mean_square = std::sqrt(largest) / (2 * std::numbers::pi);
     return std::clamp(static_cast<int>(std::ceil(root_mean_squares * root_mean_square)), least_reach, most_reach);
 }
+
+/// The sums over all pairs of tapers of |H_kl|^2 at u = 0 .. reach, v = -reach .. reach, v fastest.
+std::vector<double> summed_squares(const RegionTapers& tapers, int reach)
+{
+    const std::size_t count = tapers.count();
+    const ProductTransforms transforms(tapers, tapers.unit_length(), reach);
+    const auto columns = static_cast<std::size_t>(reach) + 1, heights = 2 * columns - 1;
+    std::vector<std::vector<double>> parts(count, std::vector<double>(columns * heights));
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        for (std::size_t l = 0; l <= k; ++l) transforms.add_squares(k, l, l < k ? 2 : 1, parts[k]);
+    });
+    for (std::size_t k = 1; k < count; ++k)
+        for (std::size_t at = 0; at < parts[0].size(); ++at) parts[0][at] += parts[k][at];
+    return parts[0];
+}
+
+/// summed_squares() by fast transforms, without what is not needed for `kept_part` of their sum.
+std::vector<double> fast_squares(const RegionTapers& tapers, int reach)
+{
+    NonuniformTransform transform(reach);
+    const PointSet nodes = tapers.nodes();
+    const auto columns = static_cast<std::size_t>(reach) + 1, heights = 2 * columns - 1;
+    std::vector<double> squares(columns * heights), products(nodes.size());
+    for (std::size_t k = 0; k < tapers.count(); ++k)
+        for (std::size_t l = 0; l <= k; ++l) {
+            for (std::size_t i = 0; i < products.size(); ++i) products[i] = tapers.values(k)[i] * tapers.values(l)[i];
+            const HalfPlane sums = region_sums(nodes, products, tapers.unit_length(), reach, &transform);
+            for (std::size_t at = 0; at < squares.size(); ++at)
+                squares[at] += (l < k ? 2 : 1) * std::norm(sums.at(static_cast<int>(at / heights),
+                                                                   static_cast<int>(at % heights) - reach));
+        }
+    std::vector<double> rising = squares;
+    std::ranges::sort(rising);
+    double left = (1 - kept_part) * std::accumulate(rising.begin(), rising.end(), 0.0), least = 0;
+    for (std::size_t i = 0; i < rising.size() && left > rising[i]; ++i) left -= least = rising[i];
+    for (double& square : squares)
+        if (square <= least) square = 0;
+    return squares;
+}
+
+struct Difference
+{
+    int u, v;
+    double square;
+};
 
 /// The ring of each frequency (u, v) with |u|, |v| <= radius, the number of rings for those that have none.
 class RingTable
@@ -134,22 +187,16 @@ double RingCovariance::error_of(const std::vector<double>& power,
 
 TaperCovariance::TaperCovariance(const RegionTapers& tapers) : reach_(reach_of(tapers))
 {
-    const std::size_t count = tapers.count();
-    const ProductTransforms transforms(tapers, tapers.unit_length(), reach_);
     const auto columns = static_cast<std::size_t>(reach_) + 1, heights = 2 * columns - 1;
-    std::vector<std::vector<double>> parts(count, std::vector<double>(columns * heights));
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-        for (std::size_t l = 0; l <= k; ++l) transforms.add_squares(k, l, l < k ? 2 : 1, parts[k]);
-    });
-    for (std::size_t k = 1; k < count; ++k)
-        for (std::size_t at = 0; at < parts[0].size(); ++at) parts[0][at] += parts[k][at];
+    const std::vector<double> sums =
+        reach_ > summed_reach ? fast_squares(tapers, reach_) : summed_squares(tapers, reach_);
     const auto middle = static_cast<std::size_t>(reach_);
     // At difference 0 it is the number of tapers, whatever rounding and the sum over nodes make of it.
-    const double scale = 1 / (parts[0][middle] * static_cast<double>(count));
+    const double scale = 1 / (sums[middle] * static_cast<double>(tapers.count()));
     squares_.resize(heights * heights);
     for (std::size_t v = 0; v < heights; ++v)
         for (std::size_t u = 0; u < columns; ++u) {
-            const double square = parts[0][u * heights + v] * scale;
+            const double square = sums[u * heights + v] * scale;
             squares_[v * heights + middle + u] = square;
             squares_[(heights - 1 - v) * heights + middle - u] = square;
         }
@@ -168,8 +215,12 @@ RingCovariance TaperCovariance::of_rings(int size, double bin_width) const
     const std::size_t rings = bins.count() - 1;
     const auto bands = static_cast<std::size_t>(std::ceil(std::sqrt(2.0) * reach_ / bin_width)) + 1;
     // Frequencies of a summed ring have all rings of their neighbours in the table.
-    const int radius =
-        std::min(size / 2, std::max({summed_radius, 3 * reach_, static_cast<int>(std::ceil(4 * bin_width))}));
+    const int radius = std::min(size / 2, std::max({summed_radius, std::min(3 * reach_, most_radius),
+                                                    static_cast<int>(std::ceil(4 * bin_width))}));
+    std::vector<Difference> differences;
+    for (int y = -reach_; y <= reach_; ++y)
+        for (int x = -reach_; x <= reach_; ++x)
+            if (at(x, y) > 0) differences.push_back({x, y, at(x, y)});
     RingTable ring_at(bins, radius + reach_);
     std::vector<std::vector<double>> sums(rings, std::vector<double>(bands));
     std::vector<double> samples(rings);
@@ -178,11 +229,10 @@ RingCovariance TaperCovariance::of_rings(int size, double bin_width) const
             const std::size_t ring = ring_at.at(u, v);
             if (ring >= rings) continue;
             ++samples[ring];
-            for (int y = -reach_; y <= reach_; ++y)
-                for (int x = -reach_; x <= reach_; ++x) {
-                    const std::size_t other = ring_at.at(u + x, v + y);
-                    if (other >= ring && other < rings && other - ring < bands) sums[ring][other - ring] += at(x, y);
-                }
+            for (const Difference& d : differences) {
+                const std::size_t other = ring_at.at(u + d.u, v + d.v);
+                if (other >= ring && other < rings && other - ring < bands) sums[ring][other - ring] += d.square;
+            }
         }
     std::size_t whole = 0; // rings that lie in the radius
     while (whole < rings && bins.centre(whole + 1) + bin_width / 2 <= radius) ++whole;

@@ -2,17 +2,23 @@
 
 #include "base/errors/errors.hpp"
 #include "base/regions/region_shares.hpp"
+#include "base/regions/region_squares.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
-constexpr std::uint32_t cell_side = 1u << DistanceTable::shift;
+/// A region is long if fewer than this part of the cells of a grid over a square have something of it: squares that
+/// cover it are smaller then, as many as that grid has cells.
+constexpr double part_of_long = 1.0 / 64;
+constexpr std::size_t most_squares = std::size_t{1} << 18;
 
 /// Cells that are crossed count, however little of them is inside.
 constexpr double least_share = 1e-9;
@@ -27,15 +33,14 @@ public:
     TableReader(const FixedRegion& region, const DistanceAt& distance, const std::string& name)
         : region_(region), distance_(distance), name_(name)
     {
-        table_.columns = (region.extent().high[0] >> DistanceTable::shift) + 1;
-        table_.rows = (region.extent().high[1] >> DistanceTable::shift) + 1;
-        width_ = 2 * table_.columns + 1;
-        places_.reserve(std::size_t{width_} * (2 * table_.rows + 1));
+        lay_cells(DistanceTable::box_shift);
+        find_shares();
+        const auto cells = std::ranges::count_if(table_.share, [](double share) { return share > 0; });
+        if (static_cast<double>(cells) < part_of_long * static_cast<double>(most_squares)) cover_with_squares();
     }
 
     DistanceTable read()
     {
-        find_shares();
         read_places();
         raise_nodes();
         measure();
@@ -43,49 +48,104 @@ public:
     }
 
 private:
+    void lay_cells(std::uint32_t shift)
+    {
+        table_.shift = shift;
+        table_.columns = (region_.extent().high[0] >> shift) + 1;
+        table_.rows = (region_.extent().high[1] >> shift) + 1;
+        width_ = 2 * table_.columns + 1;
+        cell_side_ = 1u << shift;
+    }
+
+    void cover_with_squares()
+    {
+        const RegionSquares<FixedRegion> squares =
+            small_squares_of(region_, most_squares, static_cast<int>(DistanceTable::least_shift));
+        if (squares.shift >= static_cast<int>(DistanceTable::box_shift)) return;
+        lay_cells(static_cast<std::uint32_t>(squares.shift));
+        for (const TorusPoint<2>& corner : squares.corners)
+            table_.squares.push_back({corner[0] >> table_.shift, corner[1] >> table_.shift});
+        std::ranges::sort(table_.squares, {}, [](const auto& square) { return std::pair(square[1], square[0]); });
+        find_shares();
+    }
+
+    bool has_squares() const { return !table_.squares.empty(); }
+
+    std::size_t cells() const { return has_squares() ? table_.squares.size() : cell_at(0, table_.rows); }
+
     std::size_t cell_at(std::uint32_t column, std::uint32_t row) const
     {
         return std::size_t{row} * table_.columns + column;
+    }
+
+    /// The column and the row of a cell.
+    std::array<std::uint32_t, 2> place_of(std::size_t cell) const
+    {
+        if (has_squares()) return table_.squares[cell];
+        return {static_cast<std::uint32_t>(cell % table_.columns), static_cast<std::uint32_t>(cell / table_.columns)};
     }
 
     /// Calls visit(column, row) for all cells that have a part in the region.
     template <typename Visit>
     void for_each_cell(const Visit& visit) const
     {
-        for (std::uint32_t row = 0; row < table_.rows; ++row)
-            for (std::uint32_t column = 0; column < table_.columns; ++column)
-                if (table_.share[cell_at(column, row)] > 0) visit(column, row);
+        for (std::size_t cell = 0; cell < cells(); ++cell)
+            if (table_.share[cell] > 0) visit(place_of(cell)[0], place_of(cell)[1]);
     }
 
     void find_shares()
     {
-        table_.share = region_shares(region_, {{}, cell_side, table_.columns, table_.rows});
-        for (std::uint32_t row = 0; row < table_.rows; ++row)
-            for (std::uint32_t column = 0; column < table_.columns; ++column) {
-                const TorusPoint<2> low{column * cell_side, row * cell_side};
-                const RegionSide side = region_.side_of({low, {low[0] + cell_side - 1, low[1] + cell_side - 1}});
-                double& share = table_.share[cell_at(column, row)];
-                if (side == RegionSide::outside)
-                    share = 0;
-                else
-                    share = std::max(
-                        share * part_left_by_margins(region_, {double{1} * low[0], double{1} * low[1]}, cell_side),
-                        least_share);
-            }
+        const ShareLattice lattice{{}, double{1} * cell_side_, table_.columns, table_.rows};
+        table_.share =
+            has_squares() ? region_shares(region_, lattice, table_.squares) : region_shares(region_, lattice);
+        for (std::size_t cell = 0; cell < cells(); ++cell) {
+            const auto [column, row] = place_of(cell);
+            const TorusPoint<2> low{column * cell_side_, row * cell_side_};
+            const RegionSide side = region_.side_of({low, {low[0] + cell_side_ - 1, low[1] + cell_side_ - 1}});
+            double& share = table_.share[cell];
+            if (side == RegionSide::outside)
+                share = 0;
+            else
+                share = std::max(
+                    share * part_left_by_margins(region_, {double{1} * low[0], double{1} * low[1]}, cell_side_),
+                    least_share);
+        }
     }
 
-    /// Places twice as near as nodes.
-    double& place(std::uint32_t x, std::uint32_t y) { return places_[std::size_t{y} * width_ + x]; }
+    /// Places twice as near as nodes: all of the box, row by row, or those of squares.
+    std::size_t place_number(std::uint32_t x, std::uint32_t y) const
+    {
+        if (!has_squares()) return std::size_t{y} * width_ + x;
+        const auto found = std::ranges::lower_bound(listed_, std::uint64_t{y} << 32 | x);
+        return static_cast<std::size_t>(found - listed_.begin());
+    }
+    double place(std::uint32_t x, std::uint32_t y) const { return places_[place_number(x, y)]; }
+
+    void list_places()
+    {
+        for (const auto& [column, row] : table_.squares)
+            for (std::uint32_t y = 2 * row; y < 2 * row + 3; ++y)
+                for (std::uint32_t x = 2 * column; x < 2 * column + 3; ++x)
+                    listed_.push_back(std::uint64_t{y} << 32 | x);
+        std::ranges::sort(listed_);
+        listed_.erase(std::ranges::unique(listed_).begin(), listed_.end());
+    }
 
     /// Beyond the region distances may be anything, and no number where they are nothing.
     void read_places()
     {
-        for (std::uint32_t y = 0; y <= 2 * table_.rows; ++y)
-            for (std::uint32_t x = 0; x < width_; ++x) {
-                double value = distance_(place_along(x, 0), place_along(y, 1));
-                if (!is_distance(value)) value = distance_(within_box(x, 0), within_box(y, 1));
-                places_.push_back(is_distance(value) ? value : std::numeric_limits<double>::quiet_NaN());
-            }
+        const auto read = [&](std::uint32_t x, std::uint32_t y) {
+            double value = distance_(place_along(x, 0), place_along(y, 1));
+            if (!is_distance(value)) value = distance_(within_box(x, 0), within_box(y, 1));
+            places_.push_back(is_distance(value) ? value : std::numeric_limits<double>::quiet_NaN());
+        };
+        if (has_squares()) {
+            list_places();
+            for (const std::uint64_t at : listed_)
+                read(static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at >> 32));
+        } else
+            for (std::uint32_t y = 0; y <= 2 * table_.rows; ++y)
+                for (std::uint32_t x = 0; x < width_; ++x) read(x, y);
         for_each_cell([&](std::uint32_t column, std::uint32_t row) {
             for (std::uint32_t y = 2 * row; y < 2 * row + 3; ++y)
                 for (std::uint32_t x = 2 * column; x < 2 * column + 3; ++x) check_place(x, y);
@@ -97,7 +157,7 @@ private:
     /// A coordinate in units of the region: up to a cell beyond its box, so that interpolation is right at the border.
     double place_along(std::uint32_t half, std::size_t k) const
     {
-        return region_.box().low[k] + region_.unit() * half * (cell_side / 2.0);
+        return region_.box().low[k] + region_.unit() * half * (cell_side_ / 2.0);
     }
 
     /// A coordinate, moved to just inside the region's extent, which is rounded to the grid: a formula may be no
@@ -120,26 +180,34 @@ private:
     /// Places just inside are said to be at the border.
     double shown(double at, std::size_t k) const
     {
-        const double low = region_.box().low[k], grain = region_.unit() * (cell_side / 64.0);
+        const double low = region_.box().low[k], grain = region_.unit() * (cell_side_ / 64.0);
         return low + std::nearbyint((at - low) / grain) * grain;
     }
 
     void raise_nodes()
     {
-        const std::size_t nodes = table_.columns + 1;
-        std::vector<double> lacks(nodes * (table_.rows + 1));
+        std::vector<double> lacks(places_.size()); // of nodes alone
         for_each_cell([&](std::uint32_t column, std::uint32_t row) {
             const double lack = lack_of(2 * column, 2 * row);
-            for (const std::size_t at : {row * nodes + column, (row + 1) * nodes + column})
-                for (const std::size_t i : {at, at + 1}) lacks[i] = std::max(lacks[i], lack);
+            for (const std::uint32_t y : {2 * row, 2 * row + 2})
+                for (const std::uint32_t x : {2 * column, 2 * column + 2}) {
+                    double& most = lacks[place_number(x, y)];
+                    most = std::max(most, lack);
+                }
         });
+        const auto add_node = [&](std::uint32_t column, std::uint32_t row) {
+            const std::size_t at = place_number(2 * column, 2 * row);
+            table_.nodes.push_back(places_[at] + raised * lacks[at]);
+        };
+        for (const auto& [column, row] : table_.squares)
+            for (std::uint32_t corner = 0; corner < 4; ++corner) add_node(column + corner % 2, row + corner / 2);
+        if (has_squares()) return;
         for (std::uint32_t row = 0; row <= table_.rows; ++row)
-            for (std::uint32_t column = 0; column <= table_.columns; ++column)
-                table_.nodes.push_back(place(2 * column, 2 * row) + raised * lacks[row * nodes + column]);
+            for (std::uint32_t column = 0; column <= table_.columns; ++column) add_node(column, row);
     }
 
     /// Returns how far bilinear interpolation falls below the distance, in the middle of a cell or of a side.
-    double lack_of(std::uint32_t x, std::uint32_t y)
+    double lack_of(std::uint32_t x, std::uint32_t y) const
     {
         const double a = place(x, y), b = place(x + 2, y), c = place(x, y + 2), d = place(x + 2, y + 2);
         return std::max({0.0, place(x + 1, y) - (a + b) / 2, place(x + 1, y + 2) - (c + d) / 2,
@@ -150,28 +218,30 @@ private:
     /// The slope of a bilinear function is largest in a corner of its cell.
     void measure()
     {
-        const double side = region_.unit() * cell_side;
         table_.least = std::numeric_limits<double>::infinity();
-        for (std::uint32_t row = 0; row < table_.rows; ++row)
-            for (std::uint32_t column = 0; column < table_.columns; ++column) {
-                const std::size_t at = std::size_t{row} * (table_.columns + 1) + column;
-                measure_cell(column, row, side, table_.nodes[at], table_.nodes[at + 1],
-                             table_.nodes[at + table_.columns + 1], table_.nodes[at + table_.columns + 2]);
-            }
+        if (has_squares()) table_.slope_of_box = std::numeric_limits<double>::infinity();
+        for (std::size_t cell = 0; cell < cells(); ++cell) {
+            const auto [column, row] = place_of(cell);
+            const std::size_t at = has_squares() ? 4 * cell : std::size_t{row} * (table_.columns + 1) + column;
+            const std::size_t above = at + (has_squares() ? 2 : table_.columns + 1);
+            measure_cell(cell, table_.nodes[at], table_.nodes[at + 1], table_.nodes[above], table_.nodes[above + 1]);
+        }
         for (double& node : table_.nodes)
             if (std::isnan(node)) node = table_.least;
     }
 
-    void measure_cell(std::uint32_t column, std::uint32_t row, double side, double a, double b, double c, double d)
+    void measure_cell(std::size_t cell, double a, double b, double c, double d)
     {
+        const double side = region_.unit() * cell_side_;
         const double slope =
             std::hypot(std::max(std::abs(b - a), std::abs(d - c)), std::max(std::abs(c - a), std::abs(d - b))) / side;
         table_.slope_of_box =
             std::isnan(a + b + c + d) ? std::numeric_limits<double>::infinity() : std::max(table_.slope_of_box, slope);
-        const double share = table_.share[cell_at(column, row)];
+        const double share = table_.share[cell];
         if (share == 0) return;
         if (slope > table_.slope) {
             table_.slope = slope;
+            const auto [column, row] = place_of(cell);
             table_.steepest = {region_.box().low[0] + (column + 0.5) * side, region_.box().low[1] + (row + 0.5) * side};
         }
         table_.least = std::min({table_.least, a, b, c, d});
@@ -184,7 +254,8 @@ private:
     const DistanceAt& distance_;
     const std::string& name_;
     DistanceTable table_;
-    std::uint32_t width_ = 0;
+    std::uint32_t width_ = 0, cell_side_ = 0;
+    std::vector<std::uint64_t> listed_; ///< places of squares, in rising order of y << 32 | x
     std::vector<double> places_;
 };
 
@@ -197,7 +268,7 @@ DistanceTable distance_table(const FixedRegion& region, const DistanceAt& distan
 
 /// Interpolation rounds twice, by less than a position each time.
 DistanceField::DistanceField(const DistanceTable& table, const FixedRegion& region, double scale)
-    : columns_(table.columns), rows_(table.rows)
+    : columns_(table.squares.empty() ? table.columns : 0), rows_(table.rows), shift_(table.shift)
 {
     constexpr double lost = 2;
     for (const double node : table.nodes) {
@@ -205,6 +276,14 @@ DistanceField::DistanceField(const DistanceTable& table, const FixedRegion& regi
         const double exact = (distance + distance_rounding(distance, region.box())) / region.unit() + lost;
         nodes_.push_back(static_cast<std::uint32_t>(std::min(std::ceil(exact), 0x1p31 - 1)));
     }
+    if (columns_ == 0)
+        bound_squares(table);
+    else
+        bound_cells();
+}
+
+void DistanceField::bound_cells()
+{
     const std::size_t stride = columns_ + 1;
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
@@ -226,28 +305,74 @@ DistanceField::DistanceField(const DistanceTable& table, const FixedRegion& regi
     }
 }
 
+void DistanceField::bound_squares(const DistanceTable& table)
+{
+    std::map<std::uint32_t, std::uint32_t> least; // of places
+    for (std::size_t i = 0; i < table.squares.size(); ++i)
+        least[table.squares[i][1] << 16 | table.squares[i][0]] =
+            std::min({nodes_[4 * i], nodes_[4 * i + 1], nodes_[4 * i + 2], nodes_[4 * i + 3]});
+    const std::uint32_t levels = FixedRegion::coordinate_bits - shift_ + 1;
+    bounds_.resize(levels + 1);
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        bounds_[level] = static_cast<std::uint32_t>(bounds_.size());
+        for (const auto& square : least) bounds_.push_back(square.first);
+        for (const auto& square : least) bounds_.push_back(square.second);
+        std::map<std::uint32_t, std::uint32_t> wider;
+        for (const auto& [place, distance] : least) {
+            const auto [at, is_new] = wider.try_emplace(place >> 17 << 16 | (place & 0xFFFF) >> 1, distance);
+            if (!is_new) at->second = std::min(at->second, distance);
+        }
+        least = std::move(wider);
+    }
+    bounds_[levels] = static_cast<std::uint32_t>(bounds_.size());
+}
+
+/// The number of the square with a position among those of 2^(shift + level) positions, or how many these are.
+std::uint32_t DistanceField::number_of_square(const TorusPoint<2>& position, std::uint32_t level) const
+{
+    const std::uint32_t size = shift_ + level, count = (bounds_[level + 1] - bounds_[level]) / 2;
+    const std::uint32_t place = position[1] >> size << 16 | position[0] >> size;
+    const auto places = std::span(bounds_).subspan(bounds_[level], count);
+    const auto found = std::ranges::lower_bound(places, place);
+    return found != places.end() && *found == place ? static_cast<std::uint32_t>(found - places.begin()) : count;
+}
+
 /// Interpolates as distance_at() of kernels/common/darts/distance_field.clh does, bit by bit. Positions beyond the
-/// table have the distance of its border.
+/// table have the distance of its border, those beyond squares the least one.
 std::uint32_t DistanceField::at(const TorusPoint<2>& position) const
 {
-    const std::uint32_t column = std::min(position[0] >> DistanceTable::shift, columns_ - 1);
-    const std::uint32_t row = std::min(position[1] >> DistanceTable::shift, rows_ - 1);
-    const std::int64_t x = std::min(position[0] - column * cell_side, cell_side);
-    const std::int64_t y = std::min(position[1] - row * cell_side, cell_side);
-    const std::size_t at = std::size_t{row} * (columns_ + 1) + column;
-    const auto between = [](std::int64_t from, std::int64_t to, std::int64_t part) {
-        return from + ((to - from) * part >> DistanceTable::shift);
+    const bool has_squares = columns_ == 0;
+    const std::uint32_t side = 1u << shift_;
+    std::uint32_t column = position[0] >> shift_, row = position[1] >> shift_;
+    std::size_t at = 0;
+    if (has_squares) {
+        at = 4 * std::size_t{number_of_square(position, 0)};
+        if (at == nodes_.size()) return least();
+    } else {
+        column = std::min(column, columns_ - 1);
+        row = std::min(row, rows_ - 1);
+        at = std::size_t{row} * (columns_ + 1) + column;
+    }
+    const std::size_t next_row = at + (has_squares ? 2 : columns_ + 1);
+    const std::int64_t x = std::min(position[0] - column * side, side), y = std::min(position[1] - row * side, side);
+    const auto between = [this](std::int64_t from, std::int64_t to, std::int64_t part) {
+        return from + ((to - from) * part >> shift_);
     };
     const std::int64_t below = between(nodes_[at], nodes_[at + 1], x);
-    const std::int64_t above = between(nodes_[at + columns_ + 1], nodes_[at + columns_ + 2], x);
+    const std::int64_t above = between(nodes_[next_row], nodes_[next_row + 1], x);
     return static_cast<std::uint32_t>(between(below, above, y));
 }
 
 std::uint32_t DistanceField::least_in(const TorusPoint<2>& low, std::uint32_t bits) const
 {
-    if (bits >= DistanceTable::shift) {
+    if (bits >= shift_ && columns_ == 0) {
+        const std::uint32_t level = std::min<std::uint32_t>(bits, FixedRegion::coordinate_bits) - shift_;
+        const std::uint32_t number = number_of_square(low, level), count = (bounds_[level + 1] - bounds_[level]) / 2;
+        return number == count ? least() : bounds_[bounds_[level] + count + number];
+    }
+    if (bits >= shift_) {
         std::size_t begin = 0, columns = columns_, rows = rows_;
-        std::uint32_t level = DistanceTable::shift;
+        std::uint32_t level = shift_;
         for (; level < bits && (columns > 1 || rows > 1); ++level) {
             begin += columns * rows;
             columns = (columns + 1) / 2;

@@ -1,7 +1,9 @@
 // Minimum distances that vary from place to place, as a table that every device reads alike.
 //
 // Nodes lie a power of two of positions apart, and between four of them the distance is bilinear, in whole numbers. So
-// the slope is known exactly, and so are bounds over boxes.
+// the slope is known exactly, and so are bounds over boxes. Nodes are those of a grid over the region's box; where the
+// region fills little of it, as roads do, those of small squares that cover the region, which are found by their
+// places.
 #pragma once
 
 #include "base/geometry/torus.hpp"
@@ -22,14 +24,23 @@ using DistanceAt = std::function<double(double x, double y)>;
 /// The distances of a formula or a picture at the nodes of a region's grid, in the region's units.
 struct DistanceTable
 {
-    static constexpr std::uint32_t shift = 22; ///< nodes are 2^shift positions apart: 512 cells along the longest side
+    /// Nodes of a grid over the box are 2^22 positions apart: 512 cells along the longest side.
+    static constexpr std::uint32_t box_shift = 22;
 
-    std::uint32_t columns = 0; ///< cells; there is a node more along each axis
+    /// Squares are no smaller than 2^15 positions, so that 32 bits say which one it is.
+    static constexpr std::uint32_t least_shift = 15;
+
+    std::uint32_t shift = box_shift; ///< nodes are 2^shift positions apart
+    std::uint32_t columns = 0;       ///< cells of the box; there is a node more along each axis
     std::uint32_t rows = 0;
-    std::vector<double> nodes; ///< row by row
+
+    /// By column and row, row by row, the squares that have the nodes of a long region. Empty: all of the box.
+    std::vector<std::array<std::uint32_t, 2>> squares;
+
+    std::vector<double> nodes; ///< row by row, or of each square the lower two and the upper two
     std::vector<double> share; ///< the part of each cell that lies in the region, from 0 to 1
     double slope = 0;          ///< the largest one in the region: by how much the distance grows along a unit of length
-    double slope_of_box = 0; ///< the largest one in the box around it; infinite where there are no distances somewhere
+    double slope_of_box = 0;   ///< the largest one in the box around it; infinite where some of it has no distances
     std::array<double, 2> steepest{}; ///< where the slope in the region is largest, in its units
     double least = 0, most = 0;       ///< distances in the region
 
@@ -66,15 +77,22 @@ public:
     std::uint32_t least() const { return bounds_.back(); }
 
     // Kernels read these: kernels/common/darts/distance_field.clh.
-    std::uint32_t columns() const { return columns_; }
+    std::uint32_t columns() const { return columns_; } ///< 0: squares
     std::uint32_t rows() const { return rows_; }
+    std::uint32_t shift() const { return shift_; }
     std::span<const std::uint32_t> nodes() const { return nodes_; }
     /// The least node of each cell, then of each 2 x 2 cells, and so on until one is left. Sides are halved and rounded
-    /// up.
+    /// up. Of squares: for sizes of 2^shift positions, twice as many, and so on until 2^31, where a list begins, and
+    /// where the last one ends; each list has the places of its squares, row << 16 | column, in rising order, and then
+    /// the least node of each.
     std::span<const std::uint32_t> bounds() const { return bounds_; }
 
 private:
-    std::uint32_t columns_ = 0, rows_ = 0;
+    void bound_cells();
+    void bound_squares(const DistanceTable& table);
+    std::uint32_t number_of_square(const TorusPoint<2>& position, std::uint32_t level) const;
+
+    std::uint32_t columns_ = 0, rows_ = 0, shift_ = DistanceTable::box_shift;
     std::vector<std::uint32_t> nodes_, bounds_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 
 namespace poissonlab {
 namespace {
@@ -14,9 +16,7 @@ constexpr std::uint32_t share_places = 8;
 class ShareSums
 {
 public:
-    ShareSums(std::uint32_t columns, std::uint32_t rows)
-        : columns_(columns), rows_(rows), shares_(std::size_t{columns} * rows), beyond_(shares_.size())
-    {}
+    ShareSums(std::uint32_t columns, std::uint32_t rows) : columns_(columns), rows_(rows) {}
 
     /// An edge, in squares, with the region on its left.
     void add(double x0, double y0, double x1, double y1)
@@ -32,20 +32,44 @@ public:
         }
     }
 
-    std::vector<double> shares()
+    /// The shares of squares, which are asked for from the last one back; they are numbered row by row.
+    void begin()
     {
-        for (std::uint32_t row = 0; row < rows_; ++row) {
-            double right = 0;
-            for (std::uint32_t column = columns_; column-- > 0;) {
-                const std::size_t at = std::size_t{row} * columns_ + column;
-                shares_[at] = std::clamp(shares_[at] + right, 0.0, 1.0);
-                right += beyond_[at];
-            }
-        }
-        return std::move(shares_);
+        std::ranges::stable_sort(pieces_, std::greater{}, &Piece::square);
+        next_ = 0;
+        last_ = UINT64_MAX;
+        share_ = right_ = 0;
+    }
+
+    double share_of(std::uint64_t square)
+    {
+        while (next_ < pieces_.size() && pieces_[next_].square >= square) sum_next();
+        if (last_ == square) return std::clamp(share_, 0.0, 1.0);
+        return last_ / columns_ == square / columns_ ? std::clamp(right_, 0.0, 1.0) : 0;
     }
 
 private:
+    struct Piece
+    {
+        std::uint64_t square;
+        double share, beyond; ///< what an edge adds to its square, and to those on its left
+    };
+
+    /// Goes on to the next square with edges.
+    void sum_next()
+    {
+        const std::uint64_t square = pieces_[next_].square;
+        double share = 0, beyond = 0;
+        for (; next_ < pieces_.size() && pieces_[next_].square == square; ++next_) {
+            share += pieces_[next_].share;
+            beyond += pieces_[next_].beyond;
+        }
+        if (last_ / columns_ != square / columns_) right_ = 0;
+        last_ = square;
+        share_ = share + right_;
+        right_ += beyond;
+    }
+
     std::uint32_t row_of(double y) const { return static_cast<std::uint32_t>(std::max(0.0, y)); }
     std::uint32_t column_of(double x) const
     {
@@ -60,19 +84,22 @@ private:
             const double from = std::max(low, double{1} * column);
             const double to = column == columns_ - 1 ? high : std::min(high, column + 1.0);
             const double part = high > low ? (to - from) / (high - low) * rise : rise;
-            const std::size_t at = std::size_t{row} * columns_ + column;
-            shares_[at] += ((from + to) / 2 - column) * part;
-            beyond_[at] += part;
+            pieces_.push_back({std::uint64_t{row} * columns_ + column, ((from + to) / 2 - column) * part, part});
         }
     }
 
     std::uint32_t columns_, rows_;
-    std::vector<double> shares_, beyond_; ///< beyond: what edges in a square add to those on its left
+    std::vector<Piece> pieces_;
+    std::size_t next_ = 0;
+    std::uint64_t last_ = UINT64_MAX; ///< square with edges
+    double share_ = 0, right_ = 0;    ///< of it, and of those on its left
 };
 
 }
 
-std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice)
+namespace {
+
+ShareSums share_sums(const FixedRegion& region, const ShareLattice& lattice)
 {
     ShareSums sums(lattice.columns, lattice.rows);
     const auto place = [&](std::uint32_t position, std::size_t k) {
@@ -80,7 +107,28 @@ std::vector<double> region_shares(const FixedRegion& region, const ShareLattice&
     };
     for (const FixedEdge& e : region.directed_boundary())
         sums.add(place(e[0], 0), place(e[1], 1), place(e[2], 0), place(e[3], 1));
-    return sums.shares();
+    sums.begin();
+    return sums;
+}
+
+}
+
+std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice)
+{
+    ShareSums sums = share_sums(region, lattice);
+    std::vector<double> shares(std::size_t{lattice.columns} * lattice.rows);
+    for (std::size_t square = shares.size(); square-- > 0;) shares[square] = sums.share_of(square);
+    return shares;
+}
+
+std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice,
+                                  std::span<const std::array<std::uint32_t, 2>> squares)
+{
+    ShareSums sums = share_sums(region, lattice);
+    std::vector<double> shares(squares.size());
+    for (std::size_t i = squares.size(); i-- > 0;)
+        shares[i] = sums.share_of(std::uint64_t{squares[i][1]} * lattice.columns + squares[i][0]);
+    return shares;
 }
 
 double part_left_by_margins(const FixedRegion& region, const std::array<double, 2>& low, double side)

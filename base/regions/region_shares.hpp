@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -19,6 +20,10 @@ struct ShareLattice
 
 /// The parts of squares that lie in the region: areas between its edges, but for what doubles round.
 std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice);
+
+/// The parts of some squares of a lattice, by columns and rows, in rising order of rows and of columns within them.
+std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice,
+                                  std::span<const std::array<std::uint32_t, 2>> squares);
 
 /// The part of what a square has of the region that margins leave, by places: 1 where none of them lies in the region.
 double part_left_by_margins(const FixedRegion& region, const std::array<double, 2>& low, double side);

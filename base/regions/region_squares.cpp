@@ -31,16 +31,18 @@ RegionSquares<Region> halves_of(const Region& region, const RegionSquares<Region
     return halves;
 }
 
+/// `enough`: the part of the squares that the region has to have; above 1: none is.
 template <typename Region>
-RegionSquares<Region> found_squares(const Region& region, std::size_t most)
+RegionSquares<Region> found_squares(const Region& region, std::size_t most, double enough = well_filled,
+                                    int least_shift = 0)
 {
     constexpr int dimension = std::tuple_size_v<PositionIn<Region>>;
     RegionSquares<Region> squares{{{}}, FixedRegion::coordinate_bits};
     const auto is_filled = [&] {
         const double positions = static_cast<double>(squares.corners.size()) * std::pow(2.0, dimension * squares.shift);
-        return positions_in(region) >= well_filled * positions;
+        return positions_in(region) >= enough * positions;
     };
-    while (squares.shift > 0 && !squares.corners.empty() && !is_filled()) {
+    while (squares.shift > least_shift && !squares.corners.empty() && !is_filled()) {
         RegionSquares<Region> halves = halves_of(region, squares);
         if (halves.corners.size() > most) break;
         squares = std::move(halves);
@@ -55,5 +57,10 @@ RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t mos
     return found_squares(region, most);
 }
 RegionSquares<FixedSpace> squares_of(const FixedSpace& space, std::size_t most) { return found_squares(space, most); }
+
+RegionSquares<FixedRegion> small_squares_of(const FixedRegion& region, std::size_t most, int shift)
+{
+    return found_squares(region, most, 2, shift);
+}
 
 }

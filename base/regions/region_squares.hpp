@@ -38,4 +38,7 @@ inline constexpr std::size_t most_region_squares = std::size_t{1} << 18;
 RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t most);
 RegionSquares<FixedSpace> squares_of(const FixedSpace& space, std::size_t most);
 
+/// Squares as small as there may be `most` of them, 2^shift positions wide at least.
+RegionSquares<FixedRegion> small_squares_of(const FixedRegion& region, std::size_t most, int shift);
+
 }

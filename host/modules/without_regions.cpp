@@ -18,8 +18,13 @@ SolidLattice inset_solid(const SolidLattice& /*solid*/, double /*distance*/, con
     throw MissingModule("regions");
 }
 
-DrumModes drum_modes(std::span<const std::size_t> /*number*/, std::size_t /*columns*/, std::array<double, 2> /*step*/,
-                     std::size_t /*count*/)
+DrumModes drum_modes(const TaperGrid& /*grid*/, std::array<double, 2> /*step*/, std::size_t /*count*/)
+{
+    throw MissingModule("regions");
+}
+
+DrumModes released_modes(const TaperGrid& /*grid*/, std::array<double, 2> /*step*/, std::size_t /*count*/,
+                         double /*length*/)
 {
     throw MissingModule("regions");
 }

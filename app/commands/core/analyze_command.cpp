@@ -30,6 +30,7 @@ realizations must have as many points. Of a snapshot in several files, one is na
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`),
 with a range for each axis where the sides of a periodic box differ: `# domain 0:2 0:1`.
   poissonlab analyze set-*.dat --label "My method" --out mine
+  poissonlab analyze lamps.csv --region roads.geojson --along
 A picture is measured as a mask of thresholds, for dithering or as a texture of blue noise: the power of its values,
 their histogram, and the pixels below thresholds.
   poissonlab analyze blue-noise.png --channel R
@@ -54,6 +55,7 @@ struct AnalyzeOptions
     std::string domain; ///< as for parse_domain(); empty: what the files say
     std::uint32_t particles = no_type;
     std::string region;   ///< as for read_region(); empty: sets fill their square
+    bool along = false;   ///< whether points lie on the region's lines
     std::string channel;  ///< of a picture
     std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
@@ -137,14 +139,33 @@ Experiment experiment_of_text(const std::string& text)
     }
 }
 
-/// Measures a picture as a mask of thresholds, by the kind of work that does so.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+void check_printable(const AnalyzeOptions& options)
+{
+    for (const std::string& typed : {options.files.front().string(), options.label, options.channel, options.region})
+        if (printable(typed) != typed)
+            throw InputError(fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8",
+                                         printable(typed)));
+}
+
+/// Measures a file by the kind of work that does so; `keys` are those of its table.
+void analyze_by_kind(const AnalyzeOptions& options, const std::string& keys)
+{
+    const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
+    Experiment experiment = experiment_of_text(fmt::format("title = {}\n[[distribution]]\n{}", quoted(label), keys));
+    experiment.command = options.command;
+    const auto out = options.out.empty() ? std::filesystem::path("out") / safe_name(label) : options.out;
+    Progress progress(Progress::detect(options.quiet));
+    run_experiment(experiment, out, progress);
+    finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
+}
+
+/// Measures a picture as a mask of thresholds.
 void analyze_mask(const AnalyzeOptions& options)
 {
     const std::string name = printable(std::ranges::find_if(options.files, has_picture_name)->string());
-    for (const std::string& typed : {options.files.front().string(), options.label, options.channel})
-        if (printable(typed) != typed)
-            throw InputError(fmt::format("analyze: {}: names of pictures, labels and channels must be printable UTF-8",
-                                         printable(typed)));
+    check_printable(options);
     if (options.files.size() > 1) throw InputError(fmt::format("analyze: {}: a picture is measured alone", name));
     const bool has_others = !options.domain.empty() || options.particles != no_type || !options.region.empty() ||
                             !options.periodic.empty() || !options.overrides.empty() || options.gallery ||
@@ -154,23 +175,30 @@ void analyze_mask(const AnalyzeOptions& options)
                                      "--label, --channel, --threads and --quiet go with it",
                                      name));
     read_picture_header(options.files.front());
-    const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
-    const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
-    std::string text = fmt::format("title = {}\n[[distribution]]\nkind = \"mask-picture\"\nmask = {}\n", quoted(label),
-                                   quoted(options.files.front().string()));
-    if (!options.channel.empty()) text += fmt::format("channel = {}\n", quoted(options.channel));
-    Experiment experiment = experiment_of_text(text);
-    experiment.command = options.command;
-    const auto out = options.out.empty() ? std::filesystem::path("out") / safe_name(label) : options.out;
-    Progress progress(Progress::detect(options.quiet));
-    run_experiment(experiment, out, progress);
-    finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
+    std::string keys = fmt::format("kind = \"mask-picture\"\nmask = {}\n", quoted(options.files.front().string()));
+    if (!options.channel.empty()) keys += fmt::format("channel = {}\n", quoted(options.channel));
+    analyze_by_kind(options, keys);
+}
+
+/// Measures points on the lines of a region. Relative paths are those from where the command was typed.
+void analyze_line_set(const AnalyzeOptions& options)
+{
+    if (options.region.empty()) throw InputError("analyze: --along goes with --region");
+    const bool has_others = !options.domain.empty() || options.particles != no_type || !options.channel.empty() ||
+                            !options.periodic.empty() || options.gallery || options.in_pieces;
+    if (has_others || !options.overrides.empty() || options.files.size() > 1)
+        throw InputError("analyze: --along measures one file of points on lines: --region, --out, --label, --threads "
+                         "and --quiet go with it");
+    check_printable(options);
+    analyze_by_kind(options, fmt::format("kind = \"line-set\"\nset = {}\nregion = {}\n",
+                                         quoted(options.files.front().string()), quoted(options.region)));
 }
 
 void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
     if (std::ranges::any_of(options.files, has_picture_name)) return analyze_mask(options);
+    if (options.along) return analyze_line_set(options);
     if (!options.channel.empty()) throw InputError("analyze: --channel goes with a picture");
     std::optional<PointDomain> domain;
     if (!options.domain.empty()) {
@@ -235,6 +263,7 @@ Command analyze_command(const std::string& typed)
               "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
               "X0 Y0 X1 Y1, disk X Y RADIUS",
               "REGION"},
+             {"--along", &o->along, "Points lie on the lines and outlines of the region, and are measured along these"},
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "

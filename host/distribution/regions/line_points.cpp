@@ -271,6 +271,8 @@ std::vector<RegionRing> lines_among(const RegionLand& land, double distance, std
 
 }
 
+double length_along(const std::vector<RegionRing>& lines) { return total_length(edges_of(lines)); }
+
 double distance_along(const DartSettings& settings, const std::vector<RegionRing>& lines)
 {
     const double length = total_length(edges_of(lines)), longest = box_around(lines).longest();

@@ -11,6 +11,9 @@
 
 namespace poissonlab {
 
+/// Returns the length of lines; an edge that comes twice, as where two parcels meet, counts once.
+double length_along(const std::vector<RegionRing>& lines);
+
 /// Returns the distance in units of the region: the given one or, for so many points, `relative_radius` of the length
 /// that each of them has. Throws InputError where it is more than their extent, or so small that the work needs too
 /// much memory.

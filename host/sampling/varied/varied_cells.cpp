@@ -131,7 +131,7 @@ contract::varied_darts::DistanceRule distance_rule(const VariedDartRequest& requ
             .least = request.field->least() - 1,
             .most = std::ranges::max(nodes),
             .buckets = 0,
-            .unused = 0};
+            .shift = request.field->shift()};
 }
 
 std::uint32_t reduced_scale(std::uint32_t scale, double factor) { return static_cast<std::uint32_t>(scale * factor); }

@@ -16,8 +16,6 @@ using contract::varied_darts::DistanceRule;
 using contract::varied_darts::OpenCell;
 using contract::varied_darts::VariedBatch;
 
-static_assert(contract::varied_darts::FIELD_SHIFT == DistanceTable::shift);
-
 struct VariedDartBuffers
 {
     using Words = Buffer<std::uint32_t>;

@@ -7,7 +7,6 @@ CONTRACT(varied_darts)
 
 enum
 {
-    FIELD_SHIFT = 22,   ///< nodes of distances are 2^FIELD_SHIFT positions apart: DistanceTable::shift
     QUOTIENT_BITS = 18, ///< see quotient_of()
     SCALE_BITS = 31,    ///< a scale of 1
     SPARE = 16          ///< positions by which rounded distances may break the slope, and more
@@ -39,7 +38,7 @@ struct OpenCell
 /// How distances are read and kept.
 struct DistanceRule
 {
-    uint columns; ///< cells of the field
+    uint columns; ///< cells of the field; 0: it has squares
     uint rows;
     uint is_mean; ///< the mean of both distances is kept, else the smaller one
     uint scale;   ///< of all distances, in units of 2^-SCALE_BITS
@@ -50,7 +49,7 @@ struct DistanceRule
     uint above;
     uint least, most; ///< of all distances
     uint buckets;     ///< of points: a power of two, less 1
-    uint unused;
+    uint shift;       ///< nodes of the field are 2^shift positions apart
 };
 
 /// The arguments of find_varied_darts and settle_varied_darts. Slots are the places of points in the order in which

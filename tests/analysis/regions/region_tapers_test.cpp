@@ -1,4 +1,5 @@
-// Tapers of regions against sine tapers by numpy, Bessel's zeros, and integrals by plain sums.
+// Tapers of regions against sine tapers by numpy, Bessel's zeros, strips in closed form, and integrals by plain
+// sums.
 #include "analysis/regions/region_tapers.hpp"
 
 #include "analysis/regions/random_in_region.hpp"
@@ -238,9 +239,134 @@ TEST(TaperedPeriodogram, OfRandomPointsHasTheMomentsOfTapers)
     }
 }
 
+/// By SciPy's sparse solvers, on 810 x 20 cells: the integrals of squared gradients of the lowest modes of the
+/// stiffness without the potential 1 / u.
+constexpr std::array<double, 6> scipy_gradients{403.4839390758374,  407.0295259224583,  407.8209832666549,
+                                                409.13946968069297, 410.98410145408536, 413.3536984005087};
+
+TEST(LongTapers, AreThoseOfScipy)
+{
+    const RegionTapers tapers(*framed_text("rectangle 0 0 40 1"), 6);
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(tapers.eigenvalue(k), scipy_gradients[k], 1e-6 * scipy_gradients[k]) << k;
+}
+
+/// Along a strip, u is the parabola y (1 - y) / 2, and functions g are cosines. The ends, where u falls to 0, take less
+/// than a width from either side, and so much from their phases; u is off where the grid's cells cross the boundary,
+/// within a diagonal of them.
+void expect_cosines_along(const std::string& text, double angle)
+{
+    constexpr double length = 400;
+    const auto region = framed_text(text);
+    const RegionTapers tapers(*region, 4);
+    const double cell = std::hypot(tapers.step()[0], tapers.step()[1]) * std::sqrt(length); // in widths
+    const double low = angle == 0 ? 0 : -std::sin(angle);                                   // of the box
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double scale = std::sqrt(30.0) * (k == 0 ? 1 : std::sqrt(2.0)), peak = scale / 4;
+        double sign = 0;
+        for (double x = 7.3; x < length - 7; x += 3.7)
+            for (double y = 0.05; y < 1; y += 0.15) {
+                const std::array<double, 2> own{x * std::cos(angle) - y * std::sin(angle) - low,
+                                                x * std::sin(angle) + y * std::cos(angle)};
+                const double value = tapers.at(k, {own[0] / region->side(), own[1] / region->side()});
+                const double turns = static_cast<double>(k) * std::numbers::pi / length;
+                const double expected = scale * y * (1 - y) * std::cos(turns * x);
+                if (sign == 0) sign = value * expected < 0 ? -1 : 1;
+                // A cell from either boundary changes y (1 - y) by 2 cells / (1 - 2 cells), over its peak.
+                ASSERT_NEAR(sign * value, expected, peak * (turns * 2 + (angle == 0 ? cell * cell : 4 * cell)))
+                    << k << ": " << x << ", " << y;
+            }
+    }
+}
+
+TEST(LongTapers, OfStripsAreParabolasTimesCosines)
+{
+    expect_cosines_along("rectangle 0 0 400 1", 0);
+    const double angle = std::atan2(3.0, 4.0);
+    expect_cosines_along("POLYGON ((0 0, 320 240, 319.4 240.8, -0.6 0.8, 0 0))", angle);
+}
+
+constexpr const char* winding = "LINESTRING (0 0, 20 3, 40 -8, 60 1, 90 0, 88 20, 40 22)";
+
+/// A road half a unit wide to either side.
+std::shared_ptr<const FramedRegion> framed_road()
+{
+    RegionReading reading;
+    reading.buffer = 0.5;
+    return std::make_shared<const FramedRegion>(read_region(winding, reading), "road");
+}
+
+TEST(LongTapers, OfARoadAreOrthogonalAndCoverIt)
+{
+    const auto region = framed_road();
+    const RegionTapers tapers(*region, five);
+    const std::array<double, 2> step{tapers.step()[0] * tapers.unit_length(), tapers.step()[1] * tapers.unit_length()};
+    std::array<std::array<double, five>, five> products{};
+    const double near = 0.5 - 0.5 / std::sqrt(3.0), weight = tapers.step()[0] * tapers.step()[1] / 4;
+    double fourth = 0;
+    for (double y = 0; y < 1; y += step[1])
+        for (double x = 0; x < 1; x += step[0])
+            for (const double dy : {near, 1 - near})
+                for (const double dx : {near, 1 - near}) {
+                    const std::array<double, 2> place{x + dx * step[0], y + dy * step[1]};
+                    std::array<double, five> at;
+                    double squares = 0;
+                    for (std::size_t k = 0; k < five; ++k) {
+                        at[k] = tapers.at(k, place);
+                        squares += at[k] * at[k] / five;
+                    }
+                    if (squares == 0) continue;
+                    ASSERT_TRUE(region->contains(place));
+                    fourth += weight * squares * squares;
+                    for (std::size_t k = 0; k < five; ++k)
+                        for (std::size_t l = 0; l < five; ++l) products[k][l] += weight * at[k] * at[l];
+                }
+    for (std::size_t k = 0; k < five; ++k)
+        for (std::size_t l = 0; l < five; ++l) EXPECT_NEAR(products[k][l], k == l, 1e-9) << k << ", " << l;
+    // Squares of a parabola across and 1 along cover 0.7 of a strip; one of five tapers is even, others are cosines.
+    EXPECT_GT(1 / fourth, 0.5);
+    EXPECT_LT(1 / fourth, 0.7);
+}
+
+TEST(LongTapers, OfTwoIslandsFarApartCoverBoth)
+{
+    const auto region =
+        framed_text("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((900 800, 901 800, 900 801, 900 800)))");
+    const RegionTapers tapers(*region, 2);
+    const PointSet nodes = tapers.nodes();
+    std::array<double, 2> squares{};
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k) squares[nodes[i][0] > 0.5] += tapers.values(k)[i] * tapers.values(k)[i] / 2;
+    EXPECT_NEAR(squares[0] / squares[1], 1, 0.1); // sums over nodes instead of integrals
+}
+
+/// Points without any order have the power 1 - |H|^2 on average, with H next to nothing beyond some 4 / width.
+TEST(LongTapers, GiveRandomPointsThePowerOne)
+{
+    const auto region = framed_road();
+    const auto tapers = std::make_shared<const RegionTapers>(*region, five);
+    const RandomInRegion random(*region, nullptr);
+    constexpr int size = 256;
+    TaperedPeriodogram periodogram(region, tapers, size, false);
+    std::vector<double> means;
+    HalfSpectrum power;
+    for (std::uint32_t set = 0; set < 20; ++set) {
+        double sum = 0, count = 0;
+        for (std::size_t k = 0; k < five; ++k) {
+            periodogram.compute(random.points(400, set), k, power);
+            for (int u = 60; u <= size / 2; ++u)
+                for (int v = -size / 2; v <= size / 2; ++v, ++count)
+                    sum +=
+                        power.power[static_cast<std::size_t>(u) * (size + 1) + static_cast<std::size_t>(v + size / 2)];
+        }
+        means.push_back(sum / count);
+    }
+    expect_mean(means, 1);
+}
+
 TEST(RegionTapers, NeedRoom)
 {
-    const auto thin = framed_text("POLYGON ((0 0, 0.001 0, 1 1, 0.999 1, 0 0))");
+    const auto thin = framed_text("POLYGON ((0 0, 0.000001 0, 1 1, 0.999999 1, 0 0))");
     EXPECT_THAT(message_of([&] { RegionTapers(*thin, 9); }), testing::HasSubstr("too thin for 9 tapers"));
 }
 

@@ -82,6 +82,50 @@ TEST(DistanceFields, AreBilinearInWholeNumbersWithBounds)
     EXPECT_EQ(field.least_in({0, 0}, 31), field.least());
 }
 
+/// Squares that cover a strip 5,000 times as long as wide: their distances are those of a formula which changes many
+/// times over a 512th of its length, and its integral is known.
+TEST(DistanceFields, FollowLongRegions)
+{
+    for (const std::string text :
+         {"POLYGON ((0 0, 4000 3000, 3999.4 3000.8, -0.6 0.8, 0 0))", "rectangle 0 7 5000 8"}) {
+        const PlaneRegion plane = read_region(text, {.is_planar = true});
+        const FixedRegion region(plane);
+        const std::string formula = "0.5+0.25*sin(x)";
+        const DistanceAt distance = distance_of_text(formula, "light", {0, 1}, region.box());
+        const DistanceTable table = distance_table(region, distance, "it");
+        ASSERT_FALSE(table.squares.empty());
+        const double side = region.unit() * (1u << table.shift), slack = 2.25 * side * side / 8 * 0.25 + 2e-5;
+        EXPECT_LT(side, 0.5);
+        EXPECT_NEAR(table.least, 0.25, slack);
+        EXPECT_NEAR(table.most, 0.75, slack);
+        EXPECT_NEAR(table.slope, 0.25, slack / side); // nodes are raised by less
+        // The mean of 1 / (a + b sin)^2 over whole periods is a / (a^2 - b^2)^(3 / 2); the rest is at most 1 / 0.25^2
+        // of a period of 2 pi.
+        const double packing = 0.5 / std::pow(0.25 - 0.0625, 1.5) * region.area();
+        EXPECT_NEAR(table.packing / packing, 1, 2 * std::numbers::pi * 16 / packing + 4 * slack);
+        const DistanceField field(table, region, 1.0);
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> part;
+        for (int i = 0; i < 20'000; ++i) {
+            const double along = 5000 * part(random), across = part(random);
+            const std::array<double, 2> at = text[0] == 'r'
+                                                 ? std::array{along, 7 + across}
+                                                 : std::array{0.8 * along - 0.6 * across, 0.6 * along + 0.8 * across};
+            TorusPoint<2> position;
+            for (std::size_t k = 0; k < 2; ++k)
+                position[k] =
+                    static_cast<std::uint32_t>(std::max(0.0, (at[k] - region.own({0, 0})[k]) / region.unit() + 0.5));
+            if (!region.contains(position)) continue;
+            const double exact = distance(at[0], at[1]), read = field.at(position) * region.unit();
+            ASSERT_GE(read, exact - 1e-6) << at[0]; // a position is 2e-6
+            ASSERT_LT(read, exact + slack) << at[0];
+            const std::uint32_t size = random() % 32;
+            ASSERT_LE(field.least_in({position[0] >> size << size, position[1] >> size << size}, size),
+                      field.at(position));
+        }
+    }
+}
+
 TEST(DistancesOfPictures, LieBetweenPixelsOverTheBox)
 {
     const TemporaryFolder folder;

@@ -34,6 +34,22 @@ TEST(RegionShares, AddUpToTheArea)
     }
 }
 
+/// Some of the squares alone have the shares that they have among all.
+TEST(RegionShares, OfSomeSquaresAreThoseOfAll)
+{
+    const FixedRegion region(test::star_with_holes(5, 300, 0x1p31));
+    const std::vector<double> all = shares_of(region);
+    const std::uint32_t columns = (region.extent().high[0] >> share_shift) + 1;
+    const std::uint32_t rows = (region.extent().high[1] >> share_shift) + 1;
+    std::vector<std::array<std::uint32_t, 2>> squares;
+    std::vector<double> expected;
+    for (std::uint32_t square = 0; square < all.size(); square += 1 + square % 5) {
+        squares.push_back({square % columns, square / columns});
+        expected.push_back(all[square]);
+    }
+    EXPECT_EQ(region_shares(region, {{}, 1u << share_shift, columns, rows}, squares), expected);
+}
+
 TEST(RegionShares, AreThoseOfPlacesInEachSquare)
 {
     const FixedRegion region(test::star_with_holes(4, 200, 0x1p31));

@@ -115,6 +115,42 @@ TEST_P(VariedDartSets, LeaveNoRoomWhereTheyAreFull)
     EXPECT_GT(has_room(), 0U);
 }
 
+class LongVariedDarts : public testing::TestWithParam<VariedCase>
+{
+};
+
+/// The distance along a strip changes many times over a 512th of its length.
+TEST_P(LongVariedDarts, AreTheSameByKernelsAndKeepTheFormula)
+{
+    const VariedDartRequest request = request_of(GetParam());
+    ASSERT_EQ(request.field->columns(), 0U);
+    const VariedDarts darts = reference::throw_varied_darts(request);
+    EXPECT_EQ(VariedDartThrower(Device::open()).throw_darts(request), darts);
+    const auto formula = [&](const std::array<double, 2>& at) { return darts.scale * (0.35 + 0.2 * std::sin(at[0])); };
+    const auto kept = [&](const std::array<double, 2>& p, const std::array<double, 2>& q) {
+        return request.is_mean ? (formula(p) + formula(q)) / 2 : std::min(formula(p), formula(q));
+    };
+    const auto gap = [](const auto& p, const auto& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); };
+    std::vector<std::array<double, 2>> points;
+    for (const auto& point : darts.points) points.push_back(request.region->own(point));
+    std::ranges::sort(points);
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size() && points[j][0] < points[i][0] + 1; ++j)
+            least = std::min(least, gap(points[i], points[j]) / kept(points[i], points[j]));
+    EXPECT_GE(least, 1);
+    EXPECT_LT(least, 1.01); // a table that is off shows here
+    if (!darts.is_full) return;
+    // All along the middle, places have a point near them: distances of the table are raised by 1e-3 at most.
+    for (std::array<double, 2> on{-0.3, 0.4}; on[0] < 2399.7; on[0] += 0.04, on[1] += 0.03) {
+        bool is_near = false;
+        for (auto point = std::ranges::lower_bound(points, std::array{on[0] - 1, 0.0});
+             point != points.end() && (*point)[0] < on[0] + 1; ++point)
+            is_near = is_near || gap(on, *point) < kept(on, *point) + 1e-3;
+        ASSERT_TRUE(is_near) << on[0];
+    }
+}
+
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, VariedDartSets,
                          testing::Values(VariedCase{"rectangle 0 0 1 1", "0.3+0.2*x", false, 4},
@@ -129,6 +165,19 @@ INSTANTIATE_TEST_SUITE_P(
                                "3+0.9*sqrt((x-500000)^2+y^2)/2"},
                     VariedCase{"disk 0 0 1", "0.02+0.9*sqrt(x*x+y*y)"},
                     VariedCase{"disk 0 0 1", "0.02+1.5*sqrt(x*x+y*y)", true}));
+// Distances of these are in squares that cover the region.
+const std::string far_islands = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((60 40, 61 40, 61 41, 60 41, 60 40)))";
+INSTANTIATE_TEST_SUITE_P(Islands, VariedDartSets,
+                         testing::Values(VariedCase{far_islands, "0.35+0.1*sin(3*x)"},
+                                         VariedCase{far_islands, "0.35+0.1*sin(3*x)", true},
+                                         VariedCase{far_islands, "0.1+0.02*x", true, 20, 100}));
+
+const std::string long_strip = "POLYGON ((0 0, 2400 1800, 2399.4 1800.8, -0.6 0.8, 0 0))";
+
+INSTANTIATE_TEST_SUITE_P(Strips, LongVariedDarts,
+                         testing::Values(VariedCase{long_strip, "0.35+0.2*sin(x)"},
+                                         VariedCase{long_strip, "0.35+0.2*sin(x)", true},
+                                         VariedCase{long_strip, "0.35+0.2*sin(x)", false, 2000, 300}));
 
 }
 }
