@@ -79,7 +79,7 @@ ALWAYS_INLINE long weight_of(const Elimination* e, ulong squared)
 #define FOR_EACH_WITHIN_REACH(e, item, coordinates, WHERE, BODY)                                                       \
     Position position_, there_;                                                                                        \
     find_position(coordinates, (e)->stride, item, &position_);                                                         \
-    for (uint run_ = cells[item] * RUNS, last_ = run_ + RUNS; run_ < last_; ++run_) {            \
+    for (uint run_ = cells[item] * RUNS, last_ = run_ + RUNS; run_ < last_; ++run_) {                                  \
         const uint end_ = runs[2 * run_ + 1];                                                                          \
         for (uint other = runs[2 * run_]; other < end_; ++other) {                                                     \
             if (!(WHERE)) continue;                                                                                    \
@@ -140,7 +140,8 @@ ALWAYS_INLINE bool is_heavier(global const long* weights, global const uint* ids
 }
 
 /// One work-item owns one point. Nothing is known of heavier ones yet, which `heavier` says by the point itself.
-kernel void weigh_points(Elimination e, global const uint* coordinates, GRID_PARAMETERS, global long* weights, global uint* heavier FACTORS_PARAMETER)
+kernel void weigh_points(Elimination e, global const uint* coordinates, GRID_PARAMETERS, global long* weights,
+                         global uint* heavier FACTORS_PARAMETER)
 {
     const uint item = get_global_id(0);
     if (item >= e.points) return;
@@ -152,16 +153,16 @@ kernel void weigh_points(Elimination e, global const uint* coordinates, GRID_PAR
 }
 
 /// The heaviest point within reach of one, which may be the point itself.
-uint find_heaviest(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS,
-                   global const uint* ids, global const long* weights, uint item)
+uint find_heaviest(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS, global const uint* ids,
+                   global const long* weights, uint item)
 {
     uint heaviest = item;
     FOR_EACH_WITHIN_REACH(e, item, coordinates, is_heavier(weights, ids, other, heaviest), { heaviest = other; })
     return heaviest;
 }
 
-void remove_point(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS,
-                  global long* weights, uint item FACTORS_PARAMETER)
+void remove_point(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS, global long* weights,
+                  uint item FACTORS_PARAMETER)
 {
     weights[item] = of_removed(weights[item]);
     FOR_EACH_WITHIN_REACH(e, item, coordinates, weights[other] >= 0,
