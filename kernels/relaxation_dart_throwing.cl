@@ -152,12 +152,17 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
 }
 
 /// Is a position inside, and no point too near to it? Beside a long region, where nearly half of the darts fall, most
-/// positions are far from points, for which all cells around them would be looked at.
+/// positions are far from points, for which all cells around them would be looked at: what is outside is found before.
 ALWAYS_INLINE bool may_be_point(const Position* position, global const uint* cells, global const uint* points,
                                 const struct PointCells* grid, ulong threshold, const Region* region)
 {
-    if (REGION == 2 && !is_allowed_position(region, position)) return false;
-    return is_free(position, cells, points, grid, threshold) && (REGION == 2 || is_allowed_position(region, position));
+    if (REGION != 2)
+        return is_free(position, cells, points, grid, threshold) && is_allowed_position(region, position);
+    const ulong part = part_of_cell(grid, threshold);
+    Reach reach[DIMENSION];
+    FOR_EACH_AXIS(k) reach[k] = reach_of(position->c[k], grid->size, part);
+    return !conflicts_at_corner(position, reach, cells, grid, threshold) && is_allowed_position(region, position) &&
+           is_free(position, cells, points, grid, threshold);
 }
 
 /// The number of the lowest bit that is set.
