@@ -14,6 +14,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # GCC 12 warns of overlaps inside std::string that cannot be (GCC bugs 105329 and 105651).
   target_compile_options(lab_options INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  # GCC 13 takes every reference that a function with a temporary argument returns for one to that argument.
+  target_compile_options(lab_options INTERFACE -Wno-dangling-reference)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC collects its garbage whenever that has grown to twice what is used, precompiled headers among it. Where memory
   # allows it, it begins at a gigabyte, which most source files never need: that saves up to a tenth of the time.

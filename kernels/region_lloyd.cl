@@ -92,12 +92,9 @@ void begin_box(Cell* cell, double half_side)
     measure_farthest(cell);
 }
 
-/// Cuts the cell by the bisector of its site and another one, which lies there. False: there is no room for it.
-bool cut_off(Cell* cell, double2 there)
+/// Cuts the cell by a line whose interval is not known yet. False: there is no room for it.
+bool cut_with(Cell* cell, Line line)
 {
-    const double squared = dotted(there, there);
-    if (squared == 0 || squared >= 4 * cell->squared_farthest) return true;
-    Line line = {there, 0.5 * there, 0.5 * squared, -DBL_MAX, DBL_MAX};
     for (uint i = 0; i < cell->count; ++i) cut_by(&line, &cell->lines[i]);
     if (!(line.low < line.high)) return true;
     uint kept = 0;
@@ -111,6 +108,15 @@ bool cut_off(Cell* cell, double2 there)
     cell->lines[cell->count++] = line;
     measure_farthest(cell);
     return true;
+}
+
+/// Cuts the cell by the bisector of its site and another one, which lies there. False: there is no room for it.
+bool cut_off(Cell* cell, double2 there)
+{
+    const double squared = dotted(there, there);
+    if (squared == 0 || squared >= 4 * cell->squared_farthest) return true;
+    const Line line = {there, 0.5 * there, 0.5 * squared, -DBL_MAX, DBL_MAX};
+    return cut_with(cell, line);
 }
 
 ALWAYS_INLINE double2 relative(uint2 position, uint2 site)
@@ -147,11 +153,28 @@ bool cut_by_row(Cell* cell, const SiteCells* grid, global const uint* sites, glo
     return true;
 }
 
+/// Cuts the cell a little beyond an edge that ends the region. There is room for the line.
+void cut_beyond(Cell* cell, const SiteCells* grid, uint4 edge, uint2 site)
+{
+    const double2 begin = relative(edge.xy, site), along_edge = relative(edge.zw, edge.xy);
+    const double2 normal = (double2)(along_edge.y, -along_edge.x);
+    const double squared = dotted(normal, normal);
+    const double bound = dotted(normal, begin) + CLIP_PART * (double)(1u << grid->shift) * sqrt(squared);
+    const Line line = {normal, (bound / squared) * normal, bound, -DBL_MAX, DBL_MAX};
+    cut_with(cell, line);
+}
+
 /// The cell within its box: sites are looked at in rings of the grid's cells, until no farther one matters.
-bool find_cell(Cell* cell, const SiteCells* grid, global const uint* sites, global const uint* starts, uint2 site)
+bool find_cell(Cell* cell, const SiteCells* grid, global const uint* sites, global const uint* starts, uint2 site,
+               global const uint* edges, global const uint* clips)
 {
     begin_box(cell, grid->half_box);
     const uint2 from = site - (uint2)(grid->low_x, grid->low_y);
+    if (grid->is_listed) {
+        const uint number = number_of_cell(grid, from.y >> grid->shift, from.x >> grid->shift);
+        for (uint i = number * MAX_CLIPS; i < (number + 1) * MAX_CLIPS && clips[i] != NO_CLIP; ++i)
+            cut_beyond(cell, grid, vload4(clips[i], edges), from);
+    }
     const uint width = 1u << grid->shift;
     const uint2 inner = from & (width - 1);
     const uint2 outer = width - inner;
@@ -285,11 +308,13 @@ void look_behind(CellMoments* sum, const Cell* cell, uint4 edge, uint2 site)
 
 /// One work-item owns one site. `sites` are sorted by the grid's cells, which begin at `starts`; `is_inside` tells of
 /// each site, moved as above; `edges` count from the grid's lowest position, and the cells' lists of their numbers begin
-/// at `edge_starts`; `row_starts` and `listed_columns` are those of listed cells.
+/// at `edge_starts`; `row_starts` and `listed_columns` are those of listed cells, and `clips` their edges that end the
+/// region.
 kernel void integrate_cells(struct SiteGrid sites_grid, global const uint* sites, global const uint* starts,
                             global const uchar* is_inside, global const uint* edges, global const uint* edge_starts,
                             global const uint* edge_numbers, global const uint* row_starts,
-                            global const uint* listed_columns, global CellMoments* moments)
+                            global const uint* listed_columns, global const uint* clips,
+                            global CellMoments* moments)
 {
     const uint id = get_global_id(0);
     if (id >= sites_grid.sites) return;
@@ -299,7 +324,7 @@ kernel void integrate_cells(struct SiteGrid sites_grid, global const uint* sites
     const uint2 lowest = (uint2)(grid.low_x, grid.low_y);
     Cell cell;
     CellMoments sum = {0, 0, 0, 0, 0};
-    sum.is_known = find_cell(&cell, &grid, sites, starts, site);
+    sum.is_known = find_cell(&cell, &grid, sites, starts, site, edges, clips);
     if (sum.is_known) {
         if (is_inside[id])
             for (uint i = 0; i < cell.count; ++i)

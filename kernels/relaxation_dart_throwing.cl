@@ -151,6 +151,20 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
 #endif
 }
 
+/// Is a position inside, and no point too near to it? Beside a long region, where nearly half of the darts fall, most
+/// positions are far from points, for which all cells around them would be looked at: what is outside is found before.
+ALWAYS_INLINE bool may_be_point(const Position* position, global const uint* cells, global const uint* points,
+                                const struct PointCells* grid, ulong threshold, const Region* region)
+{
+    if (REGION != 2)
+        return is_free(position, cells, points, grid, threshold) && is_allowed_position(region, position);
+    const ulong part = part_of_cell(grid, threshold);
+    Reach reach[DIMENSION];
+    FOR_EACH_AXIS(k) reach[k] = reach_of(position->c[k], grid->size, part);
+    return !conflicts_at_corner(position, reach, cells, grid, threshold) && is_allowed_position(region, position) &&
+           is_free(position, cells, points, grid, threshold);
+}
+
 /// The number of the lowest bit that is set.
 uint lowest_bit(ulong bits) { return 63 - (uint)clz(bits & (0ul - bits)); }
 
@@ -171,7 +185,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
             PLACE_IN_BOX(position);
-            if (is_free(&position, cells, points, &grid, threshold) && is_allowed_position(&region, &position)) word |= 1ul << dart;
+            if (may_be_point(&position, cells, points, &grid, threshold, &region)) word |= 1ul << dart;
         }
     }
     candidates[id] = word;
@@ -284,7 +298,7 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
             PLACE_IN_BOX(position);
-            if (is_free(&position, cells, points, &grid, threshold) && is_allowed_position(&region, &position)) {
+            if (may_be_point(&position, cells, points, &grid, threshold, &region)) {
                 insert_point(&position, count, cells, points, &grid);
                 ++count;
                 failures = 0;

@@ -16,7 +16,12 @@
 // boundary: pairs then have two weights, one for either point.
 //
 // Points are sorted by grid cells, see point_grid.cl. Of equal weights, that of the lower id counts as the heavier.
-// Needs DIMENSION (2 or 3) and FACTORS (1 or 0).
+//
+// With LISTED only cells that have points are there, sorted by colours, tiles and cells, see
+// host/sampling/optimized/listed_cells.hpp: those of a tile follow each other, and each cell has a list of the runs of
+// points in the cells around it.
+//
+// Needs DIMENSION (2 or 3), FACTORS (1 or 0) and LISTED (1 or 0).
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -34,6 +39,19 @@
 #define FACTORS_PARAMETER
 #define FACTORS_ARGUMENT
 #define TIMES_FACTOR(weight, item) (weight)
+#endif
+
+// The grid, as arguments of kernels and functions; those that only kernels take begin with a comma.
+#if LISTED
+#define GRID_PARAMETERS global const uint *cells, global const uint *runs
+#define GRID_ARGUMENTS cells, runs
+#define TILES_PARAMETERS , global const uint *tile_starts, global const uint *tiles_around
+#define TILES_ARGUMENTS , tile_starts, tiles_around
+#else
+#define GRID_PARAMETERS global const uint* starts
+#define GRID_ARGUMENTS starts
+#define TILES_PARAMETERS
+#define TILES_ARGUMENTS
 #endif
 
 typedef struct Elimination Elimination;
@@ -55,14 +73,35 @@ ALWAYS_INLINE long weight_of(const Elimination* e, ulong squared)
     return (long)(fourth * fourth * WEIGHT_UNITS + 0.5);
 }
 
+#if LISTED
+
+/// BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees `other`, is true.
+#define FOR_EACH_WITHIN_REACH(e, item, coordinates, WHERE, BODY)                                                       \
+    Position position_, there_;                                                                                        \
+    find_position(coordinates, (e)->stride, item, &position_);                                                         \
+    for (uint run_ = cells[item] * RUNS, last_ = run_ + RUNS; run_ < last_; ++run_) {                                  \
+        const uint end_ = runs[2 * run_ + 1];                                                                          \
+        for (uint other = runs[2 * run_]; other < end_; ++other) {                                                     \
+            if (!(WHERE)) continue;                                                                                    \
+            find_position(coordinates, (e)->stride, other, &there_);                                                   \
+            const ulong squared = squared_distance(&position_, &there_);                                               \
+            if (squared >= (e)->squared_reach || other == item) continue;                                              \
+            BODY                                                                                                       \
+        }                                                                                                              \
+    }
+
+#else
+
 ALWAYS_INLINE uint cell_of(const Elimination* e, uint coordinate)
 {
     return (uint)(((ulong)coordinate * e->grid_size) >> 32);
 }
 
+ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; }
+
 /// BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees `other`, is true: calls
 /// are textual, as OpenCL C has no function pointers. Cells that follow each other along an axis hold points that do.
-#define FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, WHERE, BODY)                                               \
+#define FOR_EACH_WITHIN_REACH(e, item, coordinates, WHERE, BODY)                                                       \
     Position position_, there_;                                                                                        \
     find_position(coordinates, (e)->stride, item, &position_);                                                         \
     const int n_ = (int)(e)->grid_size;                                                                                \
@@ -90,7 +129,7 @@ ALWAYS_INLINE uint cell_of(const Elimination* e, uint coordinate)
         }                                                                                                              \
     }
 
-ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; }
+#endif
 
 /// Turns the weight of a point that is removed into a negative number, which keeps the weight that it had.
 ALWAYS_INLINE long of_removed(long weight) { return ~weight; }
@@ -101,34 +140,54 @@ ALWAYS_INLINE bool is_heavier(global const long* weights, global const uint* ids
 }
 
 /// One work-item owns one point. Nothing is known of heavier ones yet, which `heavier` says by the point itself.
-kernel void weigh_points(Elimination e, global const uint* coordinates, global const uint* starts,
-                         global long* weights, global uint* heavier FACTORS_PARAMETER)
+kernel void weigh_points(Elimination e, global const uint* coordinates, GRID_PARAMETERS, global long* weights,
+                         global uint* heavier FACTORS_PARAMETER)
 {
     const uint item = get_global_id(0);
     if (item >= e.points) return;
     long sum = 0;
-    FOR_EACH_WITHIN_REACH(&e, item, coordinates, starts, true, { sum += weight_of(&e, squared); })
+    FOR_EACH_WITHIN_REACH(&e, item, coordinates, true, { sum += weight_of(&e, squared); })
     sum = TIMES_FACTOR(sum, item);
     weights[item] = sum;
     heavier[item] = item;
 }
 
 /// The heaviest point within reach of one, which may be the point itself.
-uint find_heaviest(const Elimination* e, global const uint* coordinates, global const uint* starts,
-                   global const uint* ids, global const long* weights, uint item)
+uint find_heaviest(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS, global const uint* ids,
+                   global const long* weights, uint item)
 {
     uint heaviest = item;
-    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, is_heavier(weights, ids, other, heaviest), { heaviest = other; })
+    FOR_EACH_WITHIN_REACH(e, item, coordinates, is_heavier(weights, ids, other, heaviest), { heaviest = other; })
     return heaviest;
 }
 
-void remove_point(const Elimination* e, global const uint* coordinates, global const uint* starts,
-                  global long* weights, uint item FACTORS_PARAMETER)
+void remove_point(const Elimination* e, global const uint* coordinates, GRID_PARAMETERS, global long* weights,
+                  uint item FACTORS_PARAMETER)
 {
     weights[item] = of_removed(weights[item]);
-    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, weights[other] >= 0,
+    FOR_EACH_WITHIN_REACH(e, item, coordinates, weights[other] >= 0,
                           { weights[other] -= TIMES_FACTOR(weight_of(e, squared), other); })
 }
+
+#if LISTED
+
+/// A block of cells whose points follow each other.
+typedef struct { uint number, begin, end; } Tile;
+
+ALWAYS_INLINE bool is_inside(const Elimination* e, const Tile* t, global const uint* coordinates, uint item)
+{
+    return item >= t->begin && item < t->end;
+}
+
+void mark_around(const Elimination* e, const Tile* t, global uchar* marks TILES_PARAMETERS)
+{
+    for (uint i = 0; i < TILES_AROUND; ++i) {
+        const uint other = tiles_around[t->number * TILES_AROUND + i];
+        if (other != NO_TILE) marks[other] = 1;
+    }
+}
+
+#else
 
 /// A block of cells; beyond the last axis, one cell.
 typedef struct { uint tile[3], begin[3], end[3]; } Tile;
@@ -171,10 +230,12 @@ void mark_around(const Elimination* e, const Tile* t, global uchar* marks)
             }
 }
 
+#endif
+
 /// From a point to heavier ones, as far as they lie in the tile; the last, if none within its reach is heavier, is
 /// removed. Again, until the point itself is removed, too light, or waits for another tile. `heavier` has a point that
 /// was heavier, for each: it is looked for anew only where it is no longer. The number of points removed.
-uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, global const uint* starts,
+uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, GRID_PARAMETERS,
            global const uint* ids, global long* weights, global uint* heavier, long least, uint from
            FACTORS_PARAMETER)
 {
@@ -183,11 +244,11 @@ uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, 
     while (weights[from] >= least) {
         uint next = heavier[item];
         if (!is_heavier(weights, ids, next, item)) {
-            next = find_heaviest(e, coordinates, starts, ids, weights, item);
+            next = find_heaviest(e, coordinates, GRID_ARGUMENTS, ids, weights, item);
             heavier[item] = next;
         }
         if (next == item) {
-            remove_point(e, coordinates, starts, weights, item FACTORS_ARGUMENT);
+            remove_point(e, coordinates, GRID_ARGUMENTS, weights, item FACTORS_ARGUMENT);
             ++removed;
             item = from;
         } else if (is_inside(e, t, coordinates, next)) {
@@ -199,32 +260,42 @@ uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, 
     return removed;
 }
 
-/// One work-item owns one tile of a colour, and leaves those alone around which nothing has changed since, unless
-/// `is_first`. No point that is lighter than `least` is removed.
-kernel void eliminate_tiles(Elimination e, uint colour, long least, uint is_first, global const uint* coordinates,
-                            global const uint* starts, global const uint* ids, global long* weights,
-                            global uint* heavier, global uchar* marks, global EliminationCounts* counts
-                            FACTORS_PARAMETER)
-{
-    uint tiles = 1;
-    FOR_EACH_AXIS(k) tiles *= max(e.tiles / 2, 1u);
-    if (get_global_id(0) >= tiles) return;
-    Tile t;
-    find_tile(&e, colour, get_global_id(0), &t);
+#if LISTED
+#define FIND_TILE(id)                                                                                                  \
+    if (colour + (id) >= e.tiles) return;                                                                              \
+    const Tile t = {colour + (id), tile_starts[colour + (id)], tile_starts[colour + (id) + 1]};                        \
+    const uint number = t.number;
+#define FOR_EACH_OF_TILE(item) for (uint item = t.begin; item < t.end; ++item)
+#else
+#define FIND_TILE(id)                                                                                                  \
+    uint tiles = 1;                                                                                                    \
+    FOR_EACH_AXIS(k) tiles *= max(e.tiles / 2, 1u);                                                                    \
+    if ((id) >= tiles) return;                                                                                         \
+    Tile t;                                                                                                            \
+    find_tile(&e, colour, (id), &t);                                                                                   \
     const uint number = (t.tile[2] * e.tiles + t.tile[1]) * e.tiles + t.tile[0];
+#define FOR_EACH_OF_TILE(item)                                                                                         \
+    for (uint z = t.begin[2]; z < t.end[2]; ++z)                                                                       \
+        for (uint y = t.begin[1], row; y < t.end[1] && (row = (z * e.grid_size + y) * e.grid_size, true); ++y)         \
+            for (uint item = starts[row + t.begin[0]]; item < starts[row + t.end[0]]; ++item)
+#endif
+
+/// One work-item owns one tile of a colour, and leaves those alone around which nothing has changed since, unless
+/// `is_first`. No point that is lighter than `least` is removed. With listed cells `colour` is the first tile of it.
+kernel void eliminate_tiles(Elimination e, uint colour, long least, uint is_first, global const uint* coordinates,
+                            GRID_PARAMETERS, global const uint* ids, global long* weights, global uint* heavier,
+                            global uchar* marks, global EliminationCounts* counts TILES_PARAMETERS FACTORS_PARAMETER)
+{
+    FIND_TILE(get_global_id(0))
     if (!is_first && !marks[number]) return;
     uint removed = 0, before;
     do {
         before = removed;
-        for (uint z = t.begin[2]; z < t.end[2]; ++z)
-            for (uint y = t.begin[1]; y < t.end[1]; ++y) {
-                const uint row = (z * e.grid_size + y) * e.grid_size;
-                for (uint item = starts[row + t.begin[0]]; item < starts[row + t.end[0]]; ++item)
-                    removed += climb(&e, &t, coordinates, starts, ids, weights, heavier, least, item FACTORS_ARGUMENT);
-            }
+        FOR_EACH_OF_TILE(item)
+        removed += climb(&e, &t, coordinates, GRID_ARGUMENTS, ids, weights, heavier, least, item FACTORS_ARGUMENT);
     } while (removed > before);
     if (removed > 0) {
-        mark_around(&e, &t, marks);
+        mark_around(&e, &t, marks TILES_ARGUMENTS);
         atomic_add(&counts->removed, removed);
         atomic_add(&counts->of_round, removed);
     }

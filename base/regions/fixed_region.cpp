@@ -252,40 +252,6 @@ bool FixedRegion::contains_plainly(const TorusPoint<2>& p) const
     return is_inside;
 }
 
-RegionSide FixedRegion::side_of(const FixedBox& box) const
-{
-    if ((box.low[0] | box.low[1]) >> coordinate_bits != 0) return RegionSide::outside;
-    const FixedBox cut{box.low, {std::min(box.high[0], most_coordinate), std::min(box.high[1], most_coordinate)}};
-    const std::uint32_t left = cut.low[0] >> shift(), right = cut.high[0] >> shift();
-    const std::uint32_t bottom = cut.low[1] >> shift(), top = cut.high[1] >> shift();
-    const std::size_t stride = size() + 1;
-    const std::uint32_t filled = filled_[stride * (top + 1) + right + 1] - filled_[stride * (top + 1) + left] -
-                                 filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
-    if (filled == 0) return RegionSide::outside;
-    if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
-    // Small boxes are held against those parts of divided cells alone that they lie in.
-    const int fine_shift = shift() - fine_bits_;
-    const bool is_fine = cut.high[0] >> fine_shift <= (cut.low[0] >> fine_shift) + 1 &&
-                         cut.high[1] >> fine_shift <= (cut.low[1] >> fine_shift) + 1;
-    const int looked_at = is_fine ? fine_shift : shift();
-    bool is_crossed = false, is_near_edge = false;
-    for (std::uint32_t row = cut.low[1] >> looked_at; row <= cut.high[1] >> looked_at; ++row)
-        for (std::uint32_t column = cut.low[0] >> looked_at; column <= cut.high[0] >> looked_at; ++column) {
-            const std::size_t cell =
-                is_fine ? cell_with({column << looked_at, row << looked_at}).number : cell_at(column, row);
-            for (const FixedEdge& e : edges_of(cell)) {
-                const FixedEdge ends = ends_of(e);
-                const std::uint64_t squared = squared_margin_of(e);
-                if (squared != 0 && is_all_near(ends, cut, squared)) return RegionSide::outside;
-                is_crossed |= is_of_boundary(e) && touches(ends, cut);
-                is_near_edge |= touches(ends, enlarged(cut, margin_of(e)));
-            }
-        }
-    if (is_crossed) return RegionSide::crossed;
-    if (!contains(box.low, false)) return RegionSide::outside;
-    return cut.high == box.high && !is_near_edge ? RegionSide::inside : RegionSide::crossed;
-}
-
 std::array<double, 2> FixedRegion::own(const TorusPoint<2>& position) const
 {
     return {box_.low[0] + unit_ * position[0], box_.low[1] + unit_ * position[1]};

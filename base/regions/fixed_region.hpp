@@ -89,6 +89,12 @@ public:
 
     RegionSide side_of(const FixedBox& box) const;
 
+    /// Finds the edges of the boundary in a box, where a few go all through it and none ends there. Returns false
+    /// where that is not so, or where there are margins. Of two positions in the box that lie on no edge, both are
+    /// inside or outside where an even number of the edges' lines go between them.
+    bool find_crossing(const FixedBox& box, std::vector<FixedEdge>& edges) const;
+    static constexpr std::size_t most_crossing = 4;
+
     /// The least box that has the region inside, in the grid.
     const FixedBox& extent() const { return extent_; }
 
@@ -153,6 +159,9 @@ private:
     void divide(std::size_t cell, int bits);
     std::vector<bool> corners_inside(std::span<const FixedEdge> of_cell, const TorusPoint<2>& first, int part_shift,
                                      int bits) const;
+
+    template <typename What>
+    void for_each_edge_of_cells(const FixedBox& box, const What& what) const;
 
     std::uint32_t size() const { return 1u << bits_; }
     int shift() const { return coordinate_bits - bits_; }

@@ -6,11 +6,13 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/point_grid.hpp"
+#include "host/sampling/optimized/listed_cells.hpp"
 #include "kernels/common/optimized/sample_elimination.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 
 namespace poissonlab {
@@ -36,12 +38,21 @@ std::uint32_t elimination_grid(const EliminationReach& reach, std::size_t points
 /// The most tiles along each axis: an even number, so that they are coloured like a chessboard, or one.
 std::uint32_t most_tiles(std::uint32_t grid_size) { return std::max(1u, grid_size / 4 * 2); }
 
-/// Not more tiles than keep a device busy: points that wait for those of another tile have to be visited again.
-std::uint32_t tiles_for(std::uint32_t grid_size, int dimension, unsigned compute_units, std::size_t group_size)
+/// Not more tiles along each axis than keep a device busy: points that wait for those of another tile have to be
+/// visited again.
+std::uint32_t busy_tiles(int dimension, unsigned compute_units, std::size_t group_size)
 {
     const auto wanted = static_cast<double>(std::max(1u, compute_units) * groups_per_unit * group_size);
-    const auto of_colour = static_cast<std::uint32_t>(std::ceil(std::pow(wanted, 1.0 / dimension)));
-    return std::min(most_tiles(grid_size), 2 * of_colour);
+    return 2 * static_cast<std::uint32_t>(std::ceil(std::pow(wanted, 1.0 / dimension)));
+}
+
+/// The grid of all cells has no more than some for each point: where points lie in so small a part of the torus that
+/// cells as wide as the reach were more than so many for each, only those are listed that have points.
+constexpr double most_cells_a_point = 8;
+
+bool has_listed_cells(std::size_t points, double reach, int dimension)
+{
+    return std::pow(reach, -dimension) > most_cells_a_point * static_cast<double>(points);
 }
 
 /// The numbers of points that are not among the removed ones, ascending.
@@ -111,13 +122,23 @@ struct EliminationBuffers
     Buffer<std::uint32_t> factors; ///< in sorted order, if there are any
     Buffer<std::uint8_t> marks;    ///< of tiles around which something has changed
     Buffer<contract::sample_elimination::EliminationCounts> counts;
+    Buffer<std::uint32_t> coordinates, ids, cells, runs, tile_starts, tiles_around; ///< see ListedCells
 
-    NeededBuffers needed(std::size_t points, int dimension, std::uint32_t grid_size)
+    NeededBuffers needed(std::size_t points, std::size_t tiles)
     {
-        return {{weights, points},
-                {heavier, points},
-                {marks, lattice_cells(most_tiles(grid_size), dimension)},
-                {counts, 1}};
+        return {{weights, points}, {heavier, points}, {marks, tiles}, {counts, 1}};
+    }
+
+    NeededBuffers listed(std::size_t points, std::size_t cell_count, std::size_t tiles, int dimension)
+    {
+        using namespace contract::sample_elimination;
+        const auto axes = static_cast<std::size_t>(dimension);
+        return {{coordinates, points * axes},
+                {ids, points},
+                {cells, points},
+                {runs, cell_count * 2 * RUNS(axes)},
+                {tile_starts, tiles + 1},
+                {tiles_around, tiles * TILES_AROUND(axes)}};
     }
 };
 
@@ -127,52 +148,98 @@ class EliminationRun
 public:
     EliminationRun(Device& device, EliminationBuffers& buffers, const PointSet& points, const EliminationReach& reach,
                    std::span<const std::uint32_t> factors, std::size_t work_group_size)
-        : buffers_(buffers), dimension_(points.dimension), work_group_size_(work_group_size),
-          tile_group_size_(device.info().type == "CPU" ? 1 : work_group_size),
-          grid_(device, points.dimension, points.size(), elimination_grid(reach, points.size(), points.dimension),
-                work_group_size)
+        : device_(device), buffers_(buffers), dimension_(points.dimension), size_(points.size()),
+          work_group_size_(work_group_size), tile_group_size_(device.info().type == "CPU" ? 1 : work_group_size)
     {
-        PointSet snapped = points; // so that the kernels' coordinates and their cells are of the same place
-        for (double& c : snapped.coordinates) c = std::floor(c * 0x1p32) * 0x1p-32;
-        grid_.load(snapped);
-        grid_.sort();
-        elimination_ = {
-            .squared_reach = squared_threshold(std::min(reach.most, 1.0)),
-            .reach = reach.most * 0x1p32,
-            .least = reach.least * 0x1p32,
-            .points = static_cast<std::uint32_t>(points.size()),
-            .grid_size = grid_.cells_per_axis(),
-            .tiles = tiles_for(grid_.cells_per_axis(), dimension_, device.info().compute_units, tile_group_size_),
-            .stride = grid_.stride()};
-        const KernelProgram program =
-            kernel_program("sample_elimination.cl", {{"DIMENSION", dimension_}, {"FACTORS", !factors.empty()}});
+        elimination_ = {.squared_reach = squared_threshold(std::min(reach.most, 1.0)),
+                        .reach = reach.most * 0x1p32,
+                        .least = reach.least * 0x1p32,
+                        .points = static_cast<std::uint32_t>(points.size()),
+                        .grid_size = 0,
+                        .tiles = 0,
+                        .stride = 0};
+        if (has_listed_cells(points.size(), reach.most, points.dimension))
+            list(points, reach.most);
+        else
+            sort(points, reach);
+        const KernelProgram program = kernel_program(
+            "sample_elimination.cl", {{"DIMENSION", dimension_}, {"FACTORS", !factors.empty()}, {"LISTED", !grid_}});
         weigh_ = device.kernel(program, "weigh_points");
         eliminate_ = device.kernel(program, "eliminate_tiles");
-        reserve(device, buffers_.needed(points.size(), dimension_, elimination_.grid_size));
-        if (!factors.empty()) write_factors(device, factors);
+        if (!factors.empty()) write_factors(factors);
     }
 
     /// The first `count` in the order of removal.
     std::vector<std::uint32_t> first(std::size_t count)
     {
-        with_factors([&](const auto&... factors) {
-            weigh_.run(grid_.size(), work_group_size_, elimination_, grid_.fixed_point(), grid_.starts(),
-                       buffers_.weights, buffers_.heavier, factors...);
+        with_grid([&](const auto&... grid) {
+            with_factors([&](const auto&... factors) {
+                weigh_.run(size_, work_group_size_, elimination_, grid..., buffers_.weights, buffers_.heavier,
+                           factors...);
+            });
         });
         buffers_.counts.write({{{0, 0}}});
-        std::int64_t least = count < grid_.size() ? first_least(count) : 0;
+        std::int64_t least = count < size_ ? first_least(count) : 0;
         while (remove_down_to(least) < count) least /= weight_ratio;
         return heaviest_removed(count);
     }
 
 private:
-    void write_factors(Device& device, std::span<const std::uint32_t> factors)
+    /// Sorts points by all cells of the torus, for a device that gets so many tiles to do.
+    void sort(const PointSet& points, const EliminationReach& reach)
     {
-        const std::vector<std::uint32_t> ids = grid_.ids().read(0, grid_.size());
+        grid_.emplace(device_, dimension_, size_, elimination_grid(reach, size_, dimension_), work_group_size_);
+        PointSet snapped = points; // so that the kernels' coordinates and their cells are of the same place
+        for (double& c : snapped.coordinates) c = std::floor(c * 0x1p32) * 0x1p-32;
+        grid_->load(snapped);
+        grid_->sort();
+        elimination_.grid_size = grid_->cells_per_axis();
+        elimination_.tiles = std::min(most_tiles(elimination_.grid_size), tiles_along());
+        elimination_.stride = grid_->stride();
+        reserve(device_, buffers_.needed(size_, lattice_cells(most_tiles(elimination_.grid_size), dimension_)));
+    }
+
+    void list(const PointSet& points, double reach)
+    {
+        const ListedCells listed = listed_cells(points, reach, lattice_cells(tiles_along(), dimension_));
+        const std::size_t tiles = listed.tile_starts.size() - 1;
+        reserve(device_, buffers_.needed(size_, tiles));
+        reserve(device_, buffers_.listed(size_, listed.cells.back() + std::size_t{1}, tiles, dimension_));
+        std::vector<std::uint32_t> coordinates;
+        coordinates.reserve(points.coordinates.size());
+        for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k)
+            for (const std::uint32_t id : listed.ids)
+                coordinates.push_back(static_cast<std::uint32_t>(points[id][k] * 0x1p32));
+        buffers_.coordinates.write(coordinates);
+        buffers_.ids.write(listed.ids);
+        buffers_.cells.write(listed.cells);
+        buffers_.runs.write(listed.runs);
+        buffers_.tile_starts.write(listed.tile_starts);
+        buffers_.tiles_around.write(listed.tiles_around);
+        colour_starts_ = listed.colour_starts;
+        elimination_.stride = elimination_.points;
+    }
+
+    std::uint32_t tiles_along() const { return busy_tiles(dimension_, device_.info().compute_units, tile_group_size_); }
+
+    const Buffer<std::uint32_t>& ids() const { return grid_ ? grid_->ids() : buffers_.ids; }
+
+    /// Runs a kernel with coordinates and the cells of the grid.
+    template <typename Run>
+    void with_grid(const Run& run) const
+    {
+        if (grid_)
+            run(grid_->fixed_point(), grid_->starts());
+        else
+            run(buffers_.coordinates, buffers_.cells, buffers_.runs);
+    }
+
+    void write_factors(std::span<const std::uint32_t> factors)
+    {
         std::vector<std::uint32_t> sorted;
-        sorted.reserve(ids.size());
-        for (const std::uint32_t id : ids) sorted.push_back(factors[id]);
-        reserve(device, buffers_.factors, sorted.size());
+        sorted.reserve(size_);
+        for (const std::uint32_t id : ids().read(0, size_)) sorted.push_back(factors[id]);
+        reserve(device_, buffers_.factors, sorted.size());
         buffers_.factors.write(sorted);
         has_factors_ = true;
     }
@@ -190,7 +257,7 @@ private:
     /// Points that are removed while the heaviest ones go have at most the weight that so many points have at first.
     std::int64_t first_least(std::size_t count) const
     {
-        std::vector<std::int64_t> weights = buffers_.weights.read(0, grid_.size());
+        std::vector<std::int64_t> weights = buffers_.weights.read(0, size_);
         const auto least = weights.begin() + static_cast<std::ptrdiff_t>(count);
         std::ranges::nth_element(weights, least, std::greater{});
         return *least;
@@ -216,20 +283,32 @@ private:
 
     void remove_round(std::int64_t least, bool is_first)
     {
-        const std::uint32_t colours = elimination_.tiles == 1 ? 1 : 1u << dimension_;
-        const std::size_t tiles = lattice_cells(std::max(1u, elimination_.tiles / 2), dimension_);
-        for (std::uint32_t colour = 0; colour < colours; ++colour)
-            with_factors([&](const auto&... factors) {
-                eliminate_.run(tiles, tile_group_size_, elimination_, colour, least, std::uint32_t{is_first},
-                               grid_.fixed_point(), grid_.starts(), grid_.ids(), buffers_.weights, buffers_.heavier,
-                               buffers_.marks, buffers_.counts, factors...);
+        const auto remove = [&](std::size_t tiles, std::uint32_t colour, const auto&... rest) {
+            with_grid([&](const auto&... grid) {
+                eliminate_.run(tiles, tile_group_size_, elimination_, colour, least, std::uint32_t{is_first}, grid...,
+                               ids(), buffers_.weights, buffers_.heavier, buffers_.marks, buffers_.counts, rest...);
             });
+        };
+        with_factors([&](const auto&... factors) {
+            if (grid_) {
+                const std::uint32_t colours = elimination_.tiles == 1 ? 1 : 1u << dimension_;
+                const std::size_t tiles = lattice_cells(std::max(1u, elimination_.tiles / 2), dimension_);
+                for (std::uint32_t colour = 0; colour < colours; ++colour) remove(tiles, colour, factors...);
+                return;
+            }
+            for (std::size_t colour = 0; colour + 1 < colour_starts_.size(); ++colour) {
+                elimination_.tiles = colour_starts_[colour + 1];
+                const std::uint32_t first = colour_starts_[colour];
+                if (first < elimination_.tiles)
+                    remove(elimination_.tiles - first, first, buffers_.tile_starts, buffers_.tiles_around, factors...);
+            }
+        });
     }
 
     std::vector<std::uint32_t> heaviest_removed(std::size_t count) const
     {
-        const std::vector<std::int64_t> weights = buffers_.weights.read(0, grid_.size());
-        const std::vector<std::uint32_t> ids = grid_.ids().read(0, grid_.size());
+        const std::vector<std::int64_t> weights = buffers_.weights.read(0, size_);
+        const std::vector<std::uint32_t> ids = this->ids().read(0, size_);
         using Removed = std::pair<std::int64_t, std::uint32_t>; // one's complement: the heaviest is the least
         std::vector<Removed> removed;
         for (std::size_t i = 0; i < weights.size(); ++i)
@@ -241,12 +320,15 @@ private:
         return order;
     }
 
+    Device& device_;
     EliminationBuffers& buffers_;
     bool has_factors_ = false;
     int dimension_;
+    std::size_t size_;
     std::size_t work_group_size_;
-    std::size_t tile_group_size_; ///< tiles take long, and the cores of a processor work on one at a time
-    PointGrid grid_;
+    std::size_t tile_group_size_;              ///< tiles take long, and the cores of a processor work on one at a time
+    std::optional<PointGrid> grid_;            ///< of all cells; none: cells are listed
+    std::vector<std::uint32_t> colour_starts_; ///< of listed tiles
     contract::sample_elimination::Elimination elimination_{};
     Kernel weigh_, eliminate_;
 };
@@ -268,9 +350,12 @@ DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::s
     const double side = side_of(area, dimension);
     const std::uint32_t grid_size = elimination_grid({reach.most * side, reach.least * side}, points, dimension);
     EliminationBuffers buffers;
-    NeededBuffers needed = buffers.needed(points, dimension, grid_size);
+    const bool is_listed = has_listed_cells(points, reach.most * side, dimension);
+    NeededBuffers needed = buffers.needed(points, is_listed ? points : lattice_cells(most_tiles(grid_size), dimension));
+    if (is_listed)
+        for (const NeededBuffer& buffer : buffers.listed(points, points, points, dimension)) needed.push_back(buffer);
     if (has_factors) needed.push_back({buffers.factors, points});
-    return PointGrid::memory(dimension, points, grid_size) + memory_of(needed);
+    return is_listed ? memory_of(needed) : PointGrid::memory(dimension, points, grid_size) + memory_of(needed);
 }
 
 }

@@ -1,5 +1,6 @@
 #include "host/sampling/regions/region_candidates.hpp"
 
+#include "base/regions/fixed_edges.hpp"
 #include "kernels/common/optimized/sample_elimination.h"
 
 #include <tbb/parallel_for.h>
@@ -95,22 +96,68 @@ TorusPoint<D> fixed_position(std::span<const double> point)
 template <typename Region>
 using BoxOf = std::remove_cvref_t<decltype(std::declval<const Region&>().extent())>;
 
-/// Are all positions so near to one along the axes inside?
+/// The positions that are so near to one along the axes; nothing where some of these are not positions of the region's
+/// grid, unless `is_cut`.
 template <typename Region>
-bool is_well_inside(const Region& region, const PlaceIn<Region>& position, double reach)
+std::optional<BoxOf<Region>> box_around(const PlaceIn<Region>& position, double reach, bool is_cut)
 {
     BoxOf<Region> box;
     for (std::size_t k = 0; k < position.size(); ++k) {
         const double low = position[k] - reach, high = position[k] + reach;
-        if (low < 0 || high >= 0x1p31) return false;
-        box.low[k] = static_cast<std::uint32_t>(low);
-        box.high[k] = static_cast<std::uint32_t>(high);
+        if (!is_cut && (low < 0 || high >= 0x1p31)) return {};
+        box.low[k] = static_cast<std::uint32_t>(std::max(low, 0.0));
+        box.high[k] = static_cast<std::uint32_t>(std::min(high, 0x1p31 - 1));
     }
-    return region.side_of(box) == RegionSide::inside;
+    return box;
 }
 
-/// `places` in a disk or ball of radius 1 that have equal weights.
-template <typename Region, typename Places>
+/// Says which of the places around a position that is inside are inside as well: where a few edges go all through the
+/// box around them, by their sides of these, else one by one.
+class InsideAround
+{
+public:
+    InsideAround(const FixedRegion& region, const TorusPoint<2>& position, double reach)
+        : region_(region), is_simple_(region.find_crossing(*box_around<FixedRegion>(position, reach, true), edges_))
+    {
+        for (std::size_t i = 0; is_simple_ && i < edges_.size(); ++i) {
+            const std::int64_t side = fixed_edges::line_side(edges_[i], position[0], position[1]);
+            is_simple_ = side != 0;
+            is_positive_[i] = side > 0;
+        }
+    }
+
+    bool contains(const TorusPoint<2>& place) const
+    {
+        if (!is_simple_) return region_.contains(place);
+        bool is_inside = true;
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const std::int64_t side = fixed_edges::line_side(edges_[i], place[0], place[1]);
+            if (side == 0) return true;
+            is_inside ^= is_positive_[i] != (side > 0);
+        }
+        return is_inside;
+    }
+
+private:
+    const FixedRegion& region_;
+    std::vector<FixedEdge> edges_;
+    bool is_simple_;
+    std::array<bool, FixedRegion::most_crossing + 1> is_positive_{};
+};
+
+/// Regions of space are asked one by one.
+class InsideSpaceAround
+{
+public:
+    InsideSpaceAround(const FixedSpace& space, const TorusPoint<3>& /*position*/, double /*reach*/) : space_(space) {}
+    bool contains(const TorusPoint<3>& place) const { return space_.contains(place); }
+
+private:
+    const FixedSpace& space_;
+};
+
+/// `places` in a disk or ball of radius 1 that have equal weights. All points are inside.
+template <typename Around, typename Region, typename Places>
 std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSet& points, const Places& places,
                                              const std::function<double(std::size_t)>& radius_of)
 {
@@ -119,7 +166,9 @@ std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSe
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
         const double radius = radius_of(i);
         const auto position = fixed_position<std::tuple_size_v<PlaceIn<Region>>>(points[i]);
-        if (is_well_inside(region, position, radius)) return;
+        if (const auto box = box_around<Region>(position, radius, false))
+            if (region.side_of(*box) == RegionSide::inside) return;
+        const Around around(region, position, radius);
         std::size_t inside = 0;
         for (const auto& offset : places) {
             auto place = position;
@@ -129,7 +178,7 @@ std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSe
                 is_position &= at >= 0 && at < 0x1p31;
                 if (is_position) place[k] = static_cast<std::uint32_t>(at);
             }
-            inside += is_position && region.contains(place);
+            inside += is_position && around.contains(place);
         }
         const double factor = std::min(most_factor, static_cast<double>(places.size()) /
                                                         static_cast<double>(std::max<std::size_t>(inside, 1)));
@@ -211,14 +260,15 @@ std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const Poi
                                             const std::function<double(std::size_t)>& radius_of)
 {
     static const auto places = places_in_disk();
-    return factors_by_places(region, points, places, radius_of);
+    return factors_by_places<InsideAround>(region, points, places, radius_of);
 }
 
 std::vector<std::uint32_t> boundary_factors(const FixedSpace& space, const PointSet& points,
                                             const EliminationReach& reach)
 {
     static const auto places = places_in_ball();
-    return factors_by_places(space, points, places, [&](std::size_t) { return reach.most * 0x1p32; });
+    return factors_by_places<InsideSpaceAround>(space, points, places,
+                                                [&](std::size_t) { return reach.most * 0x1p32; });
 }
 
 }

@@ -53,7 +53,7 @@ std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const Fixe
 
 struct RegionLloydBuffers
 {
-    Buffer<std::uint32_t> sites, starts, edges, edge_starts, edge_numbers, row_starts, listed_columns;
+    Buffer<std::uint32_t> sites, starts, edges, edge_starts, edge_numbers, row_starts, listed_columns, clips;
     Buffer<std::uint8_t> is_inside;
     Buffer<CellMoments> moments;
 
@@ -68,6 +68,7 @@ struct RegionLloydBuffers
                 {edge_numbers, grid.edge_numbers().size()},
                 {row_starts, grid.row_starts().size()},
                 {listed_columns, grid.listed_columns().size()},
+                {clips, grid.clip_words()},
                 {is_inside, count},
                 {moments, count}};
     }
@@ -89,9 +90,10 @@ std::vector<CellMoments> RegionLloyd::integrate_cells(const SiteGrid& grid)
     b.edge_numbers.write(grid.edge_numbers());
     b.row_starts.write(grid.row_starts());
     b.listed_columns.write(grid.listed_columns());
+    b.clips.write(grid.clips());
     Kernel integrate = device_.kernel(kernel_program("region_lloyd.cl", {}), "integrate_cells");
     integrate.run(grid.sites().size(), work_group_size_, grid.grid(), b.sites, b.starts, b.is_inside, b.edges,
-                  b.edge_starts, b.edge_numbers, b.row_starts, b.listed_columns, b.moments);
+                  b.edge_starts, b.edge_numbers, b.row_starts, b.listed_columns, b.clips, b.moments);
     std::vector<CellMoments> moments = b.moments.read(0, grid.sites().size());
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i].is_known == 0) moments[i] = reference::integrate_cell(grid, i);

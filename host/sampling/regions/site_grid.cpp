@@ -63,6 +63,7 @@ void SiteGrid::sort(std::span<const TorusPoint<2>> sites)
         is_inside_.push_back(region_.contains_moved(sites[number]));
     }
     grid_.half_box = grid_.is_listed != 0 ? half_box_of_listed() : half_box();
+    if (grid_.is_listed != 0 && (grid_.half_box > clip_reach_ || grid_.half_box < clip_reach_ / 2)) find_clips();
 }
 
 std::size_t SiteGrid::number_of_cell(std::uint32_t row, std::uint32_t column) const

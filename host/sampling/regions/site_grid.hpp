@@ -47,12 +47,22 @@ public:
     std::span<const std::uint32_t> edge_starts() const { return edge_starts_; }
     std::span<const std::uint32_t> edge_numbers() const { return edge_numbers_; }
 
+    /// MAX_CLIPS words for each listed cell: the numbers of edges that sites' cells are cut beyond, and NO_CLIP.
+    std::span<const std::uint32_t> clips() const { return clips_; }
+    std::size_t clip_words() const { return grid_.is_listed != 0 ? cells() * contract::region_lloyd::MAX_CLIPS : 1; }
+    /// Those of the cell of a position that counts from the grid's lowest one.
+    std::span<const std::uint32_t> clips_around(const TorusPoint<2>& position) const;
+
 private:
     template <typename Body>
     void for_each_cell_of_edges(const Body& body) const;
     void list_cells();
     void list_edges();
     void find_filled();
+    void find_clips();
+    void find_clips_of(std::uint32_t row, std::size_t cell);
+    bool ends_region(const FixedEdge& edge, std::span<const FixedEdge> edges, const std::array<double, 2>& low,
+                     const std::array<double, 2>& high) const;
     double half_box() const;
     double half_box_of_listed() const;
     std::size_t cells() const
@@ -70,6 +80,8 @@ private:
     std::vector<std::uint32_t> edge_starts_, edge_numbers_;
     std::vector<std::uint8_t> is_filled_; ///< cells that are not outside
     std::vector<std::uint32_t> row_starts_{0}, listed_columns_{0};
+    std::vector<std::uint32_t> clips_{contract::region_lloyd::NO_CLIP};
+    double clip_reach_ = 0; ///< half the side of squares around cells that clips are good for
 };
 
 /// The grid's columns that an edge is in, and a little more, within a row.

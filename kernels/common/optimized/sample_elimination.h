@@ -14,6 +14,17 @@ enum
     FACTOR_UNITS = 16
 };
 
+/// With listed cells a cell has so many runs of points in the cells around it and in itself, as words: the first point
+/// and the end. Three cells that follow each other along x lie in two tiles at most.
+DERIVED(RUNS, (size_t DIMENSION), DIMENSION == 2 ? 6 : 18)
+
+/// The tiles around a tile, itself among them, or NO_TILE.
+DERIVED(TILES_AROUND, (size_t DIMENSION), DIMENSION == 2 ? 9 : 27)
+enum
+{
+    NO_TILE = 0x7fffffff
+};
+
 /// The arguments of the kernels, about a set. Lengths are in units of 2^-32.
 struct Elimination
 {
@@ -22,7 +33,8 @@ struct Elimination
     double least;        ///< d_min: nearer pairs weigh no more
     uint points;
     uint grid_size; ///< cells along each axis, of at least the reach, or one
-    uint tiles;     ///< along each axis: one, or an even number of tiles that are two cells wide or wider
+    uint tiles;     ///< along each axis: one, or an even number of tiles that are two cells wide or wider; with listed
+                    ///< cells, the end of those of a colour
     uint stride;    ///< of coordinates
 };
 

@@ -10,6 +10,16 @@ enum
     MAX_LINES = 40 ///< of a cell; the host takes cells that have more while they are cut
 };
 
+/// Listed cells of a grid have so many edges, or NO_CLIP, beyond whose lines nothing of the region is in the square that
+/// sites' cells lie in, or nothing farther than that part of a cell's width. A site's cell is cut there: else cells at
+/// the boundary reach far out of the region, where many sites would have to be looked at.
+enum
+{
+    MAX_CLIPS = 4,
+    NO_CLIP = 0x7fffffff
+};
+REAL(CLIP_PART, 0.5)
+
 /// Square cells over the box of a region: 2^shift positions along each axis, from a lowest position on. They are numbered
 /// with columns fastest: all of them or, in long regions, those that are listed, which something of the region is in.
 struct SiteGrid

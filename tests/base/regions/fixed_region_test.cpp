@@ -1,6 +1,7 @@
 // Regions in whole numbers against CGAL and against all edges.
 #include "base/regions/fixed_region.hpp"
 
+#include "base/regions/fixed_edges.hpp"
 #include "base/regions/region_text.hpp"
 #include "tests/support/random_region.hpp"
 
@@ -226,6 +227,43 @@ TEST(FixedRegions, KnowOnWhichSideBoxesLie)
         }
     }
     for (const int each : count) EXPECT_GT(each, 100);
+}
+
+/// Of two positions, an even number of crossing edges' lines goes between them where both are inside or outside.
+TEST(FixedRegions, KnowEdgesThatGoAllThroughBoxes)
+{
+    std::mt19937 random(6);
+    std::size_t with_edges = 0;
+    for (const PlaneRegion& region : {test::star_with_holes(3, 60, 0x1p31), test::star_with_holes(4, 3000, 0x1p31),
+                                      read_region("POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))")}) {
+        const FixedRegion fixed(region);
+        for (int i = 0; i < 4000; ++i) {
+            const std::uint32_t side = 1u << random() % 24;
+            const double along = static_cast<double>(random()) * 0x1p-32 * 0x1p31;
+            const std::uint32_t x = static_cast<std::uint32_t>(along) / 2,
+                                y = i % 2 == 0 ? static_cast<std::uint32_t>(along * 7 / 18)
+                                               : static_cast<std::uint32_t>(random() >> 2);
+            const FixedBox box{{x, y}, {x + side, y + side}};
+            std::vector<FixedEdge> edges;
+            if (!fixed.find_crossing(box, edges)) continue;
+            with_edges += !edges.empty();
+            const auto place = [&] {
+                return TorusPoint<2>{x + static_cast<std::uint32_t>(random()) % (side + 1),
+                                     y + static_cast<std::uint32_t>(random()) % (side + 1)};
+            };
+            const TorusPoint<2> a = place(), b = place();
+            bool is_same = true, is_on_edge = false;
+            for (const FixedEdge& e : edges) {
+                const std::int64_t of_a = fixed_edges::line_side(e, a[0], a[1]),
+                                   of_b = fixed_edges::line_side(e, b[0], b[1]);
+                is_on_edge |= of_a == 0 || of_b == 0;
+                is_same ^= (of_a > 0) != (of_b > 0);
+            }
+            if (is_on_edge) continue;
+            EXPECT_EQ(fixed.contains_plainly(a) == fixed.contains_plainly(b), is_same);
+        }
+    }
+    EXPECT_GT(with_edges, 500U);
 }
 
 TEST(FixedRegions, GiveTheirOwnCoordinatesBack)

@@ -68,7 +68,11 @@ public:
         const double squared = dotted(there, there);
         if (squared == 0 || squared >= 4 * squared_farthest_) return;
         constexpr double most = std::numeric_limits<double>::max();
-        CellLine line{there, 0.5 * there, 0.5 * squared, -most, most};
+        cut_with({there, 0.5 * there, 0.5 * squared, -most, most});
+    }
+
+    void cut_with(CellLine line)
+    {
         for (const CellLine& other : lines_) cut_by(line, other);
         if (!(line.low < line.high)) return;
         for (CellLine& other : lines_) cut_by(other, line);
@@ -96,12 +100,27 @@ CellVector relative(const TorusPoint<2>& position, const TorusPoint<2>& site)
             static_cast<double>(std::int64_t{position[1]} - std::int64_t{site[1]})};
 }
 
+/// Cuts the cell a little beyond an edge that ends the region.
+void cut_beyond(RegionCell& cell, const contract::region_lloyd::SiteGrid& grid, const FixedEdge& edge,
+                const TorusPoint<2>& site)
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    const CellVector begin = relative({edge[0], edge[1]}, site),
+                     along = relative({edge[2], edge[3]}, {edge[0], edge[1]});
+    const CellVector normal{along.y, -along.x};
+    const double squared = dotted(normal, normal);
+    const double bound =
+        dotted(normal, begin) + contract::region_lloyd::CLIP_PART * (1u << grid.shift) * std::sqrt(squared);
+    cell.cut_with({normal, (bound / squared) * normal, bound, -most, most});
+}
+
 /// Cuts by the sites of ring after ring of the grid's cells, until no farther one matters.
 RegionCell cell_of(const SiteGrid& sites, const TorusPoint<2>& site)
 {
     const contract::region_lloyd::SiteGrid& grid = sites.grid();
     RegionCell cell(grid.half_box);
     const TorusPoint<2> from{site[0] - grid.low_x, site[1] - grid.low_y};
+    for (const std::uint32_t edge : sites.clips_around(from)) cut_beyond(cell, grid, sites.edges()[edge], from);
     const std::uint32_t width = 1u << grid.shift;
     const TorusPoint<2> inner{from[0] & (width - 1), from[1] & (width - 1)};
     const double gap = std::min(std::min(inner[0], inner[1]), std::min(width - inner[0], width - inner[1]));

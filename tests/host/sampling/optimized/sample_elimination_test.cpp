@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <span>
@@ -70,6 +71,30 @@ TEST_P(SampleEliminationOrder, IsThatOfTheHeapWithFactors)
     factors.assign(points, contract::sample_elimination::FACTOR_UNITS);
     EXPECT_EQ(reference::factored_removal_order(set, reach, points - kept, factors),
               reference::removal_order(set, reach, points - kept));
+}
+
+/// Points on a road, in a small part of the torus: only cells that have some are listed.
+TEST_P(SampleEliminationOrder, IsThatOfTheHeapOnARoad)
+{
+    const auto [dimension, points, kept] = GetParam();
+    PointSet set = random_set(points, dimension, 7);
+    double area = 1;
+    for (std::size_t k = 0; k < set.coordinates.size(); ++k)
+        set.coordinates[k] *= k % static_cast<std::size_t>(dimension) == 0 ? 0.5 : 0x1p-16;
+    for (std::size_t i = 0; i < points; ++i) set.coordinates[i * static_cast<std::size_t>(dimension) + 1] += 0.3;
+    for (int k = 0; k < dimension; ++k) area *= k == 0 ? 0.5 : 0x1p-16;
+    const double side = std::pow(area, 1.0 / dimension);
+    EliminationReach reach = elimination_reach(kept, points, dimension);
+    reach = {reach.most * side, reach.least * side};
+    std::vector<std::uint32_t> factors;
+    for (std::size_t i = 0; i < points; ++i)
+        factors.push_back(contract::sample_elimination::FACTOR_UNITS + static_cast<std::uint32_t>(i * 7 % 48));
+    for (const std::size_t group : {std::size_t{1}, std::size_t{0}}) {
+        SampleElimination elimination(Device::open(), group);
+        EXPECT_EQ(elimination.removal_order(set, reach, points), reference::removal_order(set, reach, points));
+        EXPECT_EQ(elimination.removal_order(set, reach, points - kept, factors),
+                  reference::factored_removal_order(set, reach, points - kept, factors));
+    }
 }
 
 // Oclgrind interprets these as well, see tests/CMakeLists.txt: one tile, and four of each colour.
