@@ -95,9 +95,8 @@ auto overridden(const std::vector<std::string>& overrides, const ConfigTable& en
     const ConfigNode* analysis = find(top, "analysis");
     const auto* table = analysis->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *analysis, "must be a table: --set analysis.KEY=VALUE");
-    Keys known, keys(*table, {}, "");
-    analysis_keys(known, 2);
-    check_keys(*table, known.names());
+    check_described_keys(*table, [](Keys& keys) { analysis_keys(keys, 2); });
+    Keys keys(*table, {}, "");
     return visit(keys);
 }
 

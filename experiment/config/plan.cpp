@@ -133,7 +133,7 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     const SamplerSpec& sampler = *method.sampler;
     check_box(config, method);
     SeriesPlan series;
-    series.place = {method_index, indices_of(method, chosen)};
+    series.place = GridPlace{method_index, indices_of(method, chosen)};
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
     series.where = method.where;
     series.sampler = &sampler;

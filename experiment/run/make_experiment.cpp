@@ -112,17 +112,7 @@ UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
 SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device,
                      const std::shared_ptr<Workplace>& workplace)
 {
-    SeriesTask task;
-    task.name = series.name;
-    task.label = series.label;
-    task.sampler = series.sampler->name;
-    task.parameters = series.parameters;
-    task.deterministic = series.deterministic;
-    task.realizations = series.realizations;
-    task.is_timed = !series.sampler->has_own_points;
-    task.points = series.request.points;
-    task.region = series.region;
-    task.place = series.place;
+    SeriesTask task{series};
     task.identity = [series, engine, device] { return identity_of(series, engine, *device); };
     task.create = [series, engine, device, workplace = std::weak_ptr(workplace)] {
         SampleRequest request = series.request;

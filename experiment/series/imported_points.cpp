@@ -97,11 +97,10 @@ Experiment experiment_of(const SetShape& shape, std::size_t sets, const std::str
     SeriesTask task;
     task.label = label;
     task.name = series_folder_name(label);
-    task.sampler = "file";
+    task.sampler = find_sampler("file");
     if (!paths.empty()) task.parameters.set("path", paths);
-    task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets);
-    task.points = shape.points;
+    task.request.points = shape.points;
 
     Experiment experiment;
     experiment.title = task.label;

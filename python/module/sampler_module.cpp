@@ -140,7 +140,8 @@ private:
     PointSet make(std::int64_t realization)
     {
         // Sets that are there already are not timed, and there are as many as there are.
-        const std::int64_t most = task().is_timed ? std::numeric_limits<std::uint32_t>::max() : task().realizations - 1;
+        const std::int64_t most =
+            task().is_timed() ? std::numeric_limits<std::uint32_t>::max() : task().realizations - 1;
         if (realization < 0 || realization > most)
             throw InputError(fmt::format("{}: realization {}: must be from 0 to {}", name_, realization, most));
         try {
