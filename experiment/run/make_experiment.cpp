@@ -1,10 +1,10 @@
 #include "experiment/run/make_experiment.hpp"
 
 #include "analysis/regions/framed_region.hpp"
+#include "base/crew/crew.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/config/plan_memory.hpp"
-#include "experiment/crew/crew.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "host/device/device.hpp"
 #include "host/settings/method_needs.hpp"
 

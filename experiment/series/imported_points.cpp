@@ -1,5 +1,6 @@
 #include "experiment/series/imported_points.hpp"
 
+#include "base/crew/thread_limit.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/points/placed_file.hpp"
@@ -7,7 +8,6 @@
 #include "base/points/point_stream.hpp"
 #include "experiment/config/config.hpp"
 #include "experiment/config/plan.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>

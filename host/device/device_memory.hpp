@@ -41,4 +41,7 @@ void check_fits(const std::string& what, const DeviceMemory& memory, const Devic
 /// "512 bytes", "1.5 MiB", "12.0 GiB".
 std::string bytes_text(std::uint64_t bytes);
 
+/// The share of a device's memory that each of several processes on a machine may take, if all take the same.
+DeviceInfo share_of(DeviceInfo device, int processes);
+
 }

@@ -2,11 +2,11 @@
 // report.
 #include "app/commands/command.hpp"
 #include "app/commands/core/finish_report.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/files/file_lock.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/cache_folder.hpp"
 #include "base/programs/interrupt.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/run_plan.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/region_notes.hpp"

@@ -1,10 +1,10 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
 #include "app/commands/tiles/tile_points_work.hpp"
 #include "app/commands/tiles/window_file.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/text/noun.hpp"
-#include "experiment/crew/thread_limit.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

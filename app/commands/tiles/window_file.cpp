@@ -1,6 +1,6 @@
 #include "app/commands/tiles/window_file.hpp"
 
-#include "app/commands/placed_pieces.hpp"
+#include "base/crew/placed_pieces.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/regions/region_source.hpp"
 #include "host/distribution/classes/class_files.hpp"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/commands/tiles/window_points.hpp"
+#include "base/crew/crew.hpp"
 #include "base/points/placed_file.hpp"
 #include "base/regions/plane_region.hpp"
-#include "experiment/crew/crew.hpp"
 
 namespace poissonlab {
 

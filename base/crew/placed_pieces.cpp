@@ -1,4 +1,4 @@
-#include "app/commands/placed_pieces.hpp"
+#include "base/crew/placed_pieces.hpp"
 
 #include "base/files/whole_file.hpp"
 

@@ -1,4 +1,4 @@
-#include "experiment/crew/failure.hpp"
+#include "base/crew/failure.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/errors/missing_module.hpp"

@@ -1,10 +1,10 @@
-#include "experiment/crew/mpi_crew.hpp"
+#include "base/crew/mpi_crew.hpp"
 
+#include "base/crew/failure.hpp"
+#include "base/crew/mpi_exchange.hpp"
+#include "base/crew/mpi_waiting.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-#include "experiment/crew/failure.hpp"
-#include "experiment/crew/mpi_exchange.hpp"
-#include "experiment/crew/mpi_waiting.hpp"
 
 #include <fmt/format.h>
 

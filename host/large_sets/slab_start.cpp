@@ -1,4 +1,4 @@
-#include "app/commands/large_sets/slab_start.hpp"
+#include "host/large_sets/slab_start.hpp"
 
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/baselines.hpp"

@@ -1,7 +1,8 @@
-#include "experiment/crew/crew.hpp"
+#include "base/crew/crew.hpp"
 
+#include "base/crew/mpi_crew.hpp"
 #include "base/errors/errors.hpp"
-#include "experiment/crew/mpi_crew.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,44 @@
 
 namespace poissonlab {
 namespace {
+
+class CrewOfOne final : public Crew
+{
+public:
+    int size() const override { return 1; }
+    int rank() const override { return 0; }
+    bool leads() const override { return true; }
+
+    bool work(Schedule& schedule, const Execute& execute, const Done& done, const Failed& failed) override
+    {
+        while (const auto id = schedule.next()) {
+            stop_if_interrupted();
+            const Job job = schedule.job(*id);
+            const Failure failure = Failure::of([&] { execute(job); }, static_cast<bool>(failed));
+            schedule.finish(*id);
+            if (failure.kind == Failure::Kind::none)
+                done(job, true);
+            else
+                failed(job, failure, schedule.give_up(job));
+        }
+        return true;
+    }
+
+    bool together(const std::function<void()>& what) override
+    {
+        what();
+        return true;
+    }
+
+    std::string from_leader(const std::string& text) override { return text; }
+
+    std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) override { return numbers; }
+
+    std::optional<std::vector<std::vector<std::byte>>> exchange(std::vector<std::vector<std::byte>> messages) override
+    {
+        return messages;
+    }
+};
 
 /// The number in the first environment variable that is there.
 int number_in_environment(std::initializer_list<const char*> names, int otherwise)
@@ -48,6 +87,8 @@ int threads_of_process(int asked, const Crew& crew)
 }
 
 bool is_crew_follower() { return crew_size() > 1 && crew_rank() > 0; }
+
+std::unique_ptr<Crew> make_crew_of_one() { return std::make_unique<CrewOfOne>(); }
 
 std::unique_ptr<Crew> make_crew()
 {

@@ -1,4 +1,4 @@
-#include "app/commands/large_sets/scattered_points.hpp"
+#include "host/large_sets/scattered_points.hpp"
 
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"

@@ -1,8 +1,8 @@
 // A point file whose numbers have known places, written piece by piece by one process or by several together.
 #pragma once
 
+#include "base/crew/crew.hpp"
 #include "base/points/placed_file.hpp"
-#include "experiment/crew/crew.hpp"
 
 #include <cstdint>
 #include <filesystem>

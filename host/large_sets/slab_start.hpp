@@ -2,8 +2,8 @@
 // made by the process that leads, in its memory, and shared out.
 #pragma once
 
-#include "app/commands/large_sets/slab_points.hpp"
 #include "host/kinds/distribution_place.hpp"
+#include "host/large_sets/slab_points.hpp"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // A crew of the processes of an MPI job.
 #pragma once
 
-#include "experiment/crew/crew.hpp"
+#include "base/crew/crew.hpp"
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 // empty parts of the torus, all do the step again with more layers.
 #pragma once
 
-#include "app/commands/large_sets/slab_points.hpp"
+#include "host/large_sets/slab_points.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/commands/large_sets/slab_points.hpp"
+#include "host/large_sets/slab_points.hpp"
 
 namespace poissonlab {
 

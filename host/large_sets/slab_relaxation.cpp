@@ -1,4 +1,4 @@
-#include "app/commands/large_sets/slab_relaxation.hpp"
+#include "host/large_sets/slab_relaxation.hpp"
 
 #include "base/programs/interrupt.hpp"
 

@@ -1,8 +1,8 @@
 // The processes that share the work of a run.
 #pragma once
 
-#include "experiment/crew/failure.hpp"
-#include "experiment/crew/schedule.hpp"
+#include "base/crew/failure.hpp"
+#include "base/crew/schedule.hpp"
 
 #include <cstddef>
 #include <cstdint>

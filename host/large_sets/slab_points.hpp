@@ -1,7 +1,7 @@
 // The points of a set that the processes of a crew hold together: each has slabs of the torus that are side by side.
 #pragma once
 
-#include "app/commands/large_sets/sent_points.hpp"
+#include "host/large_sets/sent_points.hpp"
 #include "host/sampling/slabs/numbered_points.hpp"
 #include "host/sampling/slabs/slab_division.hpp"
 

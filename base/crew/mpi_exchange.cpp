@@ -1,6 +1,6 @@
-#include "experiment/crew/mpi_exchange.hpp"
+#include "base/crew/mpi_exchange.hpp"
 
-#include "experiment/crew/mpi_waiting.hpp"
+#include "base/crew/mpi_waiting.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Points on their way from process to process.
 #pragma once
 
-#include "experiment/crew/crew.hpp"
+#include "base/crew/crew.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "app/commands/large_sets/slab_plan.hpp"
+#include "host/large_sets/slab_plan.hpp"
 
-#include "app/commands/large_sets/scattered_points.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/memory_limit.hpp"
-#include "experiment/config/plan_memory.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/large_sets/scattered_points.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
 
 #include <fmt/format.h>

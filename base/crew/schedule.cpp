@@ -1,4 +1,4 @@
-#include "experiment/crew/schedule.hpp"
+#include "base/crew/schedule.hpp"
 
 namespace poissonlab {
 namespace {

@@ -1,8 +1,8 @@
 // A file of points that processes hold by their places, written in the order of their numbers.
 #pragma once
 
-#include "app/commands/large_sets/slab_points.hpp"
 #include "base/points/placed_file.hpp"
+#include "host/large_sets/slab_points.hpp"
 
 #include <filesystem>
 

@@ -5,7 +5,7 @@
 // by piece, in the order in which darts fall. Bytes do not depend on blocks or processes.
 #pragma once
 
-#include "app/commands/placed_pieces.hpp"
+#include "base/crew/placed_pieces.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
 

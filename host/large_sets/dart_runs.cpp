@@ -1,4 +1,4 @@
-#include "app/commands/large_sets/dart_runs.hpp"
+#include "host/large_sets/dart_runs.hpp"
 
 #include "base/errors/errors.hpp"
 

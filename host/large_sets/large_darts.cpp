@@ -1,12 +1,12 @@
-#include "app/commands/large_sets/large_darts.hpp"
+#include "host/large_sets/large_darts.hpp"
 
-#include "app/commands/large_sets/dart_runs.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/output_place.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
+#include "host/large_sets/dart_runs.hpp"
 #include "host/sampling/darts/darts_in_blocks.hpp"
 
 #include <fmt/format.h>
