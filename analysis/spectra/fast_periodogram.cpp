@@ -9,7 +9,6 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/point_spreading.hpp"
-#include "analysis/spectra/transform_size.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
 #include "base/programs/interrupt.hpp"
 

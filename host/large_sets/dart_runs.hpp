@@ -2,7 +2,7 @@
 // all of them: the first half of sorting more points than memory holds.
 #pragma once
 
-#include "host/sampling/darts/dart_block.hpp"
+#include "host/sampling/darts/dart_request.hpp"
 
 #include <cstddef>
 #include <cstdint>

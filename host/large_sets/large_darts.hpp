@@ -1,8 +1,8 @@
 // Dart throwing of one set that need not fit in memory, by one process or several: blocks of the torus, put together.
 //
-// Each block is made by whichever process is free (host/sampling/darts/dart_blocks.hpp says why the result is that of
-// the whole torus) and kept on disk, beside the file to be written, until all are there; then the file is written piece
-// by piece, in the order in which darts fall. Bytes do not depend on blocks or processes.
+// Each block is made by whichever process is free (host/sampling/darts/darts_in_blocks.hpp says why the result is that
+// of the whole torus) and kept on disk, beside the file to be written, until all are there; then the file is written
+// piece by piece, in the order in which darts fall. Bytes do not depend on blocks or processes.
 #pragma once
 
 #include "base/crew/placed_pieces.hpp"

@@ -1,7 +1,6 @@
 #include "host/modules/manifest.hpp"
 
 #include "base/word_table.hpp"
-#include "host/modules/manifest_file.hpp"
 
 #include <fmt/format.h>
 

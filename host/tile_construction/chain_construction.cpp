@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "host/tile_construction/chain_choice.hpp"
-#include "host/tile_construction/chain_corners.hpp"
 #include "host/tile_construction/chain_filling.hpp"
 #include "host/tile_construction/chain_relaxation.hpp"
 #include "host/tile_construction/fill_stages.hpp"

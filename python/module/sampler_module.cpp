@@ -7,7 +7,6 @@
 #include "host/settings/sampler_help.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
-#include "python/module/work.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>

@@ -8,7 +8,6 @@
 #include "analysis/spectra/spectrum.hpp"
 #include "base/geometry/point_set.hpp"
 #include "python/module/arrays.hpp"
-#include "python/module/work.hpp"
 #include "reports/site/series_figure.hpp"
 #include "results/series.hpp"
 

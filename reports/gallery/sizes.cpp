@@ -1,6 +1,5 @@
 #include "reports/gallery/sizes.hpp"
 
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "reports/words/number_format.hpp"
 

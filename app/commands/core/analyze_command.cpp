@@ -11,7 +11,6 @@
 #include "experiment/run/make_experiment.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
-#include "experiment/series/region_notes.hpp"
 #include "experiment/series/region_points.hpp"
 
 #include <fmt/format.h>

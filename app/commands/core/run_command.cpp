@@ -9,7 +9,7 @@
 #include "base/programs/interrupt.hpp"
 #include "experiment/run/run_plan.hpp"
 #include "experiment/run/runner.hpp"
-#include "experiment/series/region_notes.hpp"
+#include "experiment/series/region_points.hpp"
 #include "experiment/store/unit_store.hpp"
 #include "results/collection_file.hpp"
 #include "results/own_files.hpp"

@@ -2,7 +2,6 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/charts/curve_marks.hpp"
-#include "host/distribution/masks/mask_files.hpp"
 #include "host/distribution/masks/mask_measures.hpp"
 #include "host/kinds/kinds.hpp"
 

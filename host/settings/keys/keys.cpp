@@ -6,7 +6,7 @@
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_words.hpp"
-#include "host/settings/comma_words.hpp"
+#include "host/settings/config_tree.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_table.hpp"

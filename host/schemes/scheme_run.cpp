@@ -1,4 +1,4 @@
-#include "host/schemes/scheme_values.hpp"
+#include "host/schemes/scheme_run.hpp"
 
 #include <cmath>
 
