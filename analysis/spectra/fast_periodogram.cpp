@@ -21,7 +21,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace poissonlab {
 namespace {

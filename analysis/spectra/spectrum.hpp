@@ -12,7 +12,6 @@
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_strips.hpp"
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>

@@ -9,7 +9,6 @@
 #include "base/points/point_file_formats.hpp"
 #include "base/programs/interrupt.hpp"
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>

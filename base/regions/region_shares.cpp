@@ -3,7 +3,6 @@
 #include "base/regions/region_shares.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poissonlab {
 namespace {

@@ -4,7 +4,6 @@
 // they allocate; Device counts what they really take.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 

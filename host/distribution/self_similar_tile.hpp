@@ -9,8 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace poissonlab {

@@ -2,7 +2,6 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

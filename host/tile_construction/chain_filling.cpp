@@ -6,7 +6,6 @@
 #include "host/tile_construction/moments/equal_moments.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace poissonlab {

@@ -13,7 +13,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 
 namespace py = pybind11;
 

@@ -13,7 +13,6 @@
 
 #include <pybind11/stl.h>
 
-#include <string>
 #include <vector>
 
 namespace poissonlab {

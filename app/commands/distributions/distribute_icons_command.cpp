@@ -9,8 +9,6 @@
 #include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
-#include <fmt/format.h>
-
 namespace poissonlab {
 namespace {
 

@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 namespace poissonlab {

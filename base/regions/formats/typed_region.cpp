@@ -10,8 +10,6 @@
 #include "base/regions/space_region.hpp"
 #include "base/text/decimal_commas.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,6 @@
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

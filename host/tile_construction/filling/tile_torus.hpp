@@ -6,7 +6,6 @@
 
 #include "tiles/poisson/tile_regions.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 

@@ -13,7 +13,6 @@
 #include <array>
 #include <complex>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>

@@ -5,8 +5,6 @@
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <vector>
 
 namespace poissonlab {
