@@ -2,11 +2,11 @@
 
 #include "app/command_line.hpp"
 #include "app/commands/command.hpp"
+#include "base/crew/crew.hpp"
+#include "base/crew/failure.hpp"
 #include "base/errors/missing_module.hpp"
 #include "base/files/standard_streams.hpp"
 #include "base/programs/interrupt.hpp"
-#include "experiment/crew/crew.hpp"
-#include "experiment/crew/failure.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 constant long LAST = (1L << FRACTION_BITS) - 1;
 constant int SHIFT = FRACTION_BITS - UNIT_BITS;
 
-/// The ring's numbers: see tiles/penrose/golden_ring.hpp.
+/// The ring's numbers: see tiles/penrose/penrose_tiles.hpp.
 long4 times_phi(long4 a) { return (long4)(a.x + a.y - a.w, a.z + a.w, a.x + a.y, a.z + a.w - a.x); }
 
 long4 unit_vector(uint tenths)

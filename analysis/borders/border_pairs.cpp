@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace poissonlab {

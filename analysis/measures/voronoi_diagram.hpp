@@ -10,7 +10,6 @@
 #include "base/geometry/point_set.hpp"
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace poissonlab {

@@ -4,7 +4,6 @@
 
 #include "base/geometry/torus.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

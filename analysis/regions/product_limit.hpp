@@ -5,7 +5,6 @@
 // Statistics 25(1), 1997).
 #pragma once
 
-#include <span>
 #include <vector>
 
 namespace poissonlab {

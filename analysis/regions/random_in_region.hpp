@@ -6,7 +6,6 @@
 #include "base/regions/region_squares.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace poissonlab {

@@ -16,8 +16,6 @@
 
 #include "analysis/regions/boundary_edges.hpp"
 
-#include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 

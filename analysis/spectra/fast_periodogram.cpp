@@ -9,7 +9,6 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/point_spreading.hpp"
-#include "analysis/spectra/transform_size.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
 #include "base/programs/interrupt.hpp"
 
@@ -22,7 +21,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace poissonlab {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/spreading_kernel.hpp"
-#include "analysis/spectra/transform_size.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
 
 #include <tbb/enumerable_thread_specific.h>

@@ -6,12 +6,15 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/side_by_side.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace poissonlab {
-
 namespace {
 
 /// Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
@@ -20,6 +23,50 @@ double samples_asked_for(std::size_t points, int dimension)
     return 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
 }
 
+}
+
+void RunningMoments::add(std::span<const double> values)
+{
+    ++count_;
+    if (count_ == 1) mean_.resize(values.size());
+    if (count_ == 2) squares_.resize(values.size());
+    const double share = 1.0 / count_;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mean_.size(), 65536), [&](const auto& range) {
+        if (count_ == 1) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) mean_[i] = values[i];
+            return;
+        }
+        if (count_ == 2) std::fill_n(squares_.begin() + range.begin(), range.size(), 0.0);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const double difference = values[i] - mean_[i];
+            mean_[i] += difference * share;
+            squares_[i] += difference * (values[i] - mean_[i]);
+        }
+    });
+}
+
+void RunningMoments::append(const RunningMoments& other)
+{
+    if (other.count_ == 0) return;
+    if (count_ == 0) {
+        *this = other;
+        return;
+    }
+    const bool had_squares = count_ > 1;
+    const double all = count_ + other.count_;
+    const double share = other.count_ / all;
+    const double weight = count_ * share;
+    count_ += other.count_;
+    if (!had_squares) squares_.resize(mean_.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mean_.size(), 65536), [&](const auto& range) {
+        if (!had_squares) std::fill_n(squares_.begin() + range.begin(), range.size(), 0.0);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const double difference = other.mean_[i] - mean_[i];
+            mean_[i] += difference * share;
+            squares_[i] += difference * difference * weight;
+            if (other.count_ > 1) squares_[i] += other.squares_[i];
+        }
+    });
 }
 
 int spectrum_size(std::size_t points, int dimension)

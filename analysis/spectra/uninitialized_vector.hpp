@@ -3,7 +3,6 @@
 
 #include "base/programs/large_pages.hpp"
 
-#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>

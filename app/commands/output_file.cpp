@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/output_place.hpp"
 #include "base/files/standard_streams.hpp"
+#include "base/files/whole_file.hpp"
 #include "base/points/point_file_endings.hpp"
 
 #include <fmt/format.h>
@@ -10,12 +11,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <system_error>
 
 #include <unistd.h>
 
 namespace poissonlab {
 namespace {
+
+constexpr double pixels_a_unit = 2;
 
 namespace fs = std::filesystem;
 
@@ -61,6 +65,15 @@ bool is_standard_output(const fs::path& name)
     return descriptor >= 0 && (descriptor == STDOUT_FILENO || descriptor == kept_standard_output());
 }
 
+}
+
+void write_picture_file(const std::filesystem::path& file, const Drawing& drawing, int pixels)
+{
+    const int usual = std::min(max_drawing_pixels, static_cast<int>(std::ceil(pixels_a_unit * drawing.width)));
+    if (file.extension() == ".svg")
+        write_whole_file(file, drawing_svg(drawing));
+    else
+        write_drawing_png(file, drawing, pixels > 0 ? pixels : usual);
 }
 
 fs::path output_name(const fs::path& file, const OutputFormats& formats)

@@ -2,6 +2,8 @@
 // work is done.
 #pragma once
 
+#include "reports/drawings/drawing.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,5 +34,13 @@ std::filesystem::path checked_output(const std::string& command, const std::stri
 
 /// ".svg, .png or .csv"
 std::string either(const std::vector<std::string>& words);
+
+// Pictures that commands write: a drawing as SVG or PNG, as the file's name says.
+
+/// A drawing's.
+inline OutputFormats picture_formats() { return {{".svg", ".png"}}; }
+
+/// Writes a drawing; as PNG so many pixels wide, 0: two a unit. Throws StorageError.
+void write_picture_file(const std::filesystem::path& file, const Drawing& drawing, int pixels = 0);
 
 }

@@ -6,7 +6,6 @@
 #include "host/kinds/distribution_place.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 

@@ -10,7 +10,6 @@
 #include "base/programs/interrupt.hpp"
 #include "base/text/plain_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>

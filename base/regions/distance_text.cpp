@@ -6,7 +6,6 @@
 #include "base/regions/distance_field.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace poissonlab {

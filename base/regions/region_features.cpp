@@ -1,7 +1,6 @@
 #include "base/regions/region_features.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace poissonlab {
 namespace {

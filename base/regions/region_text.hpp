@@ -5,7 +5,6 @@
 #include "base/regions/region_reading.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace poissonlab {
 

@@ -4,7 +4,6 @@
 #include "base/points/ply_header.hpp"
 #include "base/surfaces/mesh_words.hpp"
 
-#include <functional>
 #include <optional>
 
 namespace poissonlab {

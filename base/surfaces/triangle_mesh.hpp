@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -56,5 +57,23 @@ std::vector<std::filesystem::path> files_beside_mesh(const std::filesystem::path
 /// The corners of a polygon, which may be concave and need not be quite plane, as triangles of their numbers: those of
 /// least area that fill it. Nothing where none do.
 std::vector<MeshTriangle> polygon_triangles(const std::vector<MeshPoint>& corners);
+
+// Vectors of space, as meshes hold them.
+
+inline MeshPoint difference(const MeshPoint& a, const MeshPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+inline double dot(const MeshPoint& a, const MeshPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline MeshPoint cross(const MeshPoint& a, const MeshPoint& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The vector of length 1 in this direction; along z for the vector of length 0.
+inline MeshPoint unit(const MeshPoint& a)
+{
+    const double length = std::hypot(a[0], a[1], a[2]);
+    return length > 0 ? MeshPoint{a[0] / length, a[1] / length, a[2] / length} : MeshPoint{0, 0, 1};
+}
 
 }

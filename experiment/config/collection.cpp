@@ -80,9 +80,9 @@ private:
         if (is_no_lasting_file(file))
             throw invalid_node("include", entry,
                                file.string() + " is a pipe or a device; config files (.toml) are needed");
-        const ConfigTable top = read_toml(read_whole_file(file), file.string());
-        if (find(top, "include")) return add_collection(file, top, device);
-        add_config(file, entry, device);
+        ParsedConfig parsed = parse_file(file);
+        if (is_collection(parsed)) return add_collection(file, parsed.top, device);
+        add_config(std::move(parsed), entry, device);
     }
 
     void check_cycle(const fs::path& file, const ConfigNode& entry) const
@@ -96,19 +96,20 @@ private:
         throw invalid_node("include", entry, "goes round in a circle: " + cycle + file.string());
     }
 
-    void add_config(const fs::path& file, const ConfigNode& entry, const std::string& device)
+    void add_config(ParsedConfig parsed, const ConfigNode& entry, const std::string& device)
     {
-        CollectedConfig collected{safe_name(file.stem().string()), {}, {}};
+        const std::string file = parsed.file;
+        CollectedConfig collected{safe_name(fs::path(file).stem().string()), {}, {}};
         if (!names_.insert(collected.name).second)
             throw invalid_node("include", entry,
-                               fmt::format("{}: another config has the same name, and with it the folder \"{}\"",
-                                           file.string(), collected.name));
+                               fmt::format("{}: another config has the same name, and with it the folder \"{}\"", file,
+                                           collected.name));
         try {
-            collected.config = read_config(file, overrides_);
+            collected.config = checked_config(std::move(parsed), overrides_);
         } catch (const InputError& error) {
             // Overrides have no place of their own that would say which config they do not suit.
             if (!error.place().is_argument) throw;
-            throw InputError::at({file.string()}, error.what());
+            throw InputError::at({file}, error.what());
         }
         collected.device = collected.config.device.empty() ? device : collected.config.device;
         collection_.configs.push_back(std::move(collected));
@@ -123,16 +124,11 @@ private:
 
 }
 
-std::optional<Collection> read_collection(const fs::path& file, const std::vector<std::string>& overrides)
-{
-    if (fs::is_directory(file)) return std::nullopt; // read_config() says what is wrong
-    // Read again by read_config(), and by every process of a run.
-    if (is_no_lasting_file(file))
-        throw InputError::at({file.string()}, "is a pipe or a device; a config file (.toml) is needed");
-    const ConfigTable top = read_toml(read_whole_file(file), file.string());
-    if (!find(top, "include")) return std::nullopt;
-    check_collection_overrides(overrides);
-    return CollectionReader(overrides).read(file, top);
-}
+bool is_collection(const ParsedConfig& config) { return find(config.top, "include") != nullptr; }
 
+Collection read_collection(const ParsedConfig& config, const std::vector<std::string>& overrides)
+{
+    check_collection_overrides(overrides);
+    return CollectionReader(overrides).read(config.file, config.top);
+}
 }

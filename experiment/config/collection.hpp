@@ -3,8 +3,6 @@
 
 #include "experiment/config/config.hpp"
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +22,11 @@ struct Collection
     std::vector<CollectedConfig> configs; ///< those of included collections in the place of these
 };
 
-/// Reads and checks a config and all that it includes, by paths and globs relative to its folder; nothing where it has
-/// no key `include`. Overrides apply to each config. Throws InputError: keys beside `include`, `title` and `device`;
-/// files that are not there or are included twice; cycles; overrides of a method by its number; and whatever
-/// read_config() throws.
-std::optional<Collection> read_collection(const std::filesystem::path& file,
-                                          const std::vector<std::string>& overrides = {});
+/// True where a config names others.
+bool is_collection(const ParsedConfig& config);
 
+/// Checks a collection and all that it includes, by paths and globs relative to its folder. Overrides apply to each
+/// config. Throws InputError: keys beside `include`, `title` and `device`; files that are not there or are included
+/// twice; cycles; overrides of a method by its number; and whatever checked_config() throws.
+Collection read_collection(const ParsedConfig& config, const std::vector<std::string>& overrides = {});
 }

@@ -37,10 +37,10 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    Keys known, keys(*table, {config.file}, "");
-    series_keys(known, config, false);
-    check_keys(*table, known.names());
-    series_keys(keys, config, some_method_has_region(top));
+    const auto visit = [&](Keys& keys) { series_keys(keys, config, some_method_has_region(top)); };
+    check_described_keys(*table, visit);
+    Keys keys(*table, {config.file}, "");
+    visit(keys);
 }
 
 /// Throws InputError where a method names a sampler that fills the unit square alone, though it has a region.
@@ -98,26 +98,33 @@ const std::vector<std::string>& kind_tables()
     return names;
 }
 
-Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
-                    const SamplerRegistry& registry)
+ParsedConfig parse_file(const std::filesystem::path& file)
 {
-    ConfigTable top = read_toml(text, file);
+    if (std::filesystem::is_directory(file))
+        throw InputError::at({file.string()}, "is a folder; a config file (.toml) is needed");
+    std::string text = read_whole_file(file);
+    ConfigTable top = read_toml(text, file.string());
+    return {file.string(), std::move(text), std::move(top)};
+}
+
+Config checked_config(ParsedConfig parsed, const std::vector<std::string>& overrides, const SamplerRegistry& registry)
+{
+    ConfigTable& top = parsed.top;
     apply_overrides(top, overrides, registry);
     Config config;
-    Keys described, keys(top, {file}, "");
-    top_keys(described, config);
-    std::vector<std::string> known = described.names();
-    for (const char* table : {"analysis", "method"}) known.emplace_back(table);
-    known.insert(known.end(), kind_tables().begin(), kind_tables().end());
-    known.emplace_back("include");
-    check_keys(top, known);
+    std::vector<std::string> tables{"analysis", "method"};
+    tables.insert(tables.end(), kind_tables().begin(), kind_tables().end());
+    tables.emplace_back("include");
+    check_described_keys(
+        top, [&](Keys& keys) { top_keys(keys, config); }, {}, tables);
     if (const ConfigNode* include = find(top, "include"))
         throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
-    config.file = file;
-    config.text = text;
+    config.file = parsed.file;
+    config.text = std::move(parsed.text);
     config.overrides = overrides;
-    config.title = std::filesystem::path(file).stem().string();
+    config.title = std::filesystem::path(parsed.file).stem().string();
+    Keys keys(top, {config.file}, "");
     top_keys(keys, config);
     read_analysis(top, config);
     for (const std::string& name : kind_tables())
@@ -126,11 +133,15 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     return config;
 }
 
+Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
+                    const SamplerRegistry& registry)
+{
+    return checked_config({file, text, read_toml(text, file)}, overrides, registry);
+}
+
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-    if (std::filesystem::is_directory(file))
-        throw InputError::at({file.string()}, "is a folder; a config file (.toml) is needed");
-    return parse_config(read_whole_file(file), file.string(), overrides);
+    return checked_config(parse_file(file), overrides);
 }
 
 }

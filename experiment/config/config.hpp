@@ -59,11 +59,26 @@ struct Config
     std::vector<KindTable> tables; ///< at least one, or one method
 };
 
-/// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
+/// A config's text and the tables in it, not checked yet.
+struct ParsedConfig
+{
+    std::string file; ///< as messages name it
+    std::string text;
+    ConfigTable top;
+};
+
+/// Parses a config. Throws InputError for what is no TOML, and for files that cannot be read.
+ParsedConfig parse_file(const std::filesystem::path& file);
+
+/// Checks a config. Throws InputError, `file:line: key = value: what is allowed`. The samplers of the `registry` must
+/// outlive the result.
+Config checked_config(ParsedConfig parsed, const std::vector<std::string>& overrides = {},
+                      const SamplerRegistry& registry = sampler_registry());
+
+/// Parses and checks a config.
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// Reads and checks the text of a config; messages name it `file`. The samplers of the `registry` must outlive the
-/// result.
+/// Parses and checks the text of a config; messages name it `file`.
 Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {},
                     const SamplerRegistry& registry = sampler_registry());
 

@@ -1,6 +1,6 @@
 #include "experiment/config/method_registry.hpp"
 
-#include "host/settings/region_sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include <algorithm>
 

@@ -142,7 +142,7 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     const SamplerSpec& sampler = *method.sampler;
     check_box(config, method);
     SeriesPlan series;
-    series.place = {method_index, indices_of(method, chosen)};
+    series.place = GridPlace{method_index, indices_of(method, chosen)};
     series.name = series_name(method, chosen);
     series.where = method.where;
     series.sampler = &sampler;

@@ -25,7 +25,7 @@ struct SeriesPlan
     std::optional<RegionOptions> region; ///< that its sets lie in; nothing: the unit square
     bool deterministic = false;          ///< all realizations are one set
     std::uint32_t realizations = 0;      ///< as asked; 1 for deterministic series; what there is for files
-    GridPlace place;
+    std::optional<GridPlace> place;      ///< none: not of a method of a config
 };
 
 /// Every method's series in order; of lists, the last parameter varies fastest. Throws InputError for

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace poissonlab {
 namespace {
 
@@ -38,15 +36,6 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
                                                        most > 0 ? fmt::format("; up to {} points would fit", most)
                                                                 : "; fewer points would not fit either"));
     }
-}
-
-DeviceInfo share_of(DeviceInfo device, int processes)
-{
-    if (processes < 2) return device;
-    device.name += fmt::format(", shared by {} processes,", processes);
-    device.global_memory_bytes /= static_cast<std::uint64_t>(processes);
-    device.max_allocation_bytes = std::min(device.max_allocation_bytes, device.global_memory_bytes);
-    return device;
 }
 
 }

@@ -13,7 +13,4 @@ namespace poissonlab {
 /// for: their size is checked when they are there.
 void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& device);
 
-/// The share of a device's memory that each of several processes on a machine may take, if all take the same.
-DeviceInfo share_of(DeviceInfo device, int processes);
-
 }

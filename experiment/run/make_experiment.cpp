@@ -1,10 +1,10 @@
 #include "experiment/run/make_experiment.hpp"
 
 #include "analysis/regions/framed_region.hpp"
+#include "base/crew/crew.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/config/plan_memory.hpp"
-#include "experiment/crew/crew.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "host/device/device.hpp"
 #include "host/settings/method_needs.hpp"
 
@@ -114,17 +114,7 @@ UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
 SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device,
                      const std::shared_ptr<Workplace>& workplace)
 {
-    SeriesTask task;
-    task.name = series.name;
-    task.label = series.label;
-    task.sampler = series.sampler->name;
-    task.parameters = series.parameters;
-    task.deterministic = series.deterministic;
-    task.realizations = series.realizations;
-    task.is_timed = !series.sampler->has_own_points;
-    task.points = series.request.points;
-    task.region = series.region;
-    task.place = series.place;
+    SeriesTask task{series};
     task.identity = [series, engine, device] { return identity_of(series, engine, *device); };
     task.create = [series, engine, device, workplace = std::weak_ptr(workplace)] {
         SampleRequest request = series.request;

@@ -9,8 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace poissonlab {
 namespace {
 
@@ -65,7 +63,7 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     const std::string folder = task.name + "/";
     series.name = task.name;
     series.label = task.label;
-    series.sampler = task.sampler;
+    series.sampler = task.sampler->name;
     series.parameters_json = text_of(parameters_json(task.parameters));
     if (const Json defaults = defaults_json(task.parameters); !defaults.empty())
         series.defaults_json = text_of(defaults);

@@ -1,5 +1,6 @@
 #include "experiment/run/run_plan.hpp"
 
+#include "base/files/whole_file.hpp"
 #include "base/programs/shell_words.hpp"
 #include "experiment/config/collection.hpp"
 #include "experiment/run/make_experiment.hpp"
@@ -56,14 +57,18 @@ RunPlan plan_run(const RunOptions& options, int threads)
     RunPlan plan;
     plan.out = options.out.empty() ? "out" / fs::path(options.config).stem() : options.out;
     const auto restricted = static_cast<unsigned>(threads);
-    if (const auto collection = read_collection(options.config, options.overrides)) {
+    if (is_no_lasting_file(options.config)) // every process of a run reads it
+        throw InputError::at({options.config}, "is a pipe or a device; a config file (.toml) is needed");
+    ParsedConfig parsed = parse_file(options.config);
+    if (is_collection(parsed)) {
+        const Collection collection = read_collection(parsed, options.overrides);
         check_collection_folder(plan.out);
         plan.is_collection = true;
-        plan.title = collection->title;
-        plan.runs = plan_collection(*collection, options, plan.out, restricted);
+        plan.title = collection.title;
+        plan.runs = plan_collection(collection, options, plan.out, restricted);
         return plan;
     }
-    const Config config = read_config(options.config, options.overrides);
+    const Config config = checked_config(std::move(parsed), options.overrides);
     const std::string& device = options.device.empty() ? config.device : options.device;
     plan.runs.push_back({make_experiment(config, device, restricted), plan.out});
     plan.runs.front().experiment.command = options.command;

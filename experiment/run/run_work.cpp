@@ -61,7 +61,7 @@ RunWork::Ids RunWork::add_samples(Schedule& schedule, std::uint32_t item, const 
                                   const Ids& after) const
 {
     const SeriesWork& series = series_[item];
-    const std::uint32_t step = realizations_per_job(series.task().points);
+    const std::uint32_t step = realizations_per_job(series.task().request.points);
     const std::uint32_t end = range.first + range.count;
     Ids ids;
     for (std::uint32_t k = range.first; k < end; k += step) {

@@ -1,8 +1,8 @@
 // All the work of one experiment: its jobs, and its results once they are done.
 #pragma once
 
-#include "experiment/crew/failure.hpp"
-#include "experiment/crew/schedule.hpp"
+#include "base/crew/failure.hpp"
+#include "base/crew/schedule.hpp"
 #include "experiment/series/exhibit_units.hpp"
 #include "experiment/series/series_work.hpp"
 

@@ -1,7 +1,7 @@
 // Runs experiments: makes the point sets, analyses them, stores every result.
 #pragma once
 
-#include "experiment/crew/crew.hpp"
+#include "base/crew/crew.hpp"
 #include "experiment/run/progress.hpp"
 #include "experiment/run/run_work.hpp"
 #include "experiment/series/code_versions.hpp"

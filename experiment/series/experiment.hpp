@@ -3,12 +3,11 @@
 #pragma once
 
 #include "base/points/point_strips.hpp"
-#include "experiment/config/analysis_options.hpp"
+#include "experiment/config/plan.hpp"
 #include "experiment/exhibits/exhibit.hpp"
 #include "experiment/store/unit_key.hpp"
 #include "host/sampling/sampler.hpp"
 #include "results/machine.hpp"
-#include "results/method_grid.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -19,27 +18,19 @@
 
 namespace poissonlab {
 
-/// One series to be made: how it is called and what makes its point sets.
-struct SeriesTask
+/// One series to be made: its plan, and what makes its point sets. Sets that are there already have the sampler "file".
+struct SeriesTask : SeriesPlan
 {
-    std::string name;  ///< folder
-    std::string label; ///< for the report
-    std::string sampler;
-    Parameters parameters;
-    bool deterministic = false;
-    std::uint32_t realizations = 0;
-    std::size_t points = 0; ///< as asked of each set, 0: not known
-    /// The region that its sets lie in, instead of that of the experiment's analysis.
-    std::optional<RegionOptions> region{};
-    std::size_t device_bytes = 0;   ///< the most that sampling takes of the device
-    bool is_timed = true;           ///< false: sets that are there already; reading a file is not sampling
-    std::optional<GridPlace> place; ///< none: not of a method of a config
+    std::size_t device_bytes = 0; ///< the most that sampling takes of the device
     /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work
     /// begins; empty: name and sampler say enough.
-    std::function<UnitKey()> identity;
-    std::function<std::unique_ptr<Sampler>()> create;
+    std::function<UnitKey()> identity{};
+    std::function<std::unique_ptr<Sampler>()> create{};
     /// Sets on disk that are there already, one a realization, instead of a sampler: their points are not stored.
     std::vector<std::shared_ptr<const PointStrips>> strips{};
+
+    /// False for sets that are there already: reading a file is not sampling.
+    bool is_timed() const { return !sampler->has_own_points; }
 };
 
 /// Told what is being done, in a few words, by work that takes long.

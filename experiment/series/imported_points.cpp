@@ -1,5 +1,6 @@
 #include "experiment/series/imported_points.hpp"
 
+#include "base/crew/thread_limit.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/points/placed_file.hpp"
@@ -7,7 +8,6 @@
 #include "base/points/point_stream.hpp"
 #include "experiment/config/config.hpp"
 #include "experiment/config/plan.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
@@ -97,11 +97,10 @@ Experiment experiment_of(const SetShape& shape, std::size_t sets, const std::str
     SeriesTask task;
     task.label = label;
     task.name = series_folder_name(label);
-    task.sampler = "file";
+    task.sampler = find_sampler("file");
     if (!paths.empty()) task.parameters.set("path", paths);
-    task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets);
-    task.points = shape.points;
+    task.request.points = shape.points;
 
     Experiment experiment;
     experiment.title = task.label;

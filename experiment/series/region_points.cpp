@@ -1,6 +1,7 @@
 #include "experiment/series/region_points.hpp"
 
 #include "base/points/point_file.hpp"
+#include "base/regions/region_source.hpp"
 #include "experiment/series/imported_points.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,19 @@
 #include <iterator>
 
 namespace poissonlab {
+
+std::vector<std::string> region_notes(const Experiment& experiment)
+{
+    std::vector<std::string> notes;
+    const auto add = [&](const std::optional<RegionOptions>& options) {
+        if (!options) return;
+        for (const std::string& note : notes_of(options->region->own_polygons()))
+            if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+    };
+    add(experiment.analysis.region);
+    for (const SeriesTask& task : experiment.series) add(task.region);
+    return notes;
+}
 
 Experiment import_region_points(const std::vector<std::filesystem::path>& files, const std::string& label,
                                 const FramedRegion& region, const PointReading& asked)

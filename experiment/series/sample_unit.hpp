@@ -7,11 +7,9 @@
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 

@@ -13,7 +13,7 @@ UnitKey identity_of(const SeriesTask& task, const CodeVersions& versions)
     UnitKey key("series");
     key.add("code", versions.sampling);
     if (task.identity) return key.add(task.identity());
-    return key.add("sampler", task.sampler).add("name", task.name);
+    return key.add("sampler", task.sampler->name).add("name", task.name);
 }
 
 std::string spectrum_text(const AnalysisOptions& options)

@@ -25,7 +25,7 @@ std::string parameters_text(const Parameters& parameters)
 }
 
 /// True for sets of other programs, which may not have known that they are taken as periodic.
-bool is_foreign(const SeriesTask& task) { return task.sampler == "file" || task.sampler == "command"; }
+bool is_foreign(const SeriesTask& task) { return task.sampler->name == "file" || task.sampler->name == "command"; }
 
 /// Methods that tile know their lattice. A single tile leaves no peaks: every frequency is one of its lattice.
 AnalysisOptions with_traits(const SeriesTask& task, const SetTraits& traits, AnalysisOptions options)
@@ -53,13 +53,14 @@ std::string SeriesWork::comment(std::uint32_t realization) const
 {
     const std::string parameters = parameters_text(task_.parameters);
     const std::string seed = experiment_.seed ? fmt::format("seed {}, ", *experiment_.seed) : "";
-    return fmt::format("{}{}{}; {}realization {}", task_.sampler, parameters.empty() ? "" : ": ", parameters, seed,
-                       realization);
+    return fmt::format("{}{}{}; {}realization {}", task_.sampler->name, parameters.empty() ? "" : ": ", parameters,
+                       seed, realization);
 }
 
 std::map<std::string, std::string> SeriesWork::image_metadata() const
 {
-    std::map<std::string, std::string> metadata = {{"sampler", task_.sampler}, {"version", POISSONLAB_VERSION_STRING}};
+    std::map<std::string, std::string> metadata = {{"sampler", task_.sampler->name},
+                                                   {"version", POISSONLAB_VERSION_STRING}};
     const std::map<std::string, std::string> optional = {
         {"parameters", parameters_text(task_.parameters)},
         {"seed", experiment_.seed ? fmt::format("{}", *experiment_.seed) : ""},
@@ -284,7 +285,7 @@ std::vector<double> SeriesWork::seconds_so_far() const
 /// The first realization is made again and again: few times are no median.
 void SeriesWork::time_more()
 {
-    if (!task_.is_timed) return;
+    if (!task_.is_timed()) return;
     std::size_t count = seconds_so_far().size();
     if (count >= experiment_.timing_runs) return;
     const UnitKey key = units_.times_key(experiment_.workplace->conditions());
@@ -306,7 +307,7 @@ bool SeriesWork::has_results() const
 
 bool SeriesWork::is_finished() const
 {
-    return has_results() && (!task_.is_timed || seconds_so_far().size() >= experiment_.timing_runs);
+    return has_results() && (!task_.is_timed() || seconds_so_far().size() >= experiment_.timing_runs);
 }
 
 void SeriesWork::finish(const WorkListener& listener)
@@ -342,7 +343,7 @@ Series SeriesWork::result() const
     if (proven) result.measures.numbers["proven_relative_radius"] = {*proven, {}};
     result.iterations = iterations_of(iterations);
     if (result.iterations) result.iterations->file = file_names::iterations;
-    if (task_.is_timed) result.sample_seconds = seconds_so_far();
+    if (task_.is_timed()) result.sample_seconds = seconds_so_far();
     return result;
 }
 

@@ -5,17 +5,29 @@
 #include "experiment/series/experiment.hpp"
 #include "experiment/series/sample_unit.hpp"
 #include "experiment/series/series_units.hpp"
-#include "experiment/series/work_listener.hpp"
 #include "experiment/store/unit_store.hpp"
 #include "results/series.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 
 namespace poissonlab {
+
+// Listeners that are told of work while it goes on.
+
+/// Hears of the progress of one job. Functions may be empty.
+struct WorkListener
+{
+    /// A realization was made, of so many points, in so many seconds.
+    std::function<void(std::size_t points, double seconds)> sampled;
+    /// A realization was analysed, or its stored analysis was taken.
+    std::function<void()> analysed;
+};
 
 class AnalysisUnit;
 struct StoredAnalysis;

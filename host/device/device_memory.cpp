@@ -54,4 +54,13 @@ std::string bytes_text(std::uint64_t bytes)
     return fmt::format("{:.1f} {}", value, units[unit]);
 }
 
+DeviceInfo share_of(DeviceInfo device, int processes)
+{
+    if (processes < 2) return device;
+    device.name += fmt::format(", shared by {} processes,", processes);
+    device.global_memory_bytes /= static_cast<std::uint64_t>(processes);
+    device.max_allocation_bytes = std::min(device.max_allocation_bytes, device.global_memory_bytes);
+    return device;
+}
+
 }

@@ -4,7 +4,6 @@
 // they allocate; Device counts what they really take.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -40,5 +39,8 @@ void check_fits(const std::string& what, const DeviceMemory& memory, const Devic
 
 /// "512 bytes", "1.5 MiB", "12.0 GiB".
 std::string bytes_text(std::uint64_t bytes);
+
+/// The share of a device's memory that each of several processes on a machine may take, if all take the same.
+DeviceInfo share_of(DeviceInfo device, int processes);
 
 }

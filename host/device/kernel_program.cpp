@@ -50,7 +50,6 @@ const std::vector<KernelFile>& kernel_files()
         {"gradient_domain.cl", "texture build", doubles, {}},
         {"instances.cl", "distribute instances", doubles, {}},
         {"joint_nulling.cl", "tiles build", doubles, {dimension}},
-        {"masked_squares.cl", "texture build", {}, {}},
         {"objects.cl", "object distribution", {}, {}},
         {"penrose.cl", "penrose", {}, {}},
         {"point_grid.cl", "relaxation", {}, {dimension, with_doubles}},

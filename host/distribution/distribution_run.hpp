@@ -7,10 +7,7 @@
 #include "host/settings/keys/choices.hpp"
 #include "results/pictures/distribution_files.hpp"
 
-#include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 

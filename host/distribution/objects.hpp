@@ -15,10 +15,6 @@ namespace poissonlab {
 
 using contract::objects::ObjectScene;
 
-/// The most pixels along a side of such a picture, and samples of a pixel along each axis.
-inline constexpr std::uint32_t max_object_pixels = 8192;
-inline constexpr std::uint32_t max_object_samples = 15;
-
 /// A picture, row by row from the top.
 struct ObjectPicture
 {

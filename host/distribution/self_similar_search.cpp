@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numbers>
-#include <set>
 
 namespace poissonlab {
 namespace {

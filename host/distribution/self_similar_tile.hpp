@@ -9,8 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -19,9 +17,6 @@ struct RankSettings;
 
 /// The density of ranked points: the middle of a picture or formula, by the zoom. Throws InputError.
 Density rank_density(const RankSettings& settings);
-
-/// The most points of a tile.
-inline constexpr std::uint32_t max_self_similar_points = 24;
 
 /// The starts of both coordinates.
 struct SelfSimilarStarts

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace poissonlab {
 namespace {

@@ -14,8 +14,6 @@
 #include "host/sampling/warp/warp.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
 
-#include <string>
-
 namespace poissonlab {
 
 /// The ink of a picture's pixels, 0 to 1.

@@ -1,8 +1,5 @@
 #include "host/kinds/kind.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace poissonlab {
 
 std::vector<KeySpec> Kind::keys() const
@@ -15,11 +12,8 @@ std::vector<KeySpec> Kind::keys() const
 KindSettings read_kind(const Kind& kind, const ConfigTable& table, const SourceLocation& where, const std::string& name,
                        const std::vector<std::string>& others)
 {
-    Keys described, keys(table, where, name);
-    kind.visit(described);
-    std::vector<std::string> known = others;
-    std::ranges::move(described.names(), std::back_inserter(known));
-    check_keys(table, known);
+    check_described_keys(table, kind.visit, others);
+    Keys keys(table, where, name);
     return kind.visit(keys);
 }
 

@@ -8,13 +8,14 @@
 #include "host/device/device_memory.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/settings/keys/keys.hpp"
-#include "host/settings/keys/kind_settings.hpp"
 #include "results/pictures/construction_result.hpp"
 #include "results/pictures/distribution_files.hpp"
 #include "results/pictures/tiling_result.hpp"
 
+#include <any>
 #include <concepts>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -22,6 +23,21 @@
 #include <vector>
 
 namespace poissonlab {
+
+/// Settings of whatever kind, and what is known of them without it.
+struct KindSettings
+{
+    std::any values;      ///< of the kind's own type
+    std::string label;    ///< of a result, where nobody gave another one
+    std::string resolved; ///< keys and values, in one line: what decides the result, but for `inputs`
+    std::vector<std::filesystem::path> inputs; ///< files that decide it as well
+
+    template <class Settings>
+    const Settings& as() const
+    {
+        return std::any_cast<const Settings&>(values);
+    }
+};
 
 /// What is made of a kind, without name and label; names of files are without folder.
 using Exhibited = std::variant<DistributionResult, TilingResult, ConstructionResult>;

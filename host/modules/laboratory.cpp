@@ -4,7 +4,6 @@
 #include "host/kinds/kinds.hpp"
 #include "host/modules/manifest.hpp"
 #include "host/settings/method_needs.hpp"
-#include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_registry.hpp"
 
 #include <algorithm>

@@ -1,12 +1,10 @@
 #include "host/modules/manifest.hpp"
 
 #include "base/word_table.hpp"
-#include "host/modules/manifest_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string_view>
 

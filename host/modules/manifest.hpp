@@ -2,9 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poissonlab {
+
+// The stored manifest as part of the binary.
+
+/// The text of "manifest.tsv".
+std::string_view manifest_file(std::string_view name);
 
 /// The manifest lists words of four kinds.
 enum class ManifestWord

@@ -1,9 +1,7 @@
 // Poisson disk tiles: corner, edge, template and sphere tiles, Shade's and averaged ones.
 #include "host/kinds/kinds.hpp"
 #include "host/modules/laboratory.hpp"
-#include "host/tile_sampling/region_tile_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
-#include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
 
 namespace poissonlab {
 

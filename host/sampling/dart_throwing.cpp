@@ -2,7 +2,6 @@
 // cells.
 #include "host/sampling/dart_throwing.hpp"
 
-#include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/darts/dart_memory.hpp"
@@ -13,8 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <iterator>
 #include <span>
 #include <tuple>
 

@@ -16,8 +16,6 @@
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 

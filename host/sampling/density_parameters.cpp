@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <string_view>
 
 namespace poissonlab {
 namespace {

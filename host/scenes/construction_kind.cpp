@@ -1,7 +1,11 @@
 // The kinds of [[construction]]: pictures of how Poisson tile sets, and point sets, come into being.
 #include "base/files/whole_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/device/device.hpp"
+#include "host/kinds/distribution_place.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/scenes/construction_run.hpp"
+#include "host/scenes/construction_panels.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "results/file_names.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
@@ -9,9 +13,49 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace poissonlab {
 namespace {
+
+/// Thrown by a construction once all that is shown has been made.
+struct AllIsMade
+{
+};
+
+MadeTiles make_tiles(const ShownConstruction& shown, const DistributionPlace& place)
+{
+    const PoissonTileParameters& parameters = shown.parameters;
+    const std::vector<PieceKey> keys = shown.is_set() ? std::vector<PieceKey>{} : wanted_pieces(shown);
+    const std::set<PieceKey> wanted(keys.begin(), keys.end());
+    MadeTiles made;
+    if (wanted.empty() && !shown.is_tiling()) return made;
+    ConstructionOptions options;
+    options.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
+        stop_if_interrupted();
+        if (place.on_step)
+            place.on_step(fmt::format("{} Poisson tiles: {} {} of {}", kind_name(parameters), stage, done, total));
+    };
+    // Pieces that are made again replace those before.
+    options.record = [&](const ConstructionRecord& record) {
+        const PieceKey key{record.axes, record.variant};
+        if (!wanted.contains(key)) return;
+        made.pieces[key] = {record.base, record.held, *record.problem, *record.filled};
+        if (!shown.is_tiling() && made.pieces.size() == wanted.size()) throw AllIsMade{};
+    };
+    try {
+        made.set = build_tile_set(parameters, place.engine, place.device, options).set;
+    } catch (const AllIsMade&) {
+    }
+    return made;
+}
+
+/// The construction goes no further than the pieces that are shown. Throws InputError for tile sets that cannot be
+/// made.
+Scene construct_scene(const ShownConstruction& shown, const DistributionPlace& place)
+{
+    return make_scene(shown, make_tiles(shown, place));
+}
 
 constexpr std::int64_t max_side = 64;    // of a window, in tiles
 constexpr std::int64_t max_listed = 256; // pieces or tiles of a picture

@@ -1,18 +1,75 @@
 // Panels of several pieces or tiles, and of tilings.
 #include "host/scenes/construction_parts.hpp"
 
-#include "host/scenes/construction_tiling.hpp"
 #include "host/scenes/set_scenes.hpp"
 #include "host/tile_construction/piece_store.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
+#include "tiles/tilings/tiling.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <variant>
 
 namespace poissonlab {
 namespace {
+
+// Which Poisson tile lies where in a stochastic tiling.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.5: corner tiles as they are;
+// edge-based tiles by the edges of a Wang tiling, of the tile and of its neighbours; template tiles at
+// random.
+
+class ConstructionTiling
+{
+public:
+    /// 2D. Throws InputError for numbers of colours that tilings cannot have.
+    explicit ConstructionTiling(const PoissonTileParameters& parameters);
+
+    /// The number of the tile whose lower left corner is (x, y).
+    std::uint32_t tile(std::int64_t x, std::int64_t y) const;
+
+private:
+    std::uint32_t edge_based_tile(const Tiling& wang, std::int64_t x, std::int64_t y) const;
+
+    PoissonTileParameters parameters_;
+    std::variant<Tiling, ColorHash> source_; ///< the hash function: of template tiles
+};
+
+std::variant<Tiling, ColorHash> source_of(const PoissonTileParameters& p)
+{
+    const WangColors colors{p.colors, p.colors};
+    if (p.kind == PoissonTileKind::frame) return make_color_hash(HashKind::xxh64, p.tiles, p.seed);
+    if (p.kind == PoissonTileKind::edge)
+        return Tiling(DirectAlgorithm::wang_edge_hash, colors, HashKind::xxh64, p.seed);
+    return Tiling(DirectAlgorithm::corner, colors, HashKind::xxh64, p.seed);
+}
+
+ConstructionTiling::ConstructionTiling(const PoissonTileParameters& parameters)
+    : parameters_(parameters), source_(source_of(parameters))
+{}
+
+std::uint32_t ConstructionTiling::tile(std::int64_t x, std::int64_t y) const
+{
+    if (const auto* hash = std::get_if<ColorHash>(&source_))
+        return std::visit([&](const auto& h) { return h(x, y); }, *hash);
+    const Tiling& tiling = std::get<Tiling>(source_);
+    return parameters_.kind == PoissonTileKind::edge ? edge_based_tile(tiling, x, y) : tiling.tile(x, y);
+}
+
+std::uint32_t ConstructionTiling::edge_based_tile(const Tiling& wang, std::int64_t x, std::int64_t y) const
+{
+    const auto at = [&](std::int64_t dx, std::int64_t dy) {
+        return wang_tile(wang.tile(x + dx, y + dy), {parameters_.colors, parameters_.colors});
+    };
+    const WangTile own = at(0, 0), north = at(0, 1), east = at(1, 0), south = at(0, -1), west = at(-1, 0);
+    return edge_tile_of({own.north, own.east, own.south, own.west, east.north, north.east, east.south, south.east,
+                         west.south, south.west, west.north, north.west},
+                        parameters_.colors);
+}
 
 class TileScene : PanelParts
 {

@@ -4,9 +4,7 @@
 #include "host/scenes/shown_tiling.hpp"
 #include "results/pictures/tiling_result.hpp"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 

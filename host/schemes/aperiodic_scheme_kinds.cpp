@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 8.
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/schemes/scheme_values.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>

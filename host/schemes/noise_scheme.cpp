@@ -5,14 +5,12 @@
 #include "base/images/grey_image.hpp"
 #include "host/schemes/perlin_noise.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/schemes/stopwatch.hpp"
 #include "tiles/tilings/permutation_hash.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/polygon_tables.hpp"
 #include "host/schemes/scheme_run.hpp"
-#include "host/schemes/scheme_values.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "tiles/prototiles/substitution.hpp"
 

@@ -3,13 +3,51 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 2, 3 and 8.
 #pragma once
 
+#include "base/programs/interrupt.hpp"
 #include "host/schemes/scheme_settings.hpp"
+#include "host/settings/config_tree.hpp"
 #include "results/pictures/distribution_files.hpp"
+#include "results/statistic.hpp"
+#include "tiles/isohedral/isohedral_tile.hpp"
 #include "tiles/prototiles/polygon_tiling.hpp"
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace poissonlab {
+
+// Times of small pieces of work that are compared with each other.
+
+/// The median time of each piece of work in nanoseconds over `steps`. Pieces take turns, so that what disturbs the
+/// machine disturbs all of them. Throws Interrupted.
+inline std::vector<double> median_nanoseconds(const std::vector<std::function<void()>>& pieces, double steps)
+{
+    constexpr int rounds = 7;
+    std::vector<std::vector<double>> times(pieces.size());
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            stop_if_interrupted();
+            const auto begin = std::chrono::steady_clock::now();
+            pieces[i]();
+            const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+            times[i].push_back(taken.count() / steps);
+        }
+    std::vector<double> medians;
+    for (std::vector<double>& all : times) medians.push_back(median(std::move(all)));
+    return medians;
+}
+
+// Values of keys that several schemes have.
+
+/// The numbers of a list, from -most to most; nothing for any other value.
+std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list, double most = 100);
+
+/// The curve of a list of points [x, y], with (0, 0) before and (1, 0) after them; nothing for any other value.
+std::optional<PlaneCurve> curve_of_node(const ConfigNode& list);
 
 /// The tile that the settings say. Throws InputError for parameters that it cannot have.
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);

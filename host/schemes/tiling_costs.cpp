@@ -3,13 +3,11 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 3.2, 3.3, 3.4.2.3, 3.4.3 and 3.5. Times are medians of
 // measurements that take turns; they differ between machines and are there to be compared with each other.
 #include "host/schemes/scheme_run.hpp"
-#include "host/schemes/stopwatch.hpp"
 #include "tiles/tilings/direct_tiling.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>

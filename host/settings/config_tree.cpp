@@ -1,7 +1,6 @@
 #include "host/settings/config_tree.hpp"
 
 #include "base/text/decimal_commas.hpp"
-#include "host/settings/comma_words.hpp"
 #include "host/settings/nearest_key.hpp"
 
 #include <fmt/format.h>

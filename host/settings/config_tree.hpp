@@ -5,7 +5,6 @@
 #pragma once
 
 #include "base/errors/errors.hpp"
-
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -71,5 +70,12 @@ std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::
 
 /// Refuses keys that mean nothing. Throws unknown_key for the first one.
 void check_keys(const ConfigTable& table, const std::vector<std::string>& known);
+
+// Words for values that are numbers with decimal commas.
+
+/// The end of a message about a value that is such a number, see decimal_comma_words(); empty for any other, where
+/// an integer is `allowed` (in "1,000" points the comma is none of decimals), and where `allowed` has these words
+/// already.
+std::string comma_words(const ConfigNode& node, const std::string& allowed);
 
 }

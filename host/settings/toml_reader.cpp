@@ -3,7 +3,6 @@
 #include "base/files/text_lines.hpp"
 #include "base/text/decimal_commas.hpp"
 
-#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "analysis/spectra/fftw_plan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -172,27 +171,6 @@ SquareSums MaskedSquares::sums(const PngPixels& piece) const
     SquareSums result = s.empty;
     for (std::size_t i = 0; i < result.sums.size(); ++i)
         result.sums[i] = static_cast<std::uint64_t>(squares - 2 * products[i] + s.window_squares[i]);
-    return result;
-}
-
-SquareSums reference_masked_squares(const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece)
-{
-    SquareSums result = empty_sums(exemplar, mask);
-    for (int oy = 0; oy < result.rows; ++oy)
-        for (int ox = 0; ox < result.columns; ++ox) {
-            std::uint64_t sum = 0;
-            for (int y = 0; y < mask.height; ++y)
-                for (int x = 0; x < mask.width; ++x) {
-                    if (mask.counts[static_cast<std::size_t>(y * mask.width + x)] == 0) continue;
-                    for (int c = 0; c < piece.channels; ++c) {
-                        const int difference =
-                            piece.values[piece.at(x, y, c)] - exemplar.values[exemplar.at(ox + x, oy + y, c)];
-                        sum += static_cast<std::uint64_t>(difference * difference);
-                    }
-                }
-            result.sums[static_cast<std::size_t>(oy) * static_cast<std::size_t>(result.columns) +
-                        static_cast<std::size_t>(ox)] = sum;
-        }
     return result;
 }
 

@@ -1,8 +1,8 @@
 // Sums of squared differences between a piece and every window of an exemplar, over a mask: exact integers.
 //
 // Sum of m (I - S)^2 = sum of m I^2 - 2 sum of m I S + sum of m S^2: two correlations, by FFT. Their values are
-// integers below 2^53, so that rounding makes them exact; a kernel and a plain loop, which add up all products, give
-// the same. After Kwatra, Schoedl, Essa, Turk, Bobick, Graphcut textures, SIGGRAPH 2003, section 4.
+// integers below 2^53, so that rounding makes them exact. After Kwatra, Schoedl, Essa, Turk, Bobick, Graphcut textures,
+// SIGGRAPH 2003, section 4.
 #pragma once
 
 #include "base/images/png_file.hpp"
@@ -12,8 +12,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-class Device;
 
 /// Pixels of a piece that count: those where it is 1, row by row.
 struct PieceMask
@@ -51,11 +49,5 @@ private:
     struct Spectra;
     std::unique_ptr<Spectra> spectra_;
 };
-
-/// Finds the sums of a piece by adding up every product, on a device.
-SquareSums masked_squares_on(Device& device, const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece);
-
-/// Finds the sums of a piece by adding up every product, in plain C++.
-SquareSums reference_masked_squares(const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece);
 
 }

@@ -3,7 +3,6 @@
 #include "base/random/random.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace poissonlab {

@@ -8,7 +8,6 @@
 
 #include "base/images/png_file.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 
 namespace poissonlab {
 namespace {

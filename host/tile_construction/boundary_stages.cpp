@@ -1,7 +1,6 @@
 #include "host/tile_construction/boundary_stages.hpp"
 
 #include <bit>
-#include <span>
 
 namespace poissonlab {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "host/tile_construction/chain_choice.hpp"
-#include "host/tile_construction/chain_corners.hpp"
 #include "host/tile_construction/chain_filling.hpp"
 #include "host/tile_construction/chain_relaxation.hpp"
 #include "host/tile_construction/fill_stages.hpp"
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>

@@ -5,7 +5,6 @@
 #include "tiles/poisson/tile_pieces.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

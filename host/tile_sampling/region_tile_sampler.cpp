@@ -1,4 +1,3 @@
-#include "host/tile_sampling/region_tile_sampler.hpp"
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/geometry/relative_radius.hpp"

@@ -17,6 +17,22 @@
 
 namespace poissonlab {
 
+// Poisson disk tiles in a region of the plane, as sets of a series: see host/tile_points/tiled_region.hpp.
+//
+// Realizations are tilings of the plane with different seeds. Tiles are as wide as a minimum distance, or a number of
+// points, asks for.
+
+/// The sampler in regions of the tiles of a family of the plane, whose sampler on the torus is given.
+SamplerSpec region_tile_sampler(const PoissonTileFamily& family, SamplerSpec on_torus);
+
+// The samplers "shade-tiles" and "averaged-tiles": toroidal tilings of eight Wang tiles with points.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 6.6 and 6.7. All realizations are tilings with the
+// same tiles, which the config's seed decides. Neither method promises a minimum distance of its tilings but the first.
+
+SamplerSpec shade_tile_sampler();
+SamplerSpec averaged_tile_sampler();
+
 SamplerSpec corner_tile_sampler();
 SamplerSpec edge_tile_sampler();
 SamplerSpec template_tile_sampler();

@@ -3,7 +3,7 @@
 //
 // Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009: darts fall on pieces of triangles that may
 // be uncovered, by their areas, and pieces that one disk covers are dropped, others divided. The host divides, see
-// host/sampling/surfaces/surface_pieces.hpp.
+// host/sampling/surfaces/surface_darts.hpp.
 //
 //   find_darts    a work-item a dart: where it falls, and whether points of former batches cover it
 //   settle_darts  (again and again) a work-item a dart: accepted if no dart before it in the batch is in conflict that

@@ -9,7 +9,6 @@
 #include "host/settings/toml_reader.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
-#include "python/module/work.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/mark_image.hpp"
 #include "results/file_names.hpp"

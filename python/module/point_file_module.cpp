@@ -2,7 +2,6 @@
 #include "base/points/point_file.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
-#include "python/module/work.hpp"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

@@ -1,7 +1,7 @@
 // Output folders for Python: running configs, and reading what runs came to.
 #include "analysis/spectra/spectrum_file.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/run_plan.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/store/unit_store.hpp"

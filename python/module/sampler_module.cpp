@@ -7,14 +7,12 @@
 #include "host/settings/sampler_help.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
-#include "python/module/work.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <limits>
 #include <memory>
-#include <optional>
 
 namespace py = pybind11;
 
@@ -140,7 +138,8 @@ private:
     PointSet make(std::int64_t realization)
     {
         // Sets that are there already are not timed, and there are as many as there are.
-        const std::int64_t most = task().is_timed ? std::numeric_limits<std::uint32_t>::max() : task().realizations - 1;
+        const std::int64_t most =
+            task().is_timed() ? std::numeric_limits<std::uint32_t>::max() : task().realizations - 1;
         if (realization < 0 || realization > most)
             throw InputError(fmt::format("{}: realization {}: must be from 0 to {}", name_, realization, most));
         try {

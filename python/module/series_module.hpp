@@ -8,13 +8,11 @@
 #include "analysis/spectra/spectrum.hpp"
 #include "base/geometry/point_set.hpp"
 #include "python/module/arrays.hpp"
-#include "python/module/work.hpp"
 #include "reports/site/series_figure.hpp"
 #include "results/series.hpp"
 
 #include <pybind11/stl.h>
 
-#include <string>
 #include <vector>
 
 namespace poissonlab {

@@ -6,7 +6,6 @@
 #include "host/tile_points/tiled_region.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
-#include "python/module/work.hpp"
 #include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

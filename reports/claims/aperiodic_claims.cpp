@@ -1,6 +1,5 @@
 // The dissertation's claims about aperiodic sets and their tilings: sections 3.1 and 8.3.
 #include "reports/claims/claim_words.hpp"
-#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "reports/claims/claim_table.hpp"
 
 #include "base/text/csv_fields.hpp"
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 
 #include <fmt/format.h>

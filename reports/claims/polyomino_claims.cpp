@@ -1,12 +1,6 @@
 // Claims of the SIGGRAPH 2008 class notes about sampling with polyominoes: section 9.4 of their second part, on
 // substitution tilings.
 #include "reports/claims/claim_words.hpp"
-#include "reports/words/number_format.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string>
 
 namespace poissonlab {
 namespace {

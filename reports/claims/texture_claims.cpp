@@ -5,11 +5,6 @@
 #include "reports/claims/claim_words.hpp"
 #include "results/texture_measures.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <functional>
-
 namespace poissonlab {
 namespace {
 

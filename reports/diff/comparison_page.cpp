@@ -14,6 +14,15 @@
 
 namespace poissonlab {
 
+std::pair<bool, std::string> compare_runs(const std::filesystem::path& before, const std::filesystem::path& after,
+                                          const std::filesystem::path& out, const std::string& format)
+{
+    const auto comparison = compare_results(before, after);
+    if (!out.empty()) write_comparison_page(comparison, before, after, out);
+    return {comparison.changed(),
+            format == "json" ? comparison_json(comparison) : comparison_table(comparison, format == "all")};
+}
+
 namespace fs = std::filesystem;
 
 namespace {

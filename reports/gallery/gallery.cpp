@@ -4,7 +4,6 @@
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/text/csv_fields.hpp"
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "results/measures.hpp"
 #include "results/periodograms.hpp"

@@ -1,13 +1,11 @@
 #include "reports/gallery/sizes.hpp"
 
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

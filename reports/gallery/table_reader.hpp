@@ -15,6 +15,11 @@
 
 namespace poissonlab {
 
+// The tables of docs/gallery/, embedded at build time.
+
+/// The text of a table, such as "curves.csv"; empty for unknown names.
+std::string_view gallery_file(std::string_view name);
+
 /// Goes through the lines of a table below its header. Throws InputError with table and line.
 class TableReader
 {

@@ -6,7 +6,6 @@
 #include "results/run.hpp"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace poissonlab {

@@ -5,8 +5,7 @@
 #include "reports/plots/curves.hpp"
 #include "reports/plots/integration_curves.hpp"
 #include "reports/plots/iteration_curves.hpp"
-#include "reports/plots/number_variance_curves.hpp"
-#include "reports/plots/pair_correlation_curves.hpp"
+#include "reports/plots/second_order_curves.hpp"
 #include "reports/plots/tile_size_curves.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
 

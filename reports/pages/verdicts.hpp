@@ -9,7 +9,7 @@
 namespace poissonlab {
 
 /// True where the closest pairs of sets that were made elsewhere say that these are not periodic, see
-/// results/border.hpp.
+/// results/series.hpp.
 bool is_not_periodic(const ReportSeries& series);
 
 /// The words for readers of such a series, and the way to measure it within its square (cube); empty for others.

@@ -4,7 +4,6 @@
 #include "analysis/regions/region_curves.hpp"
 #include "reports/plots/plot.hpp"
 
-#include <string>
 #include <vector>
 
 namespace poissonlab {

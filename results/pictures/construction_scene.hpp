@@ -3,7 +3,6 @@
 #pragma once
 
 #include "tiles/poisson/region_shapes.hpp"
-#include "tiles/poisson/tile_position.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <array>

@@ -2,7 +2,6 @@
 #include "experiment/config/plan.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "reports/gallery/gallery.hpp"
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "reports/words/number_format.hpp"
 #include "tests/support/places.hpp"

@@ -64,9 +64,15 @@ protected:
     Experiment experiment(std::uint32_t realizations, const BeforeSampling& before = {})
     {
         SeriesTask task;
-        task.name = task.label = task.sampler = "s";
+        static const SamplerSpec spec = [] {
+            SamplerSpec named;
+            named.name = "s";
+            return named;
+        }();
+        task.name = task.label = "s";
+        task.sampler = &spec;
         task.realizations = realizations;
-        task.points = 48;
+        task.request.points = 48;
         task.identity = [this] { return UnitKey("sets").add("seed", seed_).add("radius", std::to_string(radius_)); };
         task.create = [this, before] { return std::make_unique<CountingSampler>(48, counts_, before); };
         Experiment experiment;

@@ -24,8 +24,9 @@ TEST(ShippedConfigs, ArePlannable)
         if (entry.path().parent_path().filename() == "surfaces") continue;  // meshes, and what makes them
         SCOPED_TRACE(entry.path());
         EXPECT_EQ(entry.path().extension(), ".toml");
-        if (read_collection(entry.path())) continue; // its configs are here as well
-        const Config config = read_config(entry.path());
+        ParsedConfig parsed = parse_file(entry.path());
+        if (is_collection(parsed)) continue; // its configs are here as well
+        const Config config = checked_config(std::move(parsed));
         EXPECT_FALSE(make_plan(config).empty() && read_exhibits(config).empty());
         ++count;
     }
@@ -40,9 +41,8 @@ TEST(ShippedConfigs, TheDissertationIsWhole)
         figures.push_back(entry.path().stem());
     std::ranges::sort(figures);
     std::vector<std::string> included;
-    const auto collection = read_collection(source_folder() + "/configs/dissertation.toml");
-    ASSERT_TRUE(collection);
-    for (const CollectedConfig& config : collection->configs) included.push_back(config.name);
+    const auto collection = read_collection(parse_file(source_folder() + "/configs/dissertation.toml"));
+    for (const CollectedConfig& config : collection.configs) included.push_back(config.name);
     EXPECT_EQ(included, figures);
 }
 
@@ -55,9 +55,8 @@ TEST(ShippedConfigs, TheDissertationFitsInFourGibibytes)
     device.compute_units = 2;
     device.global_memory_bytes = std::uint64_t{4} << 30;
     device.max_allocation_bytes = std::uint64_t{1} << 30;
-    const auto collection = read_collection(source_folder() + "/configs/dissertation.toml");
-    ASSERT_TRUE(collection);
-    for (const CollectedConfig& config : collection->configs) {
+    const auto collection = read_collection(parse_file(source_folder() + "/configs/dissertation.toml"));
+    for (const CollectedConfig& config : collection.configs) {
         EXPECT_NO_THROW(check_device_memory(make_plan(config.config), device)) << config.name;
         EXPECT_NO_THROW(check_device_memory(read_exhibits(config.config), device)) << config.name;
     }

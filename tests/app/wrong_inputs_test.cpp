@@ -8,9 +8,9 @@
 //
 // and `git diff` shows what became of them. Cases run in this process: starting two hundred programs takes a minute.
 #include "app/command_line.hpp"
+#include "base/crew/failure.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
-#include "experiment/crew/failure.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -13,6 +13,7 @@
 #include "host/texture/mapping/texture_map.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tests/bench/ratio_reporter.hpp"
+#include "tests/host/texture/plain_masked_squares.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
 namespace {
@@ -52,7 +53,7 @@ void sums_one_by_one(benchmark::State& state)
 {
     const PieceMask mask = ring_mask();
     const PngPixels piece = window_pixels(exemplar(), {100, 100, tile_size});
-    for (auto _ : state) benchmark::DoNotOptimize(reference_masked_squares(exemplar(), mask, piece).sums.data());
+    for (auto _ : state) benchmark::DoNotOptimize(test::plain_masked_squares(exemplar(), mask, piece).sums.data());
 }
 
 void corner_set(benchmark::State& state)

@@ -58,8 +58,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const auto names = fuzz::write_files(text);
     const auto file = fuzz::input_folder() / "all.toml";
     fuzz::accepts(fuzz::input_folder().native(), [&] {
-        const auto collection = read_collection(file);
-        if (collection) fuzz::require(!collection->configs.empty(), "a collection of nothing");
+        const ParsedConfig parsed = parse_file(file);
+        if (is_collection(parsed)) fuzz::require(!read_collection(parsed).configs.empty(), "a collection of nothing");
     });
     for (const std::string& name : names) std::filesystem::remove(fuzz::input_folder() / name);
     return 0;

@@ -9,7 +9,6 @@
 #include "kernels/common/fields/endless_texture.h"
 #include "kernels/common/fields/gradient_domain.h"
 #include "kernels/common/fields/instances.h"
-#include "kernels/common/fields/masked_squares.h"
 #include "kernels/common/fields/texture_map.h"
 #include "kernels/common/fields/warp.h"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
@@ -108,13 +107,6 @@ TEST(Contract, OfGradientDomain)
 {
     const std::size_t layout[] = {LAYOUT_OF(contract::gradient_domain::GradientDomainSizes, relaxation)};
     EXPECT_THAT(on_device("kernels/common/fields/gradient_domain.h", layout_of("GradientDomainSizes", "relaxation")),
-                ElementsAreArray(layout));
-}
-
-TEST(Contract, OfMaskedSquares)
-{
-    const std::size_t layout[] = {LAYOUT_OF(contract::masked_squares::MaskedSquaresSizes, rows)};
-    EXPECT_THAT(on_device("kernels/common/fields/masked_squares.h", layout_of("MaskedSquaresSizes", "rows")),
                 ElementsAreArray(layout));
 }
 

@@ -31,7 +31,7 @@ Experiment one_series()
     SeriesTask task;
     task.name = "n";
     task.label = "L";
-    task.sampler = "dart-throwing";
+    task.sampler = find_sampler("dart-throwing");
     task.parameters.set("relative_radius", 0.7);
     task.parameters.set("stop", std::string("points"));
     experiment.series.push_back(task);

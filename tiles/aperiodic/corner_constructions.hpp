@@ -8,7 +8,6 @@
 #include "tiles/aperiodic/tile_list.hpp"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace poissonlab {

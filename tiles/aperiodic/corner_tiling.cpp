@@ -1,6 +1,5 @@
 #include "tiles/aperiodic/corner_tiling.hpp"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <stdexcept>

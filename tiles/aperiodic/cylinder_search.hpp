@@ -9,7 +9,6 @@
 #include "tiles/aperiodic/tile_list.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "tiles/cells/cell_alphabet.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {

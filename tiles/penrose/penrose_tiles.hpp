@@ -3,16 +3,35 @@
 // Ostromoukhov, Donohue and Jodoin, Fast hierarchical importance sampling with blue noise properties, SIGGRAPH 2004;
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.8. The triangles are halves of Robinson's kites and
 // darts. Tiles are triangles, which are divided, and points, which stay and change their kind from level to level.
-// Corners are exact: see golden_ring.hpp.
+// Corners are exact.
 #pragma once
 
-#include "tiles/penrose/golden_ring.hpp"
+#include "tiles/prototiles/root_ring.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace poissonlab {
+
+// The ring Z[z] of the tenth root of unity z = exp(i pi/5), in which all corners of Penrose tilings lie.
+//
+// z solves z^4 = z^3 - z^2 + z - 1, and the golden ratio is phi = z + 1/z, so that multiplications by both are sums.
+
+constexpr RingPlace times_phi(const RingPlace& a)
+{
+    const auto& [p, q, r, s] = a.c;
+    return {{p + q - s, r + s, p + q, r + s - p}};
+}
+
+/// The unit vector at `tenths` tenths of a turn, 0 to 9.
+constexpr RingPlace unit_vector(std::uint32_t tenths)
+{
+    constexpr std::array<RingPlace, 5> half{
+        {{{1, 0, 0, 0}}, {{0, 1, 0, 0}}, {{0, 0, 1, 0}}, {{0, 0, 0, 1}}, {{-1, 1, -1, 1}}}};
+    const RingPlace& v = half[tenths % 5];
+    return tenths < 5 ? v : RingPlace{{-v.c[0], -v.c[1], -v.c[2], -v.c[3]}};
+}
 
 /// The kinds of tiles. Thin triangles have an angle of 72 degrees at their corner p1, fat ones of 36 degrees. Both come
 /// as mirror images, which are divided differently.

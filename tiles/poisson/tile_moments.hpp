@@ -9,7 +9,6 @@
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -22,6 +22,11 @@
 
 namespace poissonlab {
 
+// Positions near a Poisson disk tile, in whole units of which a tile's side has 65,536.
+
+/// A position on a torus of tiles, or a movement. In 2D the last coordinate is 0.
+using TilePosition = std::array<std::int32_t, 3>;
+
 inline constexpr int tile_bits = 16;
 inline constexpr std::int32_t tile_units = 1 << tile_bits;
 

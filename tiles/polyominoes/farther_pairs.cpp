@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <stdexcept>
 #include <unordered_set>
-#include <utility>
 
 namespace poissonlab {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "tiles/polyominoes/neighbourhoods.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -9,7 +9,6 @@
 
 #include "tiles/prototiles/polygon_tiling.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 2.10, 3.3.1 and 4.6.
 #pragma once
 
-#include "tiles/tilings/color_hash.hpp"
 #include "tiles/tilings/tile_lattice.hpp"
 #include "tiles/tilings/tile_set.hpp"
 #include "tiles/tilings/tiling.hpp"

@@ -8,6 +8,12 @@
 
 namespace poissonlab {
 
+// Hash functions as kernels/common/tiles/tiling.clh takes them: an array of words, of which the first is a tag.
+
+constexpr std::uint32_t permutation_hash_tag = 0; ///< then: colors, size, entries
+constexpr std::uint32_t long_period_hash_tag = 1; ///< then: colors, number of tables, sizes, entries
+constexpr std::uint32_t xxh64_hash_tag = 2;       ///< then: colors, seed (low word, high word)
+
 /// h(x + i x', y + j y') = h(x, y) for all integers i and j, with the least numbers x' and y' of which that
 /// is true. 0: no period that fits in 64 bits.
 struct HashPeriod

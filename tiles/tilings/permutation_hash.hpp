@@ -13,7 +13,6 @@
 #include "tiles/tilings/hash_period.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

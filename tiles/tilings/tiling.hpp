@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 3.3. Regions are streamed, never stored.
 #pragma once
 
-#include "tiles/tilings/color_hash.hpp"
 #include "tiles/tilings/tile_lattice.hpp"
 #include "tiles/tilings/tile_set.hpp"
 

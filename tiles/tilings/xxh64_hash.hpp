@@ -7,7 +7,6 @@
 
 #include "base/random/random.hpp"
 #include "tiles/tilings/hash_period.hpp"
-#include "tiles/tilings/hash_words.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
 #include <bit>

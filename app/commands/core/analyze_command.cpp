@@ -1,17 +1,16 @@
 // poissonlab analyze: point sets made elsewhere, through the same analysis and report.
 #include "app/commands/command.hpp"
 #include "app/commands/core/finish_report.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/text/decimal_commas.hpp"
 #include "experiment/config/plan.hpp"
-#include "experiment/crew/thread_limit.hpp"
 #include "experiment/run/make_experiment.hpp"
 #include "experiment/run/runner.hpp"
 #include "experiment/series/imported_points.hpp"
-#include "experiment/series/region_notes.hpp"
 #include "experiment/series/region_points.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // poissonlab diff: which numbers of two results changed beyond their error.
 #include "app/commands/command.hpp"
-#include "reports/diff/compare_runs.hpp"
+#include "reports/diff/comparison_page.hpp"
 #include "results/own_files.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,9 @@
 // poissonlab distribute classes: points of several classes on the unit torus.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/picture_output.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/text/noun.hpp"
-#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"

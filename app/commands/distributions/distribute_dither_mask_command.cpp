@@ -1,7 +1,6 @@
 // poissonlab distribute dither-mask: thresholds of pixels, below any of which they are even.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/distribution/masks/dither_files.hpp"
 #include "host/distribution/masks/dither_mask.hpp"
 #include "host/kinds/kinds.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

@@ -1,6 +1,6 @@
 // poissonlab distribute icons: arrows that show a vector field and cannot overlap.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/picture_output.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
@@ -8,8 +8,6 @@
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
-
-#include <fmt/format.h>
 
 namespace poissonlab {
 namespace {

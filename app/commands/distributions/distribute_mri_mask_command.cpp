@@ -1,6 +1,5 @@
 // poissonlab distribute mri-mask: which pixels of a grid are sampled.
 #include "app/commands/kind_options.hpp"
-#include "host/distribution/masks/mask_files.hpp"
 #include "host/distribution/masks/mask_measures.hpp"
 #include "host/kinds/kinds.hpp"
 

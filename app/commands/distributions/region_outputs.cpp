@@ -1,6 +1,6 @@
 #include "app/commands/distributions/region_outputs.hpp"
 
-#include "app/commands/picture_output.hpp"
+#include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"

@@ -1,10 +1,10 @@
 // poissonlab points dart-throwing: one set of any size, thrown block by block, as a point file.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/large_sets/large_darts.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
-#include "experiment/crew/thread_limit.hpp"
+#include "host/large_sets/large_darts.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

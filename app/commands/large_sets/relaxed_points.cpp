@@ -1,19 +1,18 @@
 #include "app/commands/large_sets/relaxed_points.hpp"
 
-#include "app/commands/large_sets/scattered_points.hpp"
-#include "app/commands/large_sets/slab_plan.hpp"
-#include "app/commands/large_sets/slab_relaxation.hpp"
-#include "app/commands/large_sets/slab_start.hpp"
+#include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-#include "experiment/crew/thread_limit.hpp"
+#include "host/large_sets/scattered_points.hpp"
+#include "host/large_sets/slab_plan.hpp"
+#include "host/large_sets/slab_relaxation.hpp"
+#include "host/large_sets/slab_start.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace poissonlab {
 namespace {

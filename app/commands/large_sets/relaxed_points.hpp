@@ -1,7 +1,7 @@
 // Commands that relax one set of any size, by one process or several: what they are asked for, and their work.
 //
 // The set is that of the method with the same seed, its first realization, number for number: the method's steps are
-// those of slabs of the torus, which processes share, see app/commands/large_sets/slab_relaxation.hpp.
+// those of slabs of the torus, which processes share, see host/large_sets/slab_relaxation.hpp.
 #pragma once
 
 #include "app/commands/kind_options.hpp"

@@ -1,5 +1,4 @@
 // Pages of kinds of work beside methods: picture, example, keys, and the doors to each.
-#include "app/commands/manual/example_file.hpp"
 #include "app/commands/manual/manual.hpp"
 #include "host/kinds/kind_help.hpp"
 #include "host/kinds/kinds.hpp"

@@ -7,9 +7,15 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poissonlab {
+
+// Examples of kinds of work that the manual shows: the files of docs/kinds come with the program.
+
+/// The text of one. Throws std::out_of_range where there is none.
+std::string_view example_file(std::string_view name);
 
 /// The texts of pages in Markdown, by their file names relative to the folder of the documentation. They link to pages
 /// and pictures that the checkout has there.

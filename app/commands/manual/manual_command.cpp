@@ -7,7 +7,6 @@
 #include "host/kinds/kind_help.hpp"
 #include "host/modules/laboratory.hpp"
 #include "host/modules/manifest.hpp"
-#include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_registry.hpp"
 

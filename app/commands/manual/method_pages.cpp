@@ -2,7 +2,6 @@
 #include "app/commands/manual/manual.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "host/settings/parameter_values.hpp"
-#include "host/settings/region_sampler_registry.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "reports/claims/claim_table.hpp"

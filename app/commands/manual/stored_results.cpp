@@ -4,7 +4,6 @@
 #include "base/errors/errors.hpp"
 #include "reports/claims/claim_table.hpp"
 #include "reports/gallery/gallery.hpp"
-#include "reports/gallery/gallery_file.hpp"
 #include "reports/gallery/sizes.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "reports/words/number_format.hpp"

@@ -6,10 +6,6 @@
 #include "reports/plots/gnuplot.hpp"
 #include "reports/plots/gnuplot_text.hpp"
 
-#include <fmt/format.h>
-
-#include <utility>
-
 namespace poissonlab {
 namespace {
 

@@ -1,7 +1,6 @@
 // All that the points of `tiles points` are made from: the tile set, the window, torus or region, and the density.
 #pragma once
 
-#include "app/commands/tiles/window_density.hpp"
 #include "app/commands/tiles/window_points.hpp"
 #include "app/commands/work_options.hpp"
 #include "base/points/placed_file.hpp"

@@ -1,5 +1,8 @@
 #include "app/commands/tiles/window_points.hpp"
 
+#include "base/densities/density_text.hpp"
+#include "base/densities/density_values.hpp"
+#include "base/densities/plane_formula.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/tile_points/point_levels.hpp"
@@ -7,12 +10,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <utility>
 
 namespace poissonlab {
 namespace {
+
+constexpr auto option = "tiles points: --density";
 
 /// Points of a piece, about: 32 MiB of coordinates in 2D. It takes some hundredths of a second.
 constexpr std::uint64_t points_per_piece = std::uint64_t{1} << 21;
@@ -45,6 +48,32 @@ std::uint32_t pieces_of(std::uint64_t tiles, std::uint64_t tiles_per_piece)
     return static_cast<std::uint32_t>(pieces);
 }
 
+}
+
+WindowDensity::WindowDensity(const std::string& text, const std::string& from, const DensityArea& area, int dimension,
+                             bool is_quiet)
+    : area_(area)
+{
+    if (from != "light" && !is_file_name(text))
+        throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
+                                     printable(from), shortened(text)));
+    if (const auto number = is_file_name(text) ? std::nullopt : constant_of(text)) {
+        if (!(*number > 0 && *number <= 1))
+            throw InputError(fmt::format("{} {}: must be a number greater than 0 and at most 1, a picture or a formula",
+                                         option, text));
+        number_ = *number;
+        return;
+    }
+    if (dimension != 2)
+        throw InputError(fmt::format("{} {}: must be a number for tiles in space", option, shortened(text)));
+    try {
+        density_ = density_of_text(text, from, area.size[0], area.size[1]);
+        if (!density_->note.empty() && !is_quiet) fmt::print(stderr, "poissonlab: note: {}\n", density_->note);
+    } catch (const UnknownChannel& error) {
+        throw InputError(fmt::format("tiles points: --density-from: {}", error.what()));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
 }
 
 WindowPoints::WindowPoints(UnitStream units, const PoissonTileSet& tiles, const WindowOfTiling& window,

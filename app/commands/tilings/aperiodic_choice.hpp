@@ -1,7 +1,7 @@
 // The tile set that the commands of `aperiodic` speak of: a known one or a file, and a construction of it.
 #pragma once
 
-#include "app/commands/picture_output.hpp"
+#include "app/commands/output_file.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
 
 #include <cstdint>
@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 

@@ -11,7 +11,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 namespace poissonlab {
 namespace {

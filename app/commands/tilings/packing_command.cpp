@@ -1,6 +1,6 @@
 // poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
 #include "app/commands/kind_options.hpp"
-#include "app/commands/picture_output.hpp"
+#include "app/commands/output_file.hpp"
 #include "app/commands/tilings/tile_rows.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <span>
 
 namespace poissonlab {

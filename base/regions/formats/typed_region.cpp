@@ -12,8 +12,6 @@
 #include "base/text/decimal_commas.hpp"
 #include "base/text/plain_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,13 +1,23 @@
 // The map that kind = "cells" asks for, and its numbers.
 #pragma once
 
-#include "host/settings/distributions/cell_config.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "tiles/cells/cell_map.hpp"
 
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace poissonlab {
+
+// The settings of [[distribution]] kind = "cells": see tiles/cells/cell_map.hpp.
+
+struct CellSettings
+{
+    std::filesystem::path alphabet;
+    std::array<std::int64_t, 4> window{0, 0, 48, 27}; ///< X, Y, width and height, in cells
+};
 
 /// An alphabet with a window of its map.
 struct DrawnCells

@@ -3,16 +3,39 @@
 // Wei, Multi-class blue noise sampling, SIGGRAPH 2010. See host/sampling/classes/class_darts.hpp.
 #pragma once
 
+#include "host/distribution/classes/class_means.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/classes/class_darts.hpp"
-#include "host/settings/distributions/class_config.hpp"
 #include "results/pictures/distribution_result.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
+
+// The settings of [[distribution]] kind = "classes".
+
+/// kind = "classes". Lists have a value for each class.
+struct ClassSettings
+{
+    std::vector<std::size_t> points; ///< empty: to saturation
+    std::vector<double> distances;   ///< of points of the same class; empty: of `matrix`, or those of relative_radius
+    std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
+    double relative_radius = 0.62;   ///< of each class, where there are no distances
+    double factor = 1; ///< all distances are multiplied by it where a class with points to come is full; 1: an error
+    int dimension = 2;
+    std::uint32_t colors = 0;    ///< of corner tiles that are built, whose points and distances these are; 0: none
+    std::filesystem::path tiles; ///< a tile set whose points have classes, instead of all of these; empty: darts
+    std::uint32_t torus = 12;    ///< tiles along each axis
+    std::uint32_t sets = 1;      ///< that spectra are means over; files have the first
+
+    std::size_t classes() const;
+    bool has_tiles() const { return colors > 0 || !tiles.empty(); }
+};
 
 struct PoissonTileSet;
 
@@ -39,5 +62,15 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set);
 
 /// Least distances of pairs beside those that are kept, as a table.
 DistributionTable distance_table(const ClassSet& set);
+
+// Spectra of points with classes, as means over several sets.
+
+/// Means over settings.sets sets in 2D, of which `first` is the first; makes the others, by the tiles of the first
+/// where it has some. Throws InputError and DeviceError as throw_classes() does.
+ClassSpectra averaged_spectra(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                              const ClassSet& first);
+
+/// Columns frequency,all,class_I...,cross_I_J..., and with several sets the same again, in that order, as ..._error.
+std::string spectra_csv(const ClassSpectra& spectra);
 
 }

@@ -12,6 +12,7 @@
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -64,5 +65,14 @@ DistributionTable dither_table(const std::vector<ThresholdMeasures>& measures);
 
 /// Radial power at some of the thresholds.
 MarkPicture dither_curves(const std::vector<ThresholdMeasures>& measures);
+
+// Masks of thresholds as files.
+
+/// Writes .png (8 bits where there are at most 256 thresholds, else 16) or .npy (uint32, the ranks of pixels). Throws
+/// StorageError.
+void write_dither_mask(const std::filesystem::path& file, const DitherMask& mask);
+
+/// Pixels below some thresholds as black dots of a corner of the mask, side by side.
+void write_threshold_strip(const std::filesystem::path& file, const DitherMask& mask);
 
 }

@@ -5,9 +5,16 @@
 #include "results/pictures/distribution_result.hpp"
 #include "results/pictures/mark_picture.hpp"
 
+#include <filesystem>
 #include <vector>
 
 namespace poissonlab {
+
+// Masks of samples as files.
+
+/// Writes .npy (uint8, shape (rows, columns), 1: a sample), .cfl and the .hdr beside it (BART: complex floats,
+/// dimensions 1, rows, columns) or .png (samples are white). Throws StorageError.
+void write_mask(const std::filesystem::path& file, const SamplingMask& mask);
 
 /// The least distance of two samples that are not in the calibration area both, in pixels, and the least one in parts
 /// of what they are to have at least; infinite where there is no such pair near enough to matter, or where no distance

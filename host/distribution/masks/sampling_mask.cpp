@@ -3,8 +3,6 @@
 #include "base/random/random.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <numeric>
 
 namespace poissonlab {
 namespace {

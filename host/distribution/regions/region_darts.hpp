@@ -18,7 +18,6 @@
 #include "host/settings/distributions/distribution_config.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace poissonlab {
 

@@ -14,8 +14,6 @@
 #include "host/sampling/regions/region_lloyd.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

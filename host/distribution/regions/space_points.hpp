@@ -8,7 +8,6 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 
-#include <array>
 #include <memory>
 
 namespace poissonlab {

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace poissonlab {
 namespace {

@@ -4,7 +4,6 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
-#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
@@ -16,9 +15,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace poissonlab {
 namespace {

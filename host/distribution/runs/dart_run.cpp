@@ -30,7 +30,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace poissonlab {
 namespace {

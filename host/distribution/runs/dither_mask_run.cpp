@@ -1,7 +1,5 @@
 // kind = "dither-mask": thresholds of pixels, below any of which they are even.
 #include "base/errors/errors.hpp"
-#include "base/images/png_file.hpp"
-#include "host/distribution/masks/dither_files.hpp"
 #include "host/distribution/masks/dither_mask.hpp"
 #include "host/kinds/kinds.hpp"
 

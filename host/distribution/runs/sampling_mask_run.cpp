@@ -1,8 +1,5 @@
 // kind = "mri-mask": which pixels of a grid are sampled.
 #include "base/errors/errors.hpp"
-#include "base/files/whole_file.hpp"
-#include "host/distribution/charts/curve_marks.hpp"
-#include "host/distribution/masks/mask_files.hpp"
 #include "host/distribution/masks/mask_measures.hpp"
 #include "host/kinds/kinds.hpp"
 

@@ -1,8 +1,8 @@
 #include "host/distribution/surfaces/quad_surface.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/surfaces/mesh_vectors.hpp"
 #include "base/surfaces/polygon_soup.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <fmt/format.h>

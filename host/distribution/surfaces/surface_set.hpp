@@ -5,17 +5,61 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/word_table.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
-#include "host/settings/distributions/surface_config.hpp"
+#include "host/settings/distributions/quad_config.hpp"
 #include "results/pictures/distribution_result.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+// The settings of [[distribution]] kind = "surface".
+
+enum class SurfaceMethod
+{
+    darts,
+    elimination,
+    tiles,
+    quads
+};
+
+inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::darts, "darts"},
+                                                               {SurfaceMethod::elimination, "elimination"},
+                                                               {SurfaceMethod::tiles, "tiles"},
+                                                               {SurfaceMethod::quads, "quads"}}}};
+
+struct SurfaceMesh;
+
+struct PoissonTileSet;
+
+/// kind = "surface": points on the triangles of a mesh, also those of tiles over its texture coordinates.
+struct MeshPointSettings
+{
+    std::filesystem::path mesh;
+    SurfaceMethod method = SurfaceMethod::darts;
+    std::optional<std::size_t> points;
+    std::optional<double> min_distance;
+    std::optional<double> relative_radius;
+    bool is_closed = false; ///< the tiling repeats after a unit
+    double normal_angle = 120;
+    double factor = 0.99;
+    std::uint32_t candidates = 5;
+    std::filesystem::path tiles;                        ///< empty: corner tiles of 3 colours, 32 points
+    std::optional<double> tiles_per_unit;               ///< of texture coordinates
+    QuadSettings quads;                                 ///< of method quads
+    std::uint32_t colors = 1;                           ///< of the vertices of quads
+    std::shared_ptr<const SurfaceMesh> read{};          ///< the mesh, where it was read already
+    std::shared_ptr<const PoissonTileSet> read_tiles{}; ///< the same of the tiles
+};
 
 /// A mesh, and the same in whole numbers.
 struct SurfaceMesh

@@ -1,7 +1,7 @@
 // Triangles fill a buffer of depths, row by row; dots are drawn where they are in front. Pixels are means of 2 x 2.
 #include "host/distribution/surfaces/surface_view.hpp"
 
-#include "base/surfaces/mesh_vectors.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "host/distribution/textures/endless_run.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/texture/endless/quilting.hpp"
-#include "host/texture/exemplar.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,9 +2,8 @@
 
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/surfaces/mesh_vectors.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // This draws textured quads in the sun, by buffers of depths: one from the eye, one from the sun for shadows. Both look
 // along parallel lines. Pixels are means of 3 x 3 samples in linear light.
 #include "base/images/srgb_light.hpp"
-#include "base/surfaces/mesh_vectors.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
 #include "host/distribution/textures/quad_atlas.hpp"
 
 #include <tbb/parallel_for.h>

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 
 namespace poissonlab {
 namespace {

@@ -4,14 +4,30 @@
 
 #include "base/images/png_file.hpp"
 #include "host/texture/mapping/texture_map.hpp"
+#include "host/texture/texture_build.hpp"
 #include "host/texture/window_choice.hpp"
 #include "tiles/texture/texture_set.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace poissonlab {
+
+// How a corner tile is made, as a picture.
+
+/// A corner tile with colours as different as can be, from patches to the finished tile: four patches side by side,
+/// the quarters that are cut out, the tile, and the tile with new pieces in grey; enlarged.
+PngPixels step_picture(const BuiltTexture& built);
+
+// Pictures of sets with marked corners.
+
+/// Shows the first tile of the set with all marks that its corners have there, and dots at marked corners.
+PngPixels marks_picture(const TextureSet& set);
+
+/// The picture of a window with dots at marked corners.
+PngPixels marked_window_picture(const TextureSet& set, const TextureWindow& window);
 
 /// The values of a set's tiles tinted by the window of the exemplar that they come from, three channels a pixel: one
 /// colour a patch, which its quarters in all tiles have in common.

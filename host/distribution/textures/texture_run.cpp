@@ -7,8 +7,6 @@
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/textures/endless_run.hpp"
 #include "host/distribution/textures/frame_rate.hpp"
-#include "host/distribution/textures/mark_pictures.hpp"
-#include "host/distribution/textures/step_picture.hpp"
 #include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/distribution/textures/texture_values.hpp"

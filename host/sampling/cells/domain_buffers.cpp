@@ -1,6 +1,5 @@
 #include "host/sampling/cells/domain_buffers.hpp"
 
-#include <span>
 #include <vector>
 
 namespace poissonlab {

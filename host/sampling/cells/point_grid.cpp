@@ -3,7 +3,6 @@
 #include "base/geometry/lattice.hpp"
 #include "kernels/common/vectors.h"
 
-#include <cmath>
 #include <numeric>
 #include <vector>
 

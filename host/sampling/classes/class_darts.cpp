@@ -4,7 +4,6 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/classes/class_cells.hpp"
-#include "host/sampling/classes/fill_order.hpp"
 
 #include <algorithm>
 #include <array>

@@ -20,7 +20,6 @@
 #include "host/sampling/device_method.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace poissonlab {

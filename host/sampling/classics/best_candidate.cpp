@@ -3,7 +3,6 @@
 #include "base/random/random.hpp"
 #include "host/sampling/classics/candidate_darts.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
-#include "host/sampling/classics/sorted_torus.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 
 #include <tbb/parallel_for.h>

@@ -3,10 +3,7 @@
 #include "base/random/random.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <numeric>
 
 namespace poissonlab {
 namespace {

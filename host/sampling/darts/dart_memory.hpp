@@ -1,7 +1,6 @@
 // The memory that dart throwing takes on a device.
 #pragma once
 
-#include "host/sampling/darts/dart_buffers.hpp"
 #include "host/sampling/darts/dart_request.hpp"
 #include "host/sampling/darts/dart_settler.hpp"
 

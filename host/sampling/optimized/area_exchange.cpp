@@ -2,10 +2,7 @@
 
 #include "kernels/common/optimized/power_cells.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace poissonlab {

@@ -3,7 +3,6 @@
 
 #include "base/geometry/point_set.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/sampling/classes/class_cells.hpp"
-#include "host/sampling/classes/fill_order.hpp"
 
 #include <algorithm>
 

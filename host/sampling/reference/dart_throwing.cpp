@@ -5,7 +5,6 @@
 #include "host/sampling/reference/request_land.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace poissonlab::reference {
 namespace {

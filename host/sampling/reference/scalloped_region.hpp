@@ -7,7 +7,6 @@
 
 #include "kernels/common/sectors/directions.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace poissonlab::reference {

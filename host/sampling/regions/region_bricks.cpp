@@ -1,7 +1,6 @@
 #include "host/sampling/regions/region_bricks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <tuple>
 #include <type_traits>

@@ -4,7 +4,7 @@
 #include "base/regions/fixed_region.hpp"
 #include "base/regions/fixed_space.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
-#include "host/sampling/darts/dart_bricks.hpp"
+#include "host/sampling/darts/dart_request.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -11,7 +11,6 @@
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace poissonlab {

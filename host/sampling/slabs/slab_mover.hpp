@@ -1,15 +1,38 @@
 // Moves the points of slabs, one slab after the other, by a method's step on a device.
 #pragma once
 
-#include "host/sampling/slabs/numbered_points.hpp"
 #include "host/sampling/slabs/slab_method.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
+
+// Points of a part of a set, with their numbers in the set.
+
+struct NumberedPoints
+{
+    std::vector<double> coordinates; ///< dimension values a point, in [0, 1)
+    std::vector<std::uint32_t> ids;
+
+    std::size_t size() const { return ids.size(); }
+
+    void add(std::span<const double> place, std::uint32_t id)
+    {
+        coordinates.insert(coordinates.end(), place.begin(), place.end());
+        ids.push_back(id);
+    }
+
+    void clear()
+    {
+        coordinates.clear();
+        ids.clear();
+    }
+};
 
 class SlabMover
 {

@@ -1,10 +1,9 @@
 // Dart throwing on surfaces: to a number of points, until no further one fits, or with a distance that shrinks until so
 // many fit.
 //
-// Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009, for the pieces that darts fall on; see
-// host/sampling/surfaces/surface_pieces.hpp. Two points are in conflict where they are nearer than the minimum
-// distance, straight through space, unless the normals of their triangles are farther apart than an angle: the two
-// sides of a thin sheet do not see each other.
+// Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009, for the pieces that darts fall on. Two
+// points are in conflict where they are nearer than the minimum distance, straight through space, unless the normals of
+// their triangles are farther apart than an angle: the two sides of a thin sheet do not see each other.
 //
 // Darts come in batches, whose size follows from what was accepted so far. Where few of a batch are accepted, pieces
 // are refined: those that one disk covers are dropped. A set is saturated when no piece is left. All of the surface is
@@ -14,7 +13,7 @@
 
 #include "base/random/random.hpp"
 #include "host/sampling/device_method.hpp"
-#include "host/sampling/surfaces/surface_pieces.hpp"
+#include "host/sampling/surfaces/fixed_surface.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +22,49 @@
 #include <vector>
 
 namespace poissonlab {
+
+// The pieces of triangles on which darts fall: those that may be uncovered, chosen by their areas.
+//
+// Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009. Their fragments are divided into four;
+// here a piece is halved across its longest edge, so that long triangles become wide pieces. Corners are shares of the
+// triangle's corners in units of 2^-31, and halves are exact. A piece is last when its edges have no more than LIMIT
+// units, or halves would not be exact.
+
+using SurfacePiece = contract::surface::Piece;
+
+/// Where random numbers lead: weights are areas in whole numbers, whose sum is 2^62 or a little less, so that a piece's
+/// share is wrong by 2^-62 at most, and each has one at least.
+struct SurfacePieceChoice
+{
+    std::vector<std::uint64_t> ends;  ///< of each piece: the sum of weights up to it
+    std::vector<std::uint32_t> guide; ///< the first piece that random words with these upper bits can lead to
+    std::uint32_t guide_bits = 1;
+
+    std::uint64_t total() const { return ends.back(); }
+
+    /// The piece of a random word. The guide is Chen and Asau's (1974): few steps are left.
+    std::size_t piece(std::uint64_t random) const;
+};
+
+/// All triangles, whole.
+std::vector<SurfacePiece> whole_pieces(const FixedSurface& surface);
+
+/// The area of a piece, in squares of the mesh's units.
+double area_of(const FixedSurface& surface, const SurfacePiece& piece);
+
+bool is_last(const SurfacePiece& piece);
+
+/// Pieces that are left of those with these states (PieceState): open ones are halved, or stay where they are last.
+struct RefinedPieces
+{
+    std::vector<SurfacePiece> pieces;
+    double small_area = 0; ///< of those that were dropped within the limit
+};
+RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
+                      const std::vector<std::uint32_t>& states);
+
+/// There is one piece or more.
+SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces);
 
 struct SurfaceDartRequest
 {

@@ -6,7 +6,7 @@
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_words.hpp"
-#include "host/settings/comma_words.hpp"
+#include "host/settings/config_tree.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -460,11 +460,15 @@ bool Keys::is_given(const std::string& key) const { return given(key) != nullptr
 
 const SourceLocation& Keys::place_of(const std::string& key) const { return given(key)->location; }
 
-std::vector<std::string> Keys::names() const
+void check_described_keys(const ConfigTable& table, const std::function<void(Keys&)>& visit,
+                          std::vector<std::string> before, const std::vector<std::string>& after)
 {
-    std::vector<std::string> all;
-    for (const KeySpec& spec : specs_) all.push_back(spec.value.key);
-    return all;
+    Keys described;
+    visit(described);
+    std::vector<std::string> known = std::move(before);
+    for (const KeySpec& spec : described.described()) known.push_back(spec.value.key);
+    known.insert(known.end(), after.begin(), after.end());
+    check_keys(table, known);
 }
 
 std::string Keys::name_of(const std::string& key) const

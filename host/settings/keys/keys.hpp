@@ -193,7 +193,6 @@ public:
     void check(const std::function<void()>& work) const;
 
     const std::vector<KeySpec>& described() const { return specs_; }
-    std::vector<std::string> names() const; ///< of all that were described
 
     /// Keys and values that were described or read, in one line: what decides the result, but for what files hold.
     const std::string& resolved() const { return resolved_; }
@@ -222,6 +221,11 @@ private:
     std::string resolved_;
     std::vector<std::filesystem::path> inputs_;
 };
+
+/// Refuses keys of a table that `visit` does not describe, but for those of `before` and `after`, which messages list
+/// with them. Done before a table is read, so that a mistyped key is told, and not what is missing without it.
+void check_described_keys(const ConfigTable& table, const std::function<void(Keys&)>& visit,
+                          std::vector<std::string> before = {}, const std::vector<std::string>& after = {});
 
 /// The name of a file without its folders, or a formula, shortened: for labels.
 std::string name_of_input(const std::string& text);

@@ -6,7 +6,6 @@
 #include "tiles/tilings/tiling.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -14,9 +14,6 @@ namespace poissonlab {
 
 inline constexpr int pyramid_scales = 4, pyramid_orientations = 4;
 
-/// The least side of a map: fewer pixels have no coarsest scale.
-inline constexpr int least_pyramid_side = 64;
-
 /// Magnitudes of the complex coefficients, of a scale (0 the finest) and an orientation (0: structures that change from
 /// west to east, then in eighths of a turn), scale after scale.
 std::vector<LightMap> pyramid_magnitudes(const LightMap& map);

@@ -5,9 +5,82 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
+
+using Shares = std::array<double, 256>;
+
+constexpr std::size_t quantile_count = 128;
+
+/// Counts become a cumulative distribution.
+Shares cumulative_shares(const Shares& counts)
+{
+    Shares shares = counts;
+    std::partial_sum(shares.begin(), shares.end(), shares.begin());
+    const double all = shares.back();
+    for (double& share : shares) share /= all;
+    return shares;
+}
+
+double area_between(const Shares& one, const Shares& other)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) sum += std::abs(one[i] - other[i]);
+    return sum;
+}
+
+std::vector<double> quantiles_of(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    std::vector<double> quantiles;
+    for (std::size_t i = 0; i < quantile_count; ++i)
+        quantiles.push_back(values[(2 * i + 1) * values.size() / (2 * quantile_count)]);
+    return quantiles;
+}
+
+double mean_of(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double root_mean_square_between(const std::vector<double>& one, const std::vector<double>& other)
+{
+    double squares = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) squares += (one[i] - other[i]) * (one[i] - other[i]);
+    return std::sqrt(squares / static_cast<double>(one.size()));
+}
+
+void add_colors(const PngPixels& window, WindowStatistics& statistics)
+{
+    for (int c = 0; c < window.channels; ++c) {
+        Shares counts{};
+        for (std::size_t i = static_cast<std::size_t>(c); i < window.values.size();
+             i += static_cast<std::size_t>(window.channels))
+            ++counts[window.values[i]];
+        statistics.colors.push_back(cumulative_shares(counts));
+    }
+}
+
+void add_steps(const LightMap& light, WindowStatistics& statistics)
+{
+    Shares counts{};
+    double sum = 0, count = 0;
+    const auto add = [&](double step) {
+        ++counts[static_cast<std::size_t>(std::lround(std::abs(step)))];
+        sum += std::abs(step);
+        ++count;
+    };
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x) {
+            if (x + 1 < light.width) add(light.at(x + 1, y) - light.at(x, y));
+            if (y + 1 < light.height) add(light.at(x, y + 1) - light.at(x, y));
+        }
+    statistics.steps = cumulative_shares(counts);
+    statistics.mean_step = sum / count;
+}
 
 /// Statistics of a square's windows, so many along each side.
 std::vector<WindowStatistics> statistics_of_windows(const PngPixels& square, int count)
@@ -47,6 +120,53 @@ void compare_windows(const PngPixels& exemplar, const PngPixels& square, Texture
     result.contrast = contrast;
 }
 
+}
+
+WindowStatistics window_statistics(const PngPixels& window)
+{
+    WindowStatistics statistics;
+    add_colors(window, statistics);
+    const LightMap light = lightness_map(window);
+    add_steps(light, statistics);
+    for (const int side : contrast_sides) {
+        const std::vector<double> contrasts = contrast_map(light, side).values;
+        statistics.mean_contrasts.push_back(mean_of(contrasts));
+        statistics.contrasts.push_back(quantiles_of(contrasts));
+    }
+    statistics.correlations = magnitude_correlations(light);
+    return statistics;
+}
+
+WindowDistances window_distances(const WindowStatistics& window, const WindowStatistics& natural)
+{
+    WindowDistances distances;
+    for (std::size_t c = 0; c < window.colors.size(); ++c) {
+        distances.colors +=
+            area_between(window.colors[c], natural.colors[c]) / static_cast<double>(window.colors.size());
+        for (std::size_t i = 0; i < 256; ++i)
+            distances.largest = std::max(distances.largest, std::abs(window.colors[c][i] - natural.colors[c][i]));
+    }
+    if (natural.mean_step > 0) distances.gradients = area_between(window.steps, natural.steps) / natural.mean_step;
+    for (std::size_t s = 0; s < contrast_sides.size(); ++s) {
+        double sum = 0;
+        for (std::size_t i = 0; i < quantile_count; ++i)
+            sum += std::abs(window.contrasts[s][i] - natural.contrasts[s][i]) / quantile_count;
+        if (natural.mean_contrasts[s] > 0)
+            distances.contrast += sum / natural.mean_contrasts[s] / contrast_sides.size();
+    }
+    for (std::size_t scale = 0; scale < pyramid_scales; ++scale)
+        distances.structure[scale] = root_mean_square_between(window.correlations[scale], natural.correlations[scale]);
+    return distances;
+}
+
+double contrast_ratio(const WindowStatistics& window, const WindowStatistics& natural)
+{
+    double logarithms = 0;
+    for (std::size_t s = 0; s < contrast_sides.size(); ++s) {
+        if (natural.mean_contrasts[s] == 0) return 1;
+        logarithms += std::log(window.mean_contrasts[s] / natural.mean_contrasts[s]) / contrast_sides.size();
+    }
+    return std::exp(logarithms);
 }
 
 int compared_side(const PngPixels& exemplar) { return std::min(exemplar.width, exemplar.height) / 2 * 4; }

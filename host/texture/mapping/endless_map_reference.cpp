@@ -6,7 +6,6 @@
 #include "tiles/texture/endless_texture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace poissonlab {

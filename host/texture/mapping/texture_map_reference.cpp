@@ -5,7 +5,6 @@
 #include "tiles/texture/endless_texture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace poissonlab {

@@ -6,8 +6,8 @@
 // waves. What is found there, if it stands out more, is followed to the rim of the picture.
 #pragma once
 
-#include "host/texture/regular/plane_slope.hpp"
 #include "host/texture/regular/regular_waves.hpp"
+#include "host/texture/regular/wave_tracking.hpp"
 
 #include <vector>
 

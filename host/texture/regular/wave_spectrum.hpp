@@ -3,7 +3,6 @@
 
 #include "host/texture/regular/regular_waves.hpp"
 
-#include <complex>
 #include <vector>
 
 namespace poissonlab {

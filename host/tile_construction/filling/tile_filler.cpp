@@ -7,7 +7,6 @@
 #include "tiles/poisson/tile_moments.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poissonlab {
 namespace {

@@ -4,10 +4,8 @@
 // are whole units, 65,536 to a tile's side. kernels/common/tiles/tile_torus.clh makes the same decisions.
 #pragma once
 
-#include "tiles/poisson/tile_position.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 

@@ -6,9 +6,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace poissonlab {
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include "kernels/common/tiles/tile_filling.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {

@@ -7,7 +7,6 @@
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace poissonlab {

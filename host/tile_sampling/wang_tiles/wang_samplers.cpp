@@ -1,4 +1,3 @@
-#include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
@@ -7,7 +6,6 @@
 #include "host/tile_sampling/series_tile_sets.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
-#include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,5 @@
 // The dissertation's claims about Penrose tilings: section 6.8.
 #include "reports/claims/claim_words.hpp"
-#include "reports/words/number_format.hpp"
-
-#include <fmt/format.h>
 
 namespace poissonlab {
 namespace {

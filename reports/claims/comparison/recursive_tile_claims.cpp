@@ -1,8 +1,5 @@
 // The dissertation's claims about recursive Wang tiles: section 6.14.
 #include "reports/claims/claim_words.hpp"
-#include "reports/words/number_format.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // Claims of section 6.15 about Poisson sphere distributions by dart throwing, by relaxation dart throwing and by tiles.
 #include "reports/claims/claim_words.hpp"
 #include "reports/claims/comparison/tile_spectra.hpp"
-#include "reports/words/number_format.hpp"
 
 namespace poissonlab {
 namespace {

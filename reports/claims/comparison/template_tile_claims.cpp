@@ -3,9 +3,6 @@
 #include "reports/claims/comparison/tile_quality.hpp"
 #include "reports/words/number_format.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {

@@ -2,7 +2,6 @@
 
 #include "reports/drawings/square_regions.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

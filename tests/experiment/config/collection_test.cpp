@@ -21,7 +21,7 @@ class CollectionConfigs : public testing::Test
 protected:
     Collection read(const std::string& text, const std::vector<std::string>& overrides = {}) const
     {
-        return read_collection(folder_.write("all.toml", text), overrides).value();
+        return read_collection(parse_file(folder_.write("all.toml", text)), overrides);
     }
 
     std::vector<std::string> names(const std::string& text) const
@@ -91,9 +91,9 @@ TEST_F(CollectionConfigs, OverridesApplyToEach)
 
 TEST_F(CollectionConfigs, OtherConfigsAreNone)
 {
-    EXPECT_FALSE(read_collection(folder_.path() / "one.toml"));
-    EXPECT_FALSE(read_collection(folder_.path())) << "a folder";
-    EXPECT_THAT(message_of([&] { read_collection(folder_.path() / "missing.toml"); }), HasSubstr("missing.toml"));
+    EXPECT_FALSE(is_collection(parse_file(folder_.path() / "one.toml")));
+    EXPECT_THAT(message_of([&] { parse_file(folder_.path()); }), HasSubstr("is a folder"));
+    EXPECT_THAT(message_of([&] { parse_file(folder_.path() / "missing.toml"); }), HasSubstr("missing.toml"));
 }
 
 TEST_F(CollectionConfigs, HaveNoExperimentOfTheirOwn)

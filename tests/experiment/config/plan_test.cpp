@@ -86,8 +86,8 @@ TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
                      "c.toml");
     const auto plan = make_plan(config);
     ASSERT_EQ(plan.size(), 1U + 2 * 3 * 2);
-    EXPECT_EQ(plan[0].place.method, 0U);
-    EXPECT_THAT(plan[0].place.indices, ElementsAre());
+    EXPECT_EQ(plan[0].place->method, 0U);
+    EXPECT_THAT(plan[0].place->indices, ElementsAre());
 
     const auto grids = method_grids(config);
     ASSERT_EQ(grids.size(), 2U);
@@ -104,8 +104,8 @@ TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
     for (std::size_t i = 0; i < grids[1].axes[0].values.size(); ++i)
         for (std::size_t j = 0; j < grids[1].axes[1].values.size(); ++j)
             for (std::size_t k = 0; k < grids[1].axes[2].values.size(); ++k, ++series) {
-                EXPECT_EQ(plan[series].place.method, 1U);
-                EXPECT_THAT(plan[series].place.indices, ElementsAre(i, j, k));
+                EXPECT_EQ(plan[series].place->method, 1U);
+                EXPECT_THAT(plan[series].place->indices, ElementsAre(i, j, k));
                 EXPECT_EQ(std::to_string(plan[series].request.points), grids[1].axes[0].values[i]);
             }
     // Axes are in the order of the sampler's parameters; tables make a value of each of their own combinations.

@@ -28,13 +28,21 @@ private:
     bool sizes_vary_;
 };
 
+SamplerSpec test_sampler()
+{
+    SamplerSpec spec;
+    spec.name = "test";
+    return spec;
+}
+
 SeriesTask task(const std::string& name, std::uint32_t realizations, FunctionSampler::Make make,
                 bool sizes_vary = false)
 {
     SeriesTask result;
     result.name = name;
     result.label = name;
-    result.sampler = "test";
+    static const SamplerSpec sampler = test_sampler();
+    result.sampler = &sampler;
     result.realizations = realizations;
     result.create = [make, sizes_vary] { return std::make_unique<FunctionSampler>(make, sizes_vary); };
     return result;
@@ -236,7 +244,9 @@ TEST(Runner, TimesTheFirstRealizationAgainWhereThereAreFew)
     run(experiment, folder.path() / "once");
     EXPECT_EQ(asked.size(), 2U);
     experiment.timing_runs = 5;
-    experiment.series[0].is_timed = false;
+    SamplerSpec of_files = test_sampler();
+    of_files.has_own_points = true;
+    experiment.series[0].sampler = &of_files;
     run(experiment, folder.path() / "not timed");
     EXPECT_EQ(asked.size(), 4U);
     const auto series_not_timed =

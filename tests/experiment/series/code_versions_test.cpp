@@ -51,7 +51,7 @@ SourceFiles includes(const std::string& file)
 bool may_change(const std::string& version, const std::string& file)
 {
     const auto is_in = [&](const char* folder) { return file.starts_with(folder); };
-    for (const char* folder : {"experiment/config/", "experiment/crew/", "experiment/store/", "host/settings/"})
+    for (const char* folder : {"experiment/config/", "base/crew/", "experiment/store/", "host/settings/"})
         if (is_in(folder)) return true;
     if (version == "analysis_version") return is_in("experiment/exhibits/") || is_in("host/") || is_in("tiles/");
     if (version == "picture_version" && is_in("host/distribution/")) return true;

@@ -3,7 +3,6 @@
 
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "host/distribution/classes/class_averages.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "tests/support/errors.hpp"

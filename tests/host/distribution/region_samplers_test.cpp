@@ -1,5 +1,4 @@
 // Samplers of sets in regions: realizations, what they promise, and where their points lie.
-#include "host/settings/region_sampler_registry.hpp"
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/files/whole_file.hpp"

@@ -2,7 +2,6 @@
 #include "host/distribution/masks/sampling_mask.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/distribution/masks/mask_files.hpp"
 #include "host/distribution/masks/mask_measures.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/srgb_light.hpp"
-#include "tiles/texture/engine/height_normals.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +14,79 @@
 
 namespace poissonlab {
 namespace {
+
+// Normals of a texture set's heights, without seams in any tiling.
+//
+// They are of the finished tiles: where two windows of the exemplar meet, the step of the heights is in the normals as
+// well, which copies of a normal map would not have. Across a border lies a texel that the shared colours decide, in a
+// tiling and in the atlas: differences of neighbours in a packed atlas are those of every tiling.
+
+/// Heights on the torus that a packed atlas is.
+class PackedHeights
+{
+public:
+    PackedHeights(const EngineMap& map, const TextureSet& set, double relief)
+        : map_(map), size_(set.size), is_wang_(!set.has_corners()), relief_(relief)
+    {}
+
+    /// The slopes to the east and to the north.
+    std::pair<double, double> slopes(int column, int row) const
+    {
+        const int in_column = column % size_, in_row = row % size_;
+        const bool is_at_corner = (in_column == 0 || in_column == size_ - 1) && (in_row == 0 || in_row == size_ - 1);
+        int west = column - 1, east = column + 1;
+        if (is_wang_ && is_at_corner) (in_column == 0 ? west : east) = column;
+        return {relief_ * (at(east, row) - at(west, row)) / (east - west),
+                relief_ * (at(column, row - 1) - at(column, row + 1)) / 2};
+    }
+
+private:
+    double at(int column, int row) const
+    {
+        const auto x = static_cast<std::size_t>((column + map_.width) % map_.width),
+                   y = static_cast<std::size_t>((row + map_.height) % map_.height);
+        return map_.values[y * static_cast<std::size_t>(map_.width) + x];
+    }
+
+    const EngineMap& map_;
+    int size_;
+    bool is_wang_;
+    double relief_;
+};
+
+void check_heights(const EngineMap& heights, const TextureSet& set)
+{
+    if (heights.channels != 1)
+        throw InputError(fmt::format("{} has {} channels: heights must have 1", heights.name, heights.channels));
+    if (!has_places(set))
+        throw InputError(
+            fmt::format("normals of {}: must be of a complete set of corner or Wang tiles, whose neighbours "
+                        "in the atlas have the texels of those in a tiling",
+                        heights.name));
+    if (set.ring < 1)
+        throw InputError(fmt::format("normals of {}: tiles must have a ring of at least 1 texel", heights.name));
+}
+
+/// Normals of heights from 0 to 1, which are `relief` texels high: (-dh/dx, -dh/dy, 1) at length 1, x going east and y
+/// north, by central differences; at the corner texels of Wang tiles, which are those of horizontal edges, the
+/// difference along x is within the tile. 16 bits a channel. Throws InputError for sets whose tiles are in no packing,
+/// those without a ring, and maps of several channels.
+EngineMap height_normals(const EngineMap& heights, const TextureSet& set, double relief)
+{
+    check_heights(heights, set);
+    EngineMap normals{
+        heights.name + "-normals", MapMeaning::directions, SampleType::word, heights.width, heights.height, 3, {}};
+    normals.values.reserve(3 * heights.values.size());
+    const double unit = heights.type == SampleType::byte ? 255 : heights.type == SampleType::word ? 65535 : 1;
+    const PackedHeights packed(heights, set, relief / unit);
+    for (int row = 0; row < heights.height; ++row)
+        for (int column = 0; column < heights.width; ++column) {
+            const auto [east, north] = packed.slopes(column, row);
+            const double length = std::sqrt(east * east + north * north + 1);
+            for (const double part : {-east, -north, 1.0}) normals.values.push_back(part / length);
+        }
+    return normals;
+}
 
 /// The light of each 16-bit number of sRGB, as whole 2^-40: no last bit of a power decides anything.
 const std::vector<double>& light_of_words()

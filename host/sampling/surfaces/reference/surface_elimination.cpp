@@ -3,7 +3,6 @@
 #include "host/sampling/optimized/sample_elimination.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 

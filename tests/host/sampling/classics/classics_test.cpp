@@ -5,7 +5,6 @@
 #include "host/sampling/classics/candidate_darts.hpp"
 #include "host/sampling/classics/dense_packing.hpp"
 #include "host/sampling/classics/low_discrepancy.hpp"
-#include "host/sampling/classics/sorted_torus.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 #include "tests/support/brute_force.hpp"
 

@@ -7,7 +7,6 @@
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
-#include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
