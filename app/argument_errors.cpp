@@ -71,7 +71,7 @@ std::string words_for(const CLI::App& program, const CLI::App& command, const CL
     if (is(CLI::ExitCodes::RequiredError) && has_unknown_option(program)) return words_for_extras(program, command);
     if (is(CLI::ExitCodes::RequiredError))
         return words_for_missing(command, message.substr(0, message.find(" is required")));
-    if (is(CLI::ExitCodes::ExcludesError)) return parted(message, " excludes ", ": does not go with ");
+    if (is(CLI::ExitCodes::ExcludesError)) return parted(message, " excludes ", ": cannot be combined with ");
     if (is(CLI::ExitCodes::ValidationError)) return parted(message, ": ", " "); // "--seed: -1: must be an integer"
     if (is(CLI::ExitCodes::ArgumentMismatch) && message.ends_with(" missing"))
         return message.substr(0, message.find(':')) + ": has too few values";

@@ -5,7 +5,8 @@
 //     const ptiles::TileSet set("corner-c4-n64-r075.ptiles");
 //     const ptiles::Tiling tiling(set, 7);
 //     for (const ptiles_point& point : tiling.window({0, 0}, {16, 9}, 0.5)) draw(point.position, point.id);
-//     for (const ptiles_point& point : tiling.window({0, 0}, {16, 9}) | std::views::filter(is_tree)) plant(point);    // C++20
+//     for (const ptiles_point& point : tiling.window({0, 0}, {16, 9}) | std::views::filter(is_tree)) plant(point); //
+//     C++20
 #ifndef POISSON_TILES_HPP
 #define POISSON_TILES_HPP
 

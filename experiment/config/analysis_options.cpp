@@ -25,17 +25,16 @@ void check_region_keys(const Keys& keys, int dimension, bool is_any_in_region)
 {
     const bool has_region = keys.is_given("region");
     for (const char* key : region_reading_names)
-        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
+        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "needs region");
     for (const char* key : {"density", "density_from"})
-        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
+        if (!has_region && keys.is_given(key)) throw keys.invalid(key, "needs region");
     for (const char* key : {"envelope", "tapers"})
-        if (!has_region && !is_any_in_region && keys.is_given(key)) throw keys.invalid(key, "goes with region");
+        if (!has_region && !is_any_in_region && keys.is_given(key)) throw keys.invalid(key, "needs region");
     for (const char* key : {"window", "tiles", "zone_plate"})
         if ((has_region || is_any_in_region) && keys.is_given(key))
-            throw keys.invalid(key, "does not go with region: it is about sets in a square");
+            throw keys.invalid(key, "cannot be combined with region: it is about sets in a square");
     if (has_region) check_is_planar(keys, dimension);
-    if (keys.is_given("density_from") && !keys.is_given("density"))
-        throw keys.invalid("density_from", "goes with density");
+    if (keys.is_given("density_from") && !keys.is_given("density")) throw keys.invalid("density_from", "needs density");
 }
 
 std::shared_ptr<const RegionDensity> region_density(const DensityChoice& density, const FramedRegion& region,
@@ -150,17 +149,20 @@ void box_key(Keys& keys, AnalysisOptions& o, int dimension)
 void check_box(const Keys& keys, const AnalysisOptions& o, bool is_any_in_region)
 {
     if (o.box_sides.empty()) return;
-    if (o.region || is_any_in_region) throw keys.invalid("box", "does not go with a region, which is not periodic");
-    if (o.window) throw keys.invalid("box", "does not go with window = true: a window is not periodic");
-    if (o.tiles > 0) throw keys.invalid("box", "does not go with tiles, which are squares (cubes)");
-    if (o.zone_plate) throw keys.invalid("box", "does not go with zone_plate = true: the zone plate is a square");
+    if (o.region || is_any_in_region)
+        throw keys.invalid("box", "cannot be combined with a region, which is not periodic");
+    if (o.window) throw keys.invalid("box", "cannot be combined with window = true: a window is not periodic");
+    if (o.tiles > 0) throw keys.invalid("box", "cannot be combined with tiles, which are squares (cubes)");
+    if (o.zone_plate)
+        throw keys.invalid("box", "cannot be combined with zone_plate = true: the zone plate is a square");
 }
 
 void check_analysis(const Keys& keys, const AnalysisOptions& o, int dimension, bool is_any_in_region)
 {
     if (!o.spectrum)
         for (const char* key : {"spectrum_size", "bin_width", "keep_spectrum", "volume", "tiles", "tapers"})
-            if (keys.is_given(key)) throw keys.invalid(key, "does not go with spectrum = \"none\"; leave it out");
+            if (keys.is_given(key))
+                throw keys.invalid(key, "cannot be combined with spectrum = \"none\"; leave it out");
     if (o.keep_spectrum && dimension != 2) throw keys.invalid("keep_spectrum", "needs dimension = 2; see volume");
     if (o.volume && dimension != 3) throw keys.invalid("volume", "needs dimension = 3; see keep_spectrum");
     if (o.zone_plate && dimension != 2)
@@ -206,7 +208,7 @@ std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const
     typed_region_keys(keys, typed, "this method's sets lie in");
     if (!keys.is_given("region")) {
         for (const char* key : region_reading_names)
-            if (keys.is_given(key)) throw keys.invalid(key, "goes with region");
+            if (keys.is_given(key)) throw keys.invalid(key, "needs region");
         return {};
     }
     check_is_planar(keys, dimension);

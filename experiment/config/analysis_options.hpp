@@ -39,8 +39,8 @@ struct RegionOptions
 };
 
 /// Visits those of [analysis], and reads `measures`; nothing where it has no region. Names of files count from the
-/// folder of the config. Throws InputError with the value's own line; also for keys that do not go with a region, or
-/// not without one: `is_any_in_region` says that methods have regions of their own.
+/// folder of the config. Throws InputError with the value's own line; also for keys that cannot be combined with a
+/// region, or not without one: `is_any_in_region` says that methods have regions of their own.
 std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasures& measures, bool is_any_in_region);
 
 /// Visits those of a [[method]]; nothing where it has no region. Throws InputError as well.

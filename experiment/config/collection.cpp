@@ -36,8 +36,8 @@ void check_collection_keys(const ConfigTable& top)
 {
     for (const auto& [key, node] : top)
         if (key != "include" && key != "title" && key != "device")
-            throw invalid_node(key, node,
-                               "does not go with include: a collection has only the keys include, title and device");
+            throw invalid_node(
+                key, node, "cannot be combined with include: a collection has only the keys include, title and device");
 }
 
 /// Reads a collection and those that it includes.

@@ -78,7 +78,7 @@ void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& par
 {
     if (sampler.has_own_points)
         throw invalid_value(points.location, "points", points.shown,
-                            fmt::format("does not go with the sampler \"{}\", whose sets are as large as they "
+                            fmt::format("cannot be combined with the sampler \"{}\", whose sets are as large as they "
                                         "are; leave it out",
                                         sampler.name));
     for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
@@ -153,9 +153,10 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     check_sampler(sampler, series.parameters, series.request, method.where);
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
     if (is_ordered(series.parameters)) {
-        if (series.region) throw series.parameters.error("order", "does not go with a region: the order is of a torus");
+        if (series.region)
+            throw series.parameters.error("order", "cannot be combined with a region: the order is of a torus");
         if (!config.analysis.box_sides.empty())
-            throw series.parameters.error("order", "does not go with box: the order is of the unit torus");
+            throw series.parameters.error("order", "cannot be combined with box: the order is of the unit torus");
         series.ordered = std::make_shared<const SamplerSpec>(in_progressive_order(sampler));
         series.sampler = series.ordered.get();
     }

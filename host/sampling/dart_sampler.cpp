@@ -64,8 +64,7 @@ void check_points(const std::string& name, const Parameters& parameters, const S
                              fmt::format("sampler = \"{}\": needs relative_radius, or stop = \"saturation\"", name));
     }
     if (parameters.is_given("min_distance")) {
-        throw parameters.error("min_distance",
-                               "goes with stop = \"saturation\" only; relative_radius sets the distance here");
+        throw parameters.error("min_distance", "needs stop = \"saturation\"; relative_radius sets the distance here");
     }
     if (is_hopeless(parameters.number("relative_radius"), request)) {
         throw parameters.error("relative_radius",
@@ -80,7 +79,7 @@ void check_saturation(const Parameters& parameters)
 {
     if (parameters.is_given("relative_radius")) {
         throw parameters.error("relative_radius",
-                               "does not go with stop = \"saturation\"; min_distance sets the distance here");
+                               "cannot be combined with stop = \"saturation\"; min_distance sets the distance here");
     }
 }
 

@@ -140,7 +140,7 @@ void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
                [&](const ConfigNode& node) { s.parameters.curves = curves_of(keys, node); })
         .otherwise("straight");
     for (const char* const key : {"parameters", "curves"})
-        if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "does not go with random = true");
+        if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "cannot be combined with random = true");
     const std::size_t given = s.parameters.deformations.size(), needed = type.shape.parameters();
     if (given > 0 && given != needed)
         throw keys.invalid("parameters", fmt::format("must be as many as IH{} has: {}", type.number, needed));

@@ -109,7 +109,7 @@ void check_substitution(const Keys& keys, const SubstitutionSettings& s)
         throw refused(fmt::format("must be at most {} without window, for {} tiles", deepest, most_polygon_tiles));
     }
     if (s.address.empty()) return;
-    if (!s.window) throw keys.invalid("address", "goes with window");
+    if (!s.window) throw keys.invalid("address", "needs window");
     if (s.address.size() > static_cast<std::size_t>(s.depth) + 1)
         throw keys.invalid("address", fmt::format("must have at most {} numbers, depth + 1", s.depth + 1));
     TileAddress address(static_cast<std::size_t>(s.depth) + 1);

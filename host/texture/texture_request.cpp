@@ -97,7 +97,7 @@ void check_joint(const TextureRequest& r)
     if (r.stages != 3) refuse("joint", "true", "needs stages = 3");
     if (r.weight != SeamWeight::plain) refuse("joint", "true", "needs weight = plain");
     if (r.cut != QuiltingCut::minimum_cut) refuse("joint", "true", "needs cut = min-cut");
-    if (r.smooth) refuse("joint", "true", "does not go with smooth");
+    if (r.smooth) refuse("joint", "true", "cannot be combined with smooth");
 }
 
 /// All pixels of a set.

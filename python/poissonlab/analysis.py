@@ -387,7 +387,7 @@ def box_options(ranges, periodic, options):
         return options
     sides = [high - low for low, high in ranges]
     if periodic is False and len(set(sides)) > 1:
-        raise _poissonlab.InputError('analyze: periodic=False does not go with a domain whose sides differ: to measure '
+        raise _poissonlab.InputError('analyze: periodic=False cannot be combined with a domain whose sides differ: to measure '
                                      'points of the plane within it, give it as region, such as "rectangle 0 0 2 1"')
     return {**options, "box": sides}
 
@@ -422,11 +422,11 @@ def analyze(points: Points, *, label: str = "points", domain: Domain | None = No
     if options.get("region") is not None:
         for name, value in (("domain", domain), ("box", box)):
             if value is not None:
-                raise _poissonlab.InputError(f"analyze: {name}: does not go with region, whose units points are in")
+                raise _poissonlab.InputError(f"analyze: {name}: cannot be combined with region, whose units points are in")
         domain = [(-numpy.inf, numpy.inf)]  # as they are
     if box is not None:
         if domain is not None:
-            raise _poissonlab.InputError("analyze: box: does not go with domain, which has sides of its own")
+            raise _poissonlab.InputError("analyze: box: cannot be combined with domain, which has sides of its own")
         sides = numpy.atleast_1d(numpy.asarray(box, dtype=float))  # one of a square or cube
         domain = [(0, side) for side in sides.tolist()]
         if sides.ndim != 1 or len(domain) not in (1, 2, 3) or not all(0 < side < numpy.inf for side in sides):
@@ -436,7 +436,7 @@ def analyze(points: Points, *, label: str = "points", domain: Domain | None = No
     sets = sets_of(points, ranges, particles, label)
     options = box_options(ranges, periodic, options)
     if periodic is not None and options.get("region") is not None:
-        raise _poissonlab.InputError("analyze: periodic: does not go with region: nothing goes around a torus there")
+        raise _poissonlab.InputError("analyze: periodic: cannot be combined with region: nothing goes around a torus there")
     if periodic is False:
         options = {**options, **window_options(sets, options)}
     changes = [f"analysis.{key}={toml.value_of(value)}" for key, value in options.items() if value is not None]

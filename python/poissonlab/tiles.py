@@ -162,7 +162,7 @@ class TileSet:
         min_distance: in the region's units, which the proven distance of the tiles becomes.
         points: instead, how many there are; a number is found that is nearest to it where chance lets none be exact.
         seed: which tiling. Regions beside each other fit together at the same min_distance and seed.
-        density: as in window(), of coordinates of the region; a function goes with min_distance.
+        density: as in window(), of coordinates of the region; a function needs min_distance.
         planar: whether coordinates that look like longitude and latitude are lengths.
         crs: the system of the region's coordinates, such as "EPSG:4326"; default: what the region says. Longitudes and
             latitudes are mapped to a plane of metres, and points are mapped back.
@@ -176,7 +176,7 @@ class TileSet:
         if points is not None and not 1 <= operator.index(points) < 2**27:
             raise InputError(f"in_region: points = {points}: must be from 1 to {2**27 - 1}")
         if callable(density) and points is not None:
-            raise InputError("in_region: density: a function goes with min_distance")
+            raise InputError("in_region: density: a function needs min_distance")
         number = 1.0 if callable(density) else float(density)
         if not 0 < number <= 1:
             raise InputError(f"in_region: density = {density}: must be a number above 0 and at most 1, or a function")

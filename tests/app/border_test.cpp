@@ -113,7 +113,7 @@ TEST_F(Border, OtherWordsAreErrors)
     EXPECT_THAT(analyze({"--periodic", "maybe"}).error, HasSubstr("--periodic maybe: must be yes or no"));
     EXPECT_EQ(analyze({"--periodic", "maybe"}).status, 2);
     EXPECT_THAT(analyze({"--periodic", "no", "--region", "rectangle 0 0 1 1"}).error,
-                HasSubstr("--periodic does not go with --region"));
+                HasSubstr("--periodic cannot be combined with --region"));
 }
 
 TEST_F(Border, PointsOfThePlaneInSpaceAreMeasuredInThePlaneWithAWord)

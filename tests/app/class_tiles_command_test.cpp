@@ -105,7 +105,7 @@ TEST_F(ClassTilesCommand, GivesClassesToPicturesSpectraAndInstances)
     EXPECT_GE(numbers["least_0_1"].get<double>(), 0.1 / 4 * (1 - 1e-9));
     EXPECT_THAT(lines_of("s.csv")[0], StartsWith("frequency,all,class_0,class_1,cross_0_1"));
     EXPECT_THAT(run({"distribute", "classes", "--tiles", "f.ptiles", "--points", "4", "--out", "a.csv"}).error,
-                HasSubstr("--points 4: does not go with --tiles"));
+                HasSubstr("--points 4: cannot be combined with --tiles"));
 
     const Outcome forest = run({"distribute", "instances", "forest", "--tiles", "f.ptiles", "--engine", "reference",
                                 "--models", "3", "--density", "300", "--out", "i.csv", "--quiet"});

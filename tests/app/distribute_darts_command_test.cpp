@@ -83,7 +83,7 @@ TEST_F(DistributeDarts, RefusesWhatItCannotDo)
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "LINESTRING (1 2)"},
            "--obstacles: LINESTRING (1 2): a line must have two positions or more"},
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacle-distance", "0.2"},
-           "--obstacle-distance 0.2: goes with --obstacles"},
+           "--obstacle-distance 0.2: needs --obstacles"},
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "rectangle 0 0 2 2"},
            "--obstacles: they cover the region: nothing is left of it"},
           {Words{"--region", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))", "--points", "9"}, "crosses or touches itself"}}) {

@@ -99,7 +99,7 @@ TEST_F(DistributeInstances, RefuseWhatTheyCannotDo)
     refuse("forest --window 0 0 a 1", "--window 0 0 a 1: must be [x, y, width, height]; width must be a number");
     refuse("forest --window 0 0 9000 9000", "instances in the window: must be at most 1000000");
     refuse("forest --terrain x", "--terrain x: needs --terrain-area");
-    refuse("forest --height 2", "--height 2: goes with --terrain");
+    refuse("forest --height 2", "--height 2: needs --terrain");
     refuse("forest --ring 1 2 3", "--ring 1 2 3: is for asteroids");
     refuse("asteroids --ring 1 2", "--ring 1 2: must be [inner, outer, thickness]");
     refuse("asteroids --ring 0 1 1e300",

@@ -162,12 +162,12 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
     expect_error({"--image", "0.5"}, "distribute stipple: needs --points or --dot");
     expect_error({"--image", "0.5", "--dot", "-3"}, "distribute stipple: --dot -3: must be a number from 0.01");
     expect_error({"--image", "0.5", "--dot", "9000"}, "distribute stipple: 0 marks for the ink of");
-    expect_error({"--image", "0.5", "--points", "9", "--dot", "3"}, "--points: does not go with --dot");
+    expect_error({"--image", "0.5", "--points", "9", "--dot", "3"}, "--points: cannot be combined with --dot");
     expect_error({"--image", "0.5", "--points", "9", "--ink", "1.5"}, "--ink 1.5: must be a number from 0.001 to 1");
     expect_error({"--image", "0.5", "--points", "9", "--by", "rank"},
                  "--by rank: must be one of \"gaussian\", \"warping\", \"ranks\"");
     expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--method", "random"},
-                 "--method random: does not go with --by ranks");
+                 "--method random: cannot be combined with --by ranks");
     expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--iterations", "3"},
                  "--iterations 3: is for --by gaussian");
     expect_error({"--image", "0.5", "--points", "9", "--pixels", "40000"},
@@ -183,13 +183,13 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
                          ".geojson");
     expect_error({"--image", "0.5", "--points", "9", "--width", "200"},
                  "--width 200: must be a length such as 200mm, 20cm or 8in");
-    expect_error({"--image", "0.5", "--points", "9", "--pen", "0.3mm"}, "--pen 0.3mm: goes with --width");
+    expect_error({"--image", "0.5", "--points", "9", "--pen", "0.3mm"}, "--pen 0.3mm: needs --width");
     expect_error({"--image", "0.5", "--points", "9", "--dots", "rings"},
                  "--dots rings: must be one of \"circles\", \"strokes\"");
     expect_error({"--image", "0.5", "--points", "9", "--travel", "far"},
                  "--travel far: must be one of \"nearest\", \"as-made\"");
     EXPECT_THAT(run("stipple", {"--image", "0.5", "--points", "9", "--width", "9cm", "--out", "a.png"}).error,
-                HasSubstr("--width: goes with an --out that ends in .svg or .dxf"));
+                HasSubstr("--width: needs an --out that ends in .svg or .dxf"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.gif"));
 }
 

@@ -120,10 +120,10 @@ TEST_F(DistributeWarp, RefusesWhatItCannotDo)
     expect_error(with({"--density", "0*x"}), "is 0 everywhere");
     expect_error(with({"--density", "half.png", "--density-from", "Z"}), "must be light, ink or a channel");
     expect_error(with({"--density", "x+1", "--density-from", "ink"}), "is for pictures");
-    expect_error(with({"--density", "half.png", "--lights", "l.csv"}), "--lights: goes with --environment");
+    expect_error(with({"--density", "half.png", "--lights", "l.csv"}), "--lights: needs --environment");
     expect_error(with({"--density", "x+1", "--seen-from", "above"}),
                  "--seen-from above: must be one of \"inside\", \"outside\"");
-    expect_error(with({"--density", "x+1", "--seen-from", "outside"}), "--seen-from outside: goes with --environment");
+    expect_error(with({"--density", "x+1", "--seen-from", "outside"}), "--seen-from outside: needs --environment");
     expect_error(with({"--density", "half.png", "--density-from", "ink", "--environment"}), "takes the light");
     expect_error(with({"--density", "x+1", "--engine", "fast"}), "--engine fast: must be one of");
     expect_error(with({"--density", "x+1", "--method", "dart-trowing"}), "did you mean");

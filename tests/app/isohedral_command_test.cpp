@@ -77,7 +77,7 @@ TEST_F(IsohedralCommand, WrongArguments)
     expect_error({"draw", "16", "--window", "0", "4", "--out", "a.png"},
                  "isohedral draw: --window 0 4: must be W H, each from 1 to 200");
     expect_error({"draw", "16", "--random", "--parameters", "0.1", "--out", "a.png"},
-                 "isohedral draw: --random: goes without --parameters and --curve");
+                 "isohedral draw: --random: cannot be combined with --parameters and --curve");
 }
 
 }

@@ -180,7 +180,7 @@ TEST_F(TilesInRegions, SayWhatIsWrong)
     const std::string end = " --out points.npy";
     expect_error("tiles.ptiles --region 'rectangle 0 0 1 1'" + end,
                  "--region: needs --min-distance or --points, and not both");
-    expect_error("tiles.ptiles --window 0 0 1 1 --points 7" + end, "tiles points: --points: goes with --region");
+    expect_error("tiles.ptiles --window 0 0 1 1 --points 7" + end, "tiles points: --points: needs --region");
     expect_error("tiles.ptiles --window 0 0 1 1 --region 'disk 0 0 1'" + end, "needs one of --window, --torus");
     expect_error("tiles.ptiles --region 'disk 0 0'" + end + " --points 9",
                  "--region: disk 0 0: must be disk X Y RADIUS");

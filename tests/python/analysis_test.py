@@ -59,7 +59,7 @@ class Analyses(FolderTest):
         self.assertEqual(len(pl.analyze(sets_of(1, 20)).region.distance), 0)
         with self.assertRaisesRegex(pl.InputError, "1 of 61 points lies outside the region"):
             pl.analyze(numpy.vstack([points, [[0, 40]]]), region=region)
-        with self.assertRaisesRegex(pl.InputError, "domain: does not go with region"):
+        with self.assertRaisesRegex(pl.InputError, "domain: cannot be combined with region"):
             pl.analyze(points, region=region, domain=(0, 64))
 
     def test_of_points_in_a_periodic_box_are_sums_over_its_own_frequencies(self):
@@ -83,11 +83,11 @@ class Analyses(FolderTest):
 
     def test_of_boxes_that_cannot_be_are_refused(self):
         points = sets_of(1, 20)[0]
-        for options, words in (({"box": (2, 1), "domain": (0, 2)}, "box: does not go with domain"),
-                               ({"box": (2, 1), "periodic": False}, "periodic=False does not go with"),
-                               ({"box": (2, 1), "region": "rectangle 0 0 2 1"}, "box: does not go with region"),
+        for options, words in (({"box": (2, 1), "domain": (0, 2)}, "box: cannot be combined with domain"),
+                               ({"box": (2, 1), "periodic": False}, "periodic=False cannot be combined with"),
+                               ({"box": (2, 1), "region": "rectangle 0 0 2 1"}, "box: cannot be combined with region"),
                                ({"box": (2, 0)}, "box: must be"), ({"box": (2, 1, 1)}, "one for each axis"),
-                               ({"box": (2, 1), "tiles": 4}, "does not go with tiles")):
+                               ({"box": (2, 1), "tiles": 4}, "cannot be combined with tiles")):
             with self.subTest(**options), self.assertRaisesRegex(pl.InputError, words):
                 pl.analyze(points, **options)
 
@@ -295,7 +295,7 @@ class Analyses(FolderTest):
         distances = numpy.hypot(*(darts[:, None] - darts[None]).T) + 9 * numpy.eye(len(darts))
         self.assertAlmostEqual(inside.min_distance[0], distances.min(), 7)
         self.assertLess(around.min_distance[0], 0.9 * distances.min())
-        with self.assertRaisesRegex(pl.InputError, "periodic: does not go with region"):
+        with self.assertRaisesRegex(pl.InputError, "periodic: cannot be combined with region"):
             pl.analyze(darts, periodic=True, region="rectangle 0 0 1 1")
 
     def test_take_points_of_the_plane_with_a_third_coordinate(self):

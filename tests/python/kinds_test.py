@@ -55,7 +55,7 @@ class Kinds(unittest.TestCase):
         sheet = ElementTree.fromstring(next(f for f in made.files if f.name == "plot.svg").read_text())
         self.assertEqual(sheet.get("width"), "200mm")
         self.assertEqual(len([e for e in sheet.iter() if e.tag.endswith("circle")]), 200)
-        with self.assertRaisesRegex(poissonlab.InputError, "pen = .*goes with width"):
+        with self.assertRaisesRegex(poissonlab.InputError, "pen = .*needs width"):
             distribute.stipple(image="0.2", points=200, pen="0.5mm")
 
     def test_mask_pictures_are_measured_as_numpy_does(self):
@@ -116,7 +116,7 @@ class Kinds(unittest.TestCase):
         length = sum(lengths.line_length(*numpy.array(f["geometry"]["coordinates"]).T) for f in roads["features"])
         self.assertAlmostEqual(made.numbers["length"] / length, 1, places=4)
         self.assertAlmostEqual(len(made.points) / (0.7476 * length / 25), 1, delta=0.1)
-        with self.assertRaisesRegex(poissonlab.InputError, "along: goes with method darts|along.*darts"):
+        with self.assertRaisesRegex(poissonlab.InputError, "along: needs method darts|along.*darts"):
             distribute.points(region=roads, along=True, method="lloyd", points=9)
 
     def test_unknown_keywords_of_kinds_are_not_those_of_samplers(self):

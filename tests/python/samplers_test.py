@@ -119,7 +119,7 @@ class Samplers(FolderTest):
         self.assert_same_bytes(sampler.random(), sets[1])
         with self.assertRaisesRegex(pl.InputError, "^File: realization 2: must be from 0 to 1$"):
             sampler.random()
-        with self.assertRaisesRegex(pl.InputError, "^File: n = 50: does not go with the sampler"):
+        with self.assertRaisesRegex(pl.InputError, "^File: n = 50: cannot be combined with the sampler"):
             sampler.reset().random(50)
 
     def test_sets_of_several_sizes_are_no_array(self):

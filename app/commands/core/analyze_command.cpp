@@ -107,7 +107,7 @@ ConfigTable box_entry(const AnalyzeOptions& options, const std::vector<double>& 
 {
     if (options.periodic == "no")
         throw InputError(
-            "analyze: --periodic no does not go with a domain whose sides differ: to measure points of the "
+            "analyze: --periodic no cannot be combined with a domain whose sides differ: to measure points of the "
             "plane within it, give it as --region, such as \"rectangle 0 0 2 1\"");
     ConfigList list;
     for (const double side : sides) list.push_back({side, {}, fmt::format("{}", side)});
@@ -123,7 +123,7 @@ void check_periodic(const AnalyzeOptions& options)
     if (options.periodic != "yes" && options.periodic != "no")
         throw InputError("analyze: --periodic " + options.periodic + ": must be yes or no");
     if (!options.region.empty())
-        throw InputError("analyze: --periodic does not go with --region: nothing goes around a torus there");
+        throw InputError("analyze: --periodic cannot be combined with --region: nothing goes around a torus there");
 }
 
 /// The experiment of a config that the user has not written and whose lines say nothing.
@@ -171,7 +171,7 @@ void analyze_mask(const AnalyzeOptions& options)
                             options.in_pieces;
     if (has_others)
         throw InputError(fmt::format("analyze: {}: is a picture, which is measured as a mask of thresholds: --out, "
-                                     "--label, --channel, --threads and --quiet go with it",
+                                     "--label, --channel, --threads and --quiet can be given with it",
                                      name));
     read_picture_header(options.files.front());
     std::string keys = fmt::format("kind = \"mask-picture\"\nmask = {}\n", quoted(options.files.front().string()));
@@ -182,12 +182,12 @@ void analyze_mask(const AnalyzeOptions& options)
 /// Measures points on the lines of a region. Relative paths are those from where the command was typed.
 void analyze_line_set(const AnalyzeOptions& options)
 {
-    if (options.region.empty()) throw InputError("analyze: --along goes with --region");
+    if (options.region.empty()) throw InputError("analyze: --along needs --region");
     const bool has_others = !options.domain.empty() || options.particles != no_type || !options.channel.empty() ||
                             !options.periodic.empty() || options.gallery || options.in_pieces;
     if (has_others || !options.overrides.empty() || options.files.size() > 1)
         throw InputError("analyze: --along measures one file of points on lines: --region, --out, --label, --threads "
-                         "and --quiet go with it");
+                         "and --quiet can be given with it");
     check_printable(options);
     analyze_by_kind(options, fmt::format("kind = \"line-set\"\nset = {}\nregion = {}\n",
                                          quoted(options.files.front().string()), quoted(options.region)));
@@ -198,7 +198,7 @@ void analyze(const AnalyzeOptions& options)
     const ThreadLimit limit(options.threads);
     if (std::ranges::any_of(options.files, has_picture_name)) return analyze_mask(options);
     if (options.along) return analyze_line_set(options);
-    if (!options.channel.empty()) throw InputError("analyze: --channel goes with a picture");
+    if (!options.channel.empty()) throw InputError("analyze: --channel needs a picture");
     std::optional<PointDomain> domain;
     if (!options.domain.empty()) {
         domain = parse_domain(options.domain);
@@ -207,14 +207,15 @@ void analyze(const AnalyzeOptions& options)
                              decimal_comma_words(options.domain));
     }
     if (domain && domain->dimension() > 0 && options.in_pieces)
-        throw InputError("analyze: --in-pieces does not go with --domain of a range for each axis");
+        throw InputError("analyze: --in-pieces cannot be combined with --domain of a range for each axis");
     check_periodic(options);
     PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
     ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
-    if (region && domain) throw InputError("analyze: --domain does not go with --region, whose units points are in");
-    if (region && options.in_pieces) throw InputError("analyze: --in-pieces does not go with --region");
+    if (region && domain)
+        throw InputError("analyze: --domain cannot be combined with --region, whose units points are in");
+    if (region && options.in_pieces) throw InputError("analyze: --in-pieces cannot be combined with --region");
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
                              options.in_pieces};

@@ -55,7 +55,7 @@ void throw_class_points(const ClassOptions& o)
     const auto& settings = read.as<ClassSettings>();
     o.outs.check(o.command());
     if (o.spectra.empty() && settings.sets > 1)
-        throw InputError(fmt::format("--sets {}: goes with --spectra", settings.sets));
+        throw InputError(fmt::format("--sets {}: needs --spectra", settings.sets));
     std::filesystem::path spectra;
     if (!o.spectra.empty()) {
         if (settings.dimension != 2) throw InputError("--spectra: is for points of the plane, --dimension 2");

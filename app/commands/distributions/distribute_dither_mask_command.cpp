@@ -30,7 +30,7 @@ void make_thresholds(const KindOptions& o)
     const bool has_tiles = settings.method == DitherMethod::tiles;
     const auto is_tile_set = [](const std::filesystem::path& file) { return file.extension() == ".ptiles"; };
     if (!has_tiles && std::ranges::any_of(o.outs.files(), is_tile_set))
-        throw InputError("--out: .ptiles goes with --by tiles");
+        throw InputError("--out: .ptiles needs --by tiles");
     const DistributionPlace place = o.place();
     const OnPart tell = [&](double part) {
         if (place.on_step) place.on_step(fmt::format("thresholds: {:.0f} %", 100 * part));

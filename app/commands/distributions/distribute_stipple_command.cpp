@@ -76,7 +76,7 @@ void check_plot(const KindOptions& o, const StippleSettings& settings)
 {
     if (!settings.plot || has_file(o, ".svg") || has_file(o, ".dxf")) return;
     throw InputError(
-        fmt::format("{}: --{}: goes with an --out that ends in .svg or .dxf", o.command(), settings.plot->option));
+        fmt::format("{}: --{}: needs an --out that ends in .svg or .dxf", o.command(), settings.plot->option));
 }
 
 void write_marks(const KindOptions& o, const StippleSettings& settings, const InkPicture& picture,

@@ -43,7 +43,7 @@ struct WarpOptions : KindOptions
 void warp(const WarpOptions& o)
 {
     const auto settings = o.read<WarpSettings>();
-    if (!settings.is_environment && !o.lights.empty()) throw InputError("--lights: goes with --environment");
+    if (!settings.is_environment && !o.lights.empty()) throw InputError("--lights: needs --environment");
     std::filesystem::path lights;
     if (!o.lights.empty()) lights = checked_output(o.command(), "--lights", o.lights, {{".csv", ".txt"}, false, true});
     std::optional<LinearPicture> map;

@@ -62,7 +62,7 @@ void RegionOutputs::check(const std::string& command, bool varies) const
 {
     files.check(command);
     if (distances.empty()) return;
-    if (!varies) throw InputError("--distances: goes with a --min-distance that varies");
+    if (!varies) throw InputError("--distances: needs a --min-distance that varies");
     checked_output(command, "--distances", distances, distance_formats());
 }
 

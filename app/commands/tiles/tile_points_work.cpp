@@ -58,7 +58,7 @@ void check_region_options(const TilesPointsOptions& options, int dimension)
                                              {"--buffer", options.reading.buffer != 0},
                                              {"--min-distance", options.min_distance != 0},
                                              {"--points", options.points != 0}})
-            if (is_given) throw InputError(fmt::format("tiles points: {}: goes with --region", name));
+            if (is_given) throw InputError(fmt::format("tiles points: {}: needs --region", name));
         return;
     }
     if (dimension != 2) throw InputError("tiles points: --region: tiles in space have no plane region");
@@ -68,7 +68,7 @@ void check_region_options(const TilesPointsOptions& options, int dimension)
         throw InputError(
             fmt::format("tiles points: --min-distance {}: must be from 1e-12 to 1e12", options.min_distance));
     if (options.reading.is_planar && !options.reading.crs.empty())
-        throw InputError("tiles points: --crs: does not go with --planar");
+        throw InputError("tiles points: --crs: cannot be combined with --planar");
     if (!(options.reading.buffer >= 0 && options.reading.buffer <= 1e12))
         throw InputError(fmt::format("tiles points: --buffer {}: must be from 0 to 1e12", options.reading.buffer));
     if (!options.overlap.empty() && !polygon_overlap_names.find(options.overlap))

@@ -79,7 +79,7 @@ PlaneCurve curve_of(const std::string& text)
 IsohedralTile chosen_tile(const IsohedralDrawOptions& o, const IsohedralType& type)
 {
     if (o.random && (!o.parameters.empty() || !o.curves.empty()))
-        throw InputError("isohedral draw: --random: goes without --parameters and --curve");
+        throw InputError("isohedral draw: --random: cannot be combined with --parameters and --curve");
     if (o.random) return random_tile(type, o.seed, drawn_deformation, drawn_amplitude);
     IsohedralParameters parameters{numbers_of("--parameters", o.parameters), {}};
     const std::size_t given = parameters.deformations.size(), needed = type.shape.parameters();

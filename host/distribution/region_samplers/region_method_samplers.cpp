@@ -229,10 +229,11 @@ void read_darts(const Parameters& given, const SampleRequest& request, RegionPoi
 void check_darts(const Parameters& given, const SourceLocation& where)
 {
     if (given.is_given("relative_radius") && given.is_given("min_distance"))
-        throw given.error("relative_radius", "does not go with min_distance");
+        throw given.error("relative_radius", "cannot be combined with min_distance");
     if (given.is_given("relative_radius") && is_to_saturation(given))
-        throw given.error("relative_radius", "does not go with stop = \"saturation\"; min_distance sets the distance "
-                                             "here");
+        throw given.error("relative_radius",
+                          "cannot be combined with stop = \"saturation\"; min_distance sets the distance "
+                          "here");
     if (!given.is_given("relative_radius") && !given.is_given("min_distance") && !is_to_saturation(given))
         throw InputError::at(where, "sampler = \"dart-throwing\": needs relative_radius, min_distance, or stop = "
                                     "\"saturation\"");

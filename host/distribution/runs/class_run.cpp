@@ -24,9 +24,10 @@ bool has_tiles(const Keys& keys)
 {
     const bool has_tiles = keys.is_given("tiles");
     if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
-        throw keys.invalid("torus", fmt::format("goes with {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
+        throw keys.invalid("torus", fmt::format("needs {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
     for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors"})
-        if (has_tiles && keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
+        if (has_tiles && keys.is_given(key))
+            throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
     return has_tiles;
 }
 
@@ -60,19 +61,19 @@ void class_keys(Keys& keys, ClassSettings& s)
         throw keys.invalid("sets", "is about spectra, which are of the plane: dimension 2");
     if (!keys.is_read() || has_tiles(keys)) return;
     if (keys.is_given("relative_radius") && !s.matrix.empty())
-        throw keys.invalid("relative_radius", "does not go with " + keys.name_of("matrix"));
+        throw keys.invalid("relative_radius", "cannot be combined with " + keys.name_of("matrix"));
     if (s.points.empty() && s.distances.empty() && s.matrix.empty())
         throw keys.problem(fmt::format("needs {}, {} or {}", keys.name_of("points"), keys.name_of("distances"),
                                        keys.name_of("matrix")));
     if (keys.is_given("relative_radius") && s.points.empty())
-        throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+        throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     if (!s.points.empty() && s.points.size() != s.classes())
         throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
     if (!s.points.empty() && !s.distances.empty() && s.distances.size() != s.points.size())
         throw keys.invalid("distances", fmt::format("must be {}, one of each class", s.points.size()));
     if (keys.is_given("factor") && (s.points.empty() || s.colors > 0))
-        throw keys.invalid(
-            "factor", fmt::format("goes with {}, and not with {}", keys.name_of("points"), keys.name_of("colors")));
+        throw keys.invalid("factor",
+                           fmt::format("needs {}, without {}", keys.name_of("points"), keys.name_of("colors")));
     if (s.colors > 0 && s.points.empty()) throw keys.problem("needs " + keys.name_of("points") + ", of each tile");
     if (s.colors > 0 && s.dimension != 2) throw keys.invalid("dimension", "must be 2 for tiles");
     keys.check(!s.points.empty()  ? "points"

@@ -55,7 +55,7 @@ void distance_keys(Keys& keys, DartSettings& s)
     if (is_picture && !keys.is_given("distance_range"))
         throw keys.invalid("min_distance", "needs " + keys.name_of("distance_range") + ", as it is a picture");
     if (!is_picture && keys.is_given("distance_range"))
-        throw keys.invalid("distance_range", "goes with a picture as " + keys.name_of("min_distance"));
+        throw keys.invalid("distance_range", "needs a picture as " + keys.name_of("min_distance"));
 }
 
 /// Reads the region, and refuses what regions of space do not take.
@@ -66,7 +66,7 @@ void read_land(Keys& keys, DartSettings& s)
         keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
         return;
     }
-    const std::string plane_only = "goes with regions of the plane, and this one is of space";
+    const std::string plane_only = "needs a region of the plane, and this one is of space";
     if (s.varies()) throw keys.invalid("min_distance", "a distance that varies " + plane_only);
     for (const char* key : {"obstacles", "obstacle_distance"})
         if (keys.is_given(key)) throw keys.invalid(key, plane_only);
@@ -80,8 +80,8 @@ void read_land(Keys& keys, DartSettings& s)
 void check_along(const Keys& keys, const DartSettings& s)
 {
     for (const char* key : {"overlap", "buffer"})
-        if (keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("along"));
-    if (s.is_in_space()) throw keys.invalid("along", "goes with regions of the plane, and this one is of space");
+        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("along"));
+    if (s.is_in_space()) throw keys.invalid("along", "needs a region of the plane, and this one is of space");
 }
 
 void dart_keys(Keys& keys, DartSettings& s)
@@ -96,7 +96,7 @@ void dart_keys(Keys& keys, DartSettings& s)
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of so many points: their distance over that of the densest packing of as many in the region's area");
     if (keys.is_given("relative_radius") && s.min_distance)
-        throw keys.invalid("relative_radius", "does not go with " + keys.name_of("min_distance"));
+        throw keys.invalid("relative_radius", "cannot be combined with " + keys.name_of("min_distance"));
     keys.word("boundary", s.boundary, region_boundary_names,
               "what is inside: points, whole disks of half the minimum distance around them, or points that lie on "
               "the boundary first");
@@ -108,26 +108,27 @@ void dart_keys(Keys& keys, DartSettings& s)
         .otherwise("min_distance from points, 0 from lines and polygons");
     if (!keys.is_read()) return;
     if (keys.is_given("obstacle_distance") && s.obstacles.empty())
-        throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
+        throw keys.invalid("obstacle_distance", "needs " + keys.name_of("obstacles"));
     read_land(keys, s);
     if (!s.points && !s.min_distance && !s.varies())
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
     if (keys.is_given("relative_radius") && !s.points)
-        throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+        throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     if (s.is_in_space()) {
         keys.check(s.min_distance ? "min_distance" : "points", [&] { space_distance_request(s, 0); });
         return;
     }
     if (s.reading.is_along) {
         if (s.varies())
-            throw keys.invalid("min_distance", "a distance that varies does not go with " + keys.name_of("along"));
+            throw keys.invalid("min_distance",
+                               "a distance that varies cannot be combined with " + keys.name_of("along"));
         if (s.boundary != RegionBoundary::inside)
-            throw keys.invalid("boundary", "does not go with " + keys.name_of("along"));
+            throw keys.invalid("boundary", "cannot be combined with " + keys.name_of("along"));
         keys.check(s.min_distance ? "min_distance" : "points", [&] { distance_along(s, lines_of(s.land->whole)); });
         return;
     }
     if (s.varies() && s.boundary != RegionBoundary::inside)
-        throw keys.invalid("boundary", fmt::format("goes with a number as {}", keys.name_of("min_distance")));
+        throw keys.invalid("boundary", fmt::format("needs a number as {}", keys.name_of("min_distance")));
     if (s.varies() && !s.obstacle_distance && !s.land->obstacles.points.empty())
         throw keys.invalid("obstacles", fmt::format("has points, which need {} where {} varies",
                                                     keys.name_of("obstacle_distance"), keys.name_of("min_distance")));
@@ -135,7 +136,7 @@ void dart_keys(Keys& keys, DartSettings& s)
     keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, s.land); });
     if (s.boundary == RegionBoundary::on && s.obstacle_distance && !s.land->obstacles.points.empty())
         throw keys.invalid("boundary",
-                           fmt::format("goes with {} where no obstacle is a point", keys.name_of("obstacle_distance")));
+                           fmt::format("needs {} where no obstacle is a point", keys.name_of("obstacle_distance")));
 }
 
 void check_varied(Keys& keys, const RegionPointSettings& s, VaryingDistance& varying)
@@ -176,10 +177,10 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
     keys.word("method", s.method, region_methods, "how points are made: see docs/regions.md");
     dart_keys(keys, s.place);
     if (keys.is_read() && s.place.reading.is_along && s.method != RegionMethod::darts)
-        throw keys.invalid("along", "goes with " + keys.shown("method", "darts"));
+        throw keys.invalid("along", "needs " + keys.shown("method", "darts"));
     if (keys.is_read() && s.place.is_in_space() &&
         (s.method == RegionMethod::lloyd || s.method == RegionMethod::gaussian))
-        throw keys.invalid("method", "goes with regions of the plane, and this one is of space: darts, relaxation, "
+        throw keys.invalid("method", "needs a region of the plane, and this one is of space: darts, relaxation, "
                                      "elimination and bridson do");
     const auto is_one_of = [&](auto... methods) { return ((s.method == methods) || ...); };
     using enum RegionMethod;
@@ -198,9 +199,9 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
     check_varied(keys, s, s.place.varying);
     if (!keys.is_read() || is_one_of(darts)) return;
     if (keys.is_given("relative_radius"))
-        throw keys.invalid("relative_radius", "goes with " + keys.shown("method", "darts"));
+        throw keys.invalid("relative_radius", "needs " + keys.shown("method", "darts"));
     if (s.place.boundary == RegionBoundary::on)
-        throw keys.invalid("boundary", "goes with " + keys.shown("method", "darts"));
+        throw keys.invalid("boundary", "needs " + keys.shown("method", "darts"));
     if (s.place.varies()) return;
     if (is_one_of(gaussian) && s.place.points.value_or(SIZE_MAX) < least_points_of_region_gaussian())
         throw keys.invalid("points",

@@ -28,9 +28,9 @@ void terrain_keys(Keys& keys, InstanceSettings& s)
         .unit("units");
     keys.number("height", s.height, {-1e6, 1e6}, "how high 1 of the terrain is").unit("units");
     for (const char* key : {"terrain_area", "height"})
-        if (keys.is_given(key) && s.terrain.empty()) throw keys.invalid(key, "goes with " + keys.name_of("terrain"));
+        if (keys.is_given(key) && s.terrain.empty()) throw keys.invalid(key, "needs " + keys.name_of("terrain"));
     if (s.terrain.empty()) return;
-    if (s.scene == "asteroids") throw keys.invalid("terrain", "does not go with asteroids");
+    if (s.scene == "asteroids") throw keys.invalid("terrain", "cannot be combined with asteroids");
     if (!keys.is_given("terrain_area"))
         throw keys.invalid("terrain",
                            fmt::format("needs {}, the rectangle that it covers", keys.name_of("terrain_area")));

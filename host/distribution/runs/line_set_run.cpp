@@ -51,7 +51,7 @@ void line_set_keys(Keys& keys, LineSetSettings& s)
     keys.region(s.region);
     region_reading_keys(keys, s.reading);
     for (const char* key : {"overlap", "buffer"})
-        if (keys.is_given(key)) throw keys.invalid(key, "does not go with points on lines");
+        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with points on lines");
     s.reading.is_along = true;
     if (!keys.is_read()) return;
     keys.check("region", [&] { read_region(s.region, s.reading); });

@@ -53,7 +53,7 @@ void self_similar_keys(Keys& keys, SelfSimilarSettings& s)
     if (s.show != "search" || !keys.is_read())
         tile_keys(keys, s.tile);
     else if (keys.is_given("starts"))
-        throw keys.invalid("starts", "does not go with show = \"search\", which finds them");
+        throw keys.invalid("starts", "cannot be combined with show = \"search\", which finds them");
     else
         tile_size_key(keys, s.tile);
     keys.number("least_radius", s.least_radius, {0.3, 1}, "of a search: the least relative radius of tiles");

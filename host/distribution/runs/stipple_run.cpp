@@ -41,7 +41,7 @@ void plotter_keys(Keys& keys, StippleSettings& s)
     if (!s.has_strokes) keys.word("dots", sheet.dots, dot_forms, "for plotters: dots are circles, or short strokes");
     keys.word("travel", sheet.travel, pen_travels, "for plotters: the order of marks");
     if (!keys.is_read()) return;
-    if (sheet.pen > 0 && sheet.width == 0) throw keys.invalid("pen", "goes with " + keys.name_of("width"));
+    if (sheet.pen > 0 && sheet.width == 0) throw keys.invalid("pen", "needs " + keys.name_of("width"));
     for (const char* key : {"travel", "dots", "pen", "width"})
         if (keys.is_given(key)) {
             sheet.option = key;
@@ -75,7 +75,7 @@ void mark_keys(Keys& keys, StippleSettings& s)
     if (keys.is_given("iterations") && s.by != MarkPlaces::gaussian)
         throw keys.invalid("iterations", "is for " + keys.shown("by", "gaussian"));
     if (s.method.sampler && s.by == MarkPlaces::ranks)
-        throw keys.invalid("method", "does not go with " + keys.shown("by", "ranks"));
+        throw keys.invalid("method", "cannot be combined with " + keys.shown("by", "ranks"));
     keys.check("image", [&] { values_of_text(s.image, s.from, 1, 1); });
 }
 

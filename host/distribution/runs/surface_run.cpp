@@ -24,7 +24,7 @@ namespace {
 void check_tile_keys(Keys& keys, MeshPointSettings& s)
 {
     for (const char* key : {"relative_radius", "factor", "candidates"})
-        if (keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("tiles"));
+        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
     if (!s.points && !s.tiles_per_unit)
         throw keys.problem(fmt::format("tiles need {} or {}", keys.name_of("points"), keys.name_of("tiles_per_unit")));
     if (!s.tiles.empty()) keys.check("tiles", [&] { s.read_tiles = surface_tiles(s, {}); });
@@ -42,7 +42,7 @@ void check_quad_keys(Keys& keys, MeshPointSettings& s)
 {
     for (const char* key : {"min_distance", "relative_radius", "factor"})
         if (keys.is_given(key))
-            throw keys.invalid(key, fmt::format("does not go with {} quads", keys.name_of("method")));
+            throw keys.invalid(key, fmt::format("cannot be combined with {} quads", keys.name_of("method")));
     if (!s.points) throw keys.problem(fmt::format("tiles on quads need {}", keys.name_of("points")));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
     keys.check("points", [&] { check_quad_points(*s.points, s.quads.read->mesh.quads.size()); });
@@ -56,10 +56,10 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
         throw keys.problem(fmt::format("elimination needs {}", keys.name_of("points")));
     if (!s.points && !s.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
-    if (s.relative_radius && !s.points) throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    if (s.relative_radius && !s.points) throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     const bool shrinks = s.method == SurfaceMethod::darts && s.points && !s.min_distance && !s.relative_radius;
     if (keys.is_given("factor") && !shrinks)
-        throw keys.invalid("factor", fmt::format("goes with {} alone, by darts", keys.name_of("points")));
+        throw keys.invalid("factor", fmt::format("needs {} alone, by darts", keys.name_of("points")));
     if (s.method == SurfaceMethod::elimination)
         for (const char* key : {"min_distance", "relative_radius"})
             if (keys.is_given(key))
@@ -96,8 +96,8 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
-        throw keys.invalid("tiles",
-                           fmt::format("does not go with {} {}", keys.name_of("method"), surface_methods[s.method]));
+        throw keys.invalid(
+            "tiles", fmt::format("cannot be combined with {} {}", keys.name_of("method"), surface_methods[s.method]));
     keys.number("tiles_per_unit", s.tiles_per_unit, {1e-6, 1e6},
                 "how many tiles lie along a unit of the mesh's texture coordinates")
         .only_if(has_tiles, "method = tiles")

@@ -28,7 +28,7 @@ void warp_keys(Keys& keys, WarpSettings& s)
     keys.points(s.points, "the number of points: tilings have exactly so many, other methods about");
     keys.even_points(s.method);
     if (keys.is_given("seen_from") && !s.is_environment)
-        throw keys.invalid("seen_from", "goes with " + keys.name_of("environment"));
+        throw keys.invalid("seen_from", "needs " + keys.name_of("environment"));
     if (s.is_environment && s.density.from != "light")
         throw keys.invalid("environment", fmt::format("takes the light; leave {} out", keys.name_of("density_from")));
 }

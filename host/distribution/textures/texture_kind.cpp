@@ -36,7 +36,7 @@ std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
     return names;
 }
 
-/// Sets are chosen together unless they are large, or something is asked for that does not go with it.
+/// Sets are chosen together unless they are large, or something is asked for that cannot be combined with it.
 void joint_keys(Keys& keys, TextureRequest& r)
 {
     r.joint =
@@ -53,7 +53,8 @@ void joint_keys(Keys& keys, TextureRequest& r)
         "better and take longer");
     if (!r.joint && keys.is_given("rounds"))
         throw keys.invalid("rounds", "is for tiles that are chosen together, see " + keys.name_of("joint"));
-    if (r.joint && keys.is_given("overlap")) throw keys.invalid("overlap", "does not go with " + keys.name_of("joint"));
+    if (r.joint && keys.is_given("overlap"))
+        throw keys.invalid("overlap", "cannot be combined with " + keys.name_of("joint"));
 }
 
 /// `is_built`: by the command, which has to be told the size of the set.
@@ -117,7 +118,8 @@ void also_key(Keys& keys, TextureSettings& s)
         .otherwise("none");
     if (s.also.empty()) return;
     if (s.exemplar.empty()) throw keys.invalid("also", "needs exemplar");
-    if (!s.marked_exemplar.empty()) throw keys.invalid("also", "does not go with " + keys.name_of("marked_exemplar"));
+    if (!s.marked_exemplar.empty())
+        throw keys.invalid("also", "cannot be combined with " + keys.name_of("marked_exemplar"));
     keys.check("also", [&] { check_companions(s.exemplar, s.also); });
 }
 
@@ -127,7 +129,7 @@ void straighten_key(Keys& keys, TextureSettings& s)
               "make straight what is regular in the picture, such as courses of bricks, and fit whole ones to a tile; "
               "joints run through with joint");
     if (s.is_straightened && !s.marked_exemplar.empty())
-        throw keys.invalid("straighten", "does not go with " + keys.name_of("marked_exemplar"));
+        throw keys.invalid("straighten", "cannot be combined with " + keys.name_of("marked_exemplar"));
 }
 
 void texture_set_keys(Keys& keys, TextureSettings& s)

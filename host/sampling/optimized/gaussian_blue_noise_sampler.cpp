@@ -155,7 +155,7 @@ void check_density(const Parameters& parameters, const SampleRequest& request)
     if (parameters.is_given("density")) {
         if (request.dimension != 2) throw parameters.error("density", "is for sets in 2D");
         if (parameters.integer("levels") > 0)
-            throw parameters.error("levels", "does not go with a density; leave it out");
+            throw parameters.error("levels", "cannot be combined with a density; leave it out");
     }
     given_density(parameters);
 }
@@ -166,7 +166,8 @@ void check_gaussians(const Parameters& parameters, const SampleRequest& request,
     const std::size_t least = least_gaussian_points(parameters.number("sigma"), request.dimension);
     const bool has_levels = parameters.integer("levels") > 0;
     if (has_levels && parameters.sampler("start").spec->has_own_points)
-        throw parameters.error("levels", "does not go with a start whose sets are as large as they are; leave it out");
+        throw parameters.error("levels",
+                               "cannot be combined with a start whose sets are as large as they are; leave it out");
     const std::size_t points = most_started_points(parameters, start_request(parameters, request));
     if (points >= least) return;
     if (has_levels)

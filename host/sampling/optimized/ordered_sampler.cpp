@@ -33,8 +33,9 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         if (made_->traits().is_window)
-            throw parameters_.error(order_key, "does not go with this method: its sets are windows of the plane, and "
-                                               "the order needs a torus; leave it out");
+            throw parameters_.error(order_key,
+                                    "cannot be combined with this method: its sets are windows of the plane, and "
+                                    "the order needs a torus; leave it out");
         const PointSet points = made_->sample(realization);
         const auto begin = std::chrono::steady_clock::now();
         const double built_before = build_seconds();

@@ -131,12 +131,11 @@ void check_target(const Parameters& parameters, const SampleRequest& request, co
     if (target == "curve" && !parameters.is_given("curve"))
         throw InputError::at(where, "sampler = \"target-spectrum\": target = \"curve\" needs curve, a table");
     for (const char* key : {"curve", "curve_points"})
-        if (target != "curve" && parameters.is_given(key))
-            throw parameters.error(key, "goes with target = \"curve\" only");
+        if (target != "curve" && parameters.is_given(key)) throw parameters.error(key, "needs target = \"curve\"");
     if (target == "curve" && parameters.is_given("frequency"))
-        throw parameters.error("frequency", "does not go with target = \"curve\"");
+        throw parameters.error("frequency", "cannot be combined with target = \"curve\"");
     if (target != "single-peak" && parameters.is_given("peak"))
-        throw parameters.error("peak", "goes with target = \"single-peak\" only");
+        throw parameters.error("peak", "needs target = \"single-peak\"");
     target_of(parameters, request.points);
 }
 

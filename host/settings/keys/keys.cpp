@@ -129,7 +129,7 @@ Keys::Said Keys::Said::excludes(const std::string& other)
     KeySpec& spec = keys_.specs_[index_];
     spec.excludes = other;
     if (keys_.is_given(spec.value.key) && keys_.is_given(other))
-        throw keys_.invalid(spec.value.key, "does not go with " + keys_.name_of(other));
+        throw keys_.invalid(spec.value.key, "cannot be combined with " + keys_.name_of(other));
     return *this;
 }
 

@@ -18,7 +18,7 @@ void region_reading_keys(Keys& keys, RegionReading& reading)
                 "the region is what lies within this distance of its lines, points and polygons")
         .unit("units of the region");
     if (!keys.is_read() || !keys.is_given("crs")) return;
-    if (reading.is_planar) throw keys.invalid("crs", "does not go with " + keys.name_of("planar"));
+    if (reading.is_planar) throw keys.invalid("crs", "cannot be combined with " + keys.name_of("planar"));
     keys.check("crs", [&] { check_map_system(reading.crs); });
 }
 

@@ -79,9 +79,9 @@ void check_class_keys(const Keys& keys, const AskedTileSet& set)
         return;
     }
     for (const char* key : {"points_per_tile", "lloyd_iterations", "repulsion"})
-        if (keys.is_given(key)) throw keys.invalid(key, "does not go with " + keys.name_of("class_points"));
+        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("class_points"));
     if (has_distances && keys.is_given("relative_radius"))
-        throw keys.invalid("relative_radius", "does not go with distances of classes");
+        throw keys.invalid("relative_radius", "cannot be combined with distances of classes");
     const std::size_t n = set.class_points.size();
     if (!set.class_distances.empty() && set.class_distances.size() != n)
         throw keys.invalid("class_distances", fmt::format("must be {}, one of each class", n));

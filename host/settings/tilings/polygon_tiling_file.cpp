@@ -120,7 +120,7 @@ private:
     void read_corners(Keys& keys, const ConfigTable& table, const SourceLocation& where, Prototile& prototile) const
     {
         const ConfigNode* sides = find(table, "sides");
-        if (sides && find(table, "corners")) throw invalid_node("sides", *sides, "does not go with corners");
+        if (sides && find(table, "corners")) throw invalid_node("sides", *sides, "cannot be combined with corners");
         if (sides) return read_regular(keys, prototile);
         const ConfigNode& node = required(table, where, "[[tile]]", "corners");
         for (const ConfigNode& corner : list("corners", node, 3, most_corners, "numbers in quotes"))
@@ -259,7 +259,8 @@ private:
     void read_period()
     {
         for (const char* const key : {"magnification", "start"})
-            if (const ConfigNode* node = find(table_, key)) throw invalid_node(key, *node, "does not go with period");
+            if (const ConfigNode* node = find(table_, key))
+                throw invalid_node(key, *node, "cannot be combined with period");
         const ConfigNode& period = *find(table_, "period");
         const ConfigList& vectors = list("period", period, 2, 2, "numbers in quotes");
         tiling_.period = {number("period", vectors[0]), number("period", vectors[1])};
@@ -274,7 +275,7 @@ private:
         if (!unit_fills_period(tiling_)) throw invalid_node("unit", unit, "must have the area of a period");
         for (const ConfigNode* table : read_tables(table_, "tile"))
             if (const ConfigNode* parts = find(*table->get_if<ConfigTable>(), "parts"))
-                throw invalid_node("parts", *parts, "does not go with period");
+                throw invalid_node("parts", *parts, "cannot be combined with period");
     }
 
     void read_substitution(const std::vector<const ConfigNode*>& tables)

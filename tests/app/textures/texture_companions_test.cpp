@@ -254,7 +254,7 @@ TEST_F(TextureCompanions, WrongOnesAreSaidBeforeTheWork)
                  "texture build: --also: maps/normal.png: is called as normal.png is: both would be atlas-normal");
     EXPECT_EQ(run(build + "text.png").status, 2);
     expect_error(build + "rough.png --marked-exemplar noise.png",
-                 begin + "normal.png rough.png: does not go with --marked-exemplar");
+                 begin + "normal.png rough.png: cannot be combined with --marked-exemplar");
     EXPECT_FALSE(std::filesystem::exists(file("o")));
 }
 

@@ -52,11 +52,11 @@ TEST(AnalysisOptions, ThatNeedSpectraDoNotGoWithNone)
         EXPECT_THAT(message_of([&] {
                         options_of({"analysis.spectrum=none", std::string("analysis.") + key});
                     }),
-                    testing::HasSubstr("does not go with spectrum = \"none\""));
+                    testing::HasSubstr("cannot be combined with spectrum = \"none\""));
     EXPECT_THAT(message_of([&] {
                     options_of({"analysis.spectrum=none", "analysis.volume=true"}, 3);
                 }),
-                testing::HasSubstr("does not go with spectrum = \"none\""));
+                testing::HasSubstr("cannot be combined with spectrum = \"none\""));
 }
 
 TEST(AnalysisOptions, SayWhatIsAllowed)

@@ -98,12 +98,13 @@ TEST_F(CollectionConfigs, OtherConfigsAreNone)
 
 TEST_F(CollectionConfigs, HaveNoExperimentOfTheirOwn)
 {
-    EXPECT_EQ(
-        error_of("include = [\"one.toml\"]\nseed = 1\n"),
-        "all.toml:2: seed = 1: does not go with include: a collection has only the keys include, title and device");
-    EXPECT_EQ(error_of("include = [\"one.toml\"]\n" + random_method),
-              "all.toml:2: method = [{...}]: does not go with include: a collection has only the keys include, title "
+    EXPECT_EQ(error_of("include = [\"one.toml\"]\nseed = 1\n"),
+              "all.toml:2: seed = 1: cannot be combined with include: a collection has only the keys include, title "
               "and device");
+    EXPECT_EQ(
+        error_of("include = [\"one.toml\"]\n" + random_method),
+        "all.toml:2: method = [{...}]: cannot be combined with include: a collection has only the keys include, title "
+        "and device");
     EXPECT_EQ(message_of([&] { read_config(folder_.write("c.toml", random_method), {"include=[\"one.toml\"]"}); }),
               "--set include=[\"one.toml\"]: include = [\"one.toml\"]: makes a config a collection, which has no "
               "experiment of its own");

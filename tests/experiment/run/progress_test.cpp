@@ -82,7 +82,8 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
 
 TEST(Progress, SecondsLeftAreRightAfterATenth)
 {
-    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s for what all of them share: 90 s are left after one.
+    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s for what all of them share: 90 s are left after
+    // one.
     FakeTime time;
     testing::internal::CaptureStdout();
     {

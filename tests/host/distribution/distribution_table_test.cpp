@@ -39,7 +39,7 @@ TEST(DistributionTable, ReadsAWarp)
                                       "seen_from = \"outside\"");
     EXPECT_EQ(sky.at(0).settings.as<WarpSettings>().seen_from, SeenFrom::outside);
     expect_refusal("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\nseen_from = \"outside\"",
-                   "c.toml:6: seen_from = \"outside\": goes with environment");
+                   "c.toml:6: seen_from = \"outside\": needs environment");
     ASSERT_TRUE(settings.method.sampler);
     EXPECT_EQ(settings.method.sampler->parameters.number("relative_radius"), 0.7);
 }
@@ -69,7 +69,7 @@ TEST(DistributionTable, RefusesWhatItDoesNotKnow)
                    "tiles = \"none.ptiles\": no such file: must be a file");
     const std::string tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
     expect_refusal("density = \"x+1\"\npoints = 9\ntiles = \"" + tiles + "\"\nmethod = \"random\"",
-                   "does not go with method");
+                   "cannot be combined with method");
     expect_refusal("density = \"x+1\"\ndensity_from = \"ink\"\npoints = 9",
                    "c.toml:4: density_from = \"ink\": is for pictures, and density = \"x+1\" is none");
 }
@@ -96,9 +96,9 @@ TEST(DistributionTable, ReadsStipplingAndHatching)
     expect_refusal("kind = \"stippling\"\npoints = 3", "[[distribution]]: needs image");
     expect_refusal("kind = \"stippling\"\nimage = \"x+\"\npoints = 3", "c.toml:4: image: formula \"x+\"");
     expect_refusal(image, "needs points or dot");
-    expect_refusal(image + "points = 3\ndot = 2", "c.toml:6: dot = 2: does not go with points");
+    expect_refusal(image + "points = 3\ndot = 2", "c.toml:6: dot = 2: cannot be combined with points");
     expect_refusal(image + "points = 3\nby = \"rank\"", "by = \"rank\"");
-    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "does not go with by = \"ranks\"");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "cannot be combined with by = \"ranks\"");
     expect_refusal(image + "points = 3\nby = \"ranks\"\niterations = 3", "iterations = 3: is for by = \"gaussian\"");
     expect_refusal(image + "points = 3\nink = 2", "ink = 2: must be");
     expect_refusal(image + "points = 3\nangle = 2", "c.toml:6: angle");
@@ -132,7 +132,7 @@ TEST(DistributionTable, ReadsInstances)
                    "must be [x, y, width, height]; height must be a number from 0.001 to 1000000");
     expect_refusal(forest + "window = [0, 0, 1000, 1000]", "2000000000 instances in the window: must be at most");
     expect_refusal(forest + "ring = [0.2, 0.4, 0.1]", "ring = [0.2, 0.4, 0.1]: is for asteroids");
-    expect_refusal(forest + "height = 2", "c.toml:4: height = 2: goes with terrain");
+    expect_refusal(forest + "height = 2", "c.toml:4: height = 2: needs terrain");
     expect_refusal(forest + "terrain = \"x\"", "needs terrain_area");
     expect_refusal(forest + "scale = 2", "scale = 2: must be a number from 0.001 to 1");
     expect_refusal(forest + "scene = \"asteroids\"\nring = [0.4, 0.2, 0.1]", "must be [inner, outer, thickness] with");

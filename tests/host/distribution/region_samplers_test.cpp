@@ -283,7 +283,7 @@ TEST(SamplersInRegionsErrors, NameWhatDecides)
     EXPECT_THAT(told("dart-throwing", {}),
                 HasSubstr("test.toml:3: sampler = \"dart-throwing\": needs relative_radius"));
     EXPECT_THAT(told("dart-throwing", {{"relative_radius", 0.7}, {"min_distance", 1.0}}),
-                HasSubstr("test.toml:4: relative_radius = 0.7: does not go with min_distance"));
+                HasSubstr("test.toml:4: relative_radius = 0.7: cannot be combined with min_distance"));
     EXPECT_THAT(told("dart-throwing", {{"relative_radius", 0.95}}),
                 HasSubstr("test.toml:4: relative_radius = 0.95: realization 0: the region is saturated with"));
     EXPECT_THAT(told("bridson", {{"min_distance", 400.0}}),

@@ -80,7 +80,8 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 94", "must be an integer from 1 to 93");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\nparameters = [0.1]",
                           "c.toml:5: parameters = [0.1]: must be as many as IH1 has: 4");
-    expect_scheme_refusal("kind = \"isohedral\"\nrandom = true\nparameters = [1]", "does not go with random = true");
+    expect_scheme_refusal("kind = \"isohedral\"\nrandom = true\nparameters = [1]",
+                          "cannot be combined with random = true");
     expect_scheme_refusal("kind = \"isohedral\"\nparameters = [1e300, 1]",
                           "must be a list of numbers from -100 to 100");
     expect_scheme_refusal("kind = \"isohedral\"\nparameters = [nan, 1]", "must be a list of numbers from -100 to 100");

@@ -388,7 +388,8 @@ TEST(AdaptiveGaussians, AreRefusedWhereTheyCannotBe)
     };
     EXPECT_EQ(refusal("1 + x", 2, 0), "accepted");
     EXPECT_THAT(refusal("1 + x", 3, 0), testing::HasSubstr("test.toml:5: density = \"1 + x\": is for sets in 2D"));
-    EXPECT_THAT(refusal("1 + x", 2, 1), testing::HasSubstr("test.toml:6: levels = 1: does not go with a density"));
+    EXPECT_THAT(refusal("1 + x", 2, 1),
+                testing::HasSubstr("test.toml:6: levels = 1: cannot be combined with a density"));
     EXPECT_THAT(refusal("1 +", 2, 0), testing::HasSubstr("test.toml:5: density"));
     EXPECT_THAT(refusal("x", 2, 0), testing::HasSubstr("must be a number that is not negative"));
 }

@@ -204,7 +204,7 @@ TEST(OrderedSampler, MistakesAreSaidWithTheirPlace)
     parameters.set("order", std::string("sample-elimination"), {"c.toml", 7});
     const auto ordered = in_progressive_order(window).create(parameters, {16, 2, 1}, Engine::reference, {});
     EXPECT_THAT(message_of([&] { ordered->sample(0); }),
-                testing::HasSubstr("c.toml:7: order = \"sample-elimination\": does not go with this method"));
+                testing::HasSubstr("c.toml:7: order = \"sample-elimination\": cannot be combined with this method"));
 }
 
 /// A method that makes sets side by side where it is told how many are expected.

@@ -171,7 +171,7 @@ TEST(TargetSpectrumSampler, TakesCurvesFromTables)
 
     Parameters step(spec.parameters);
     set(step, "peak", 2.0);
-    EXPECT_THAT(refusal(step), testing::HasSubstr("peak = 2: goes with target = \"single-peak\" only"));
+    EXPECT_THAT(refusal(step), testing::HasSubstr("peak = 2: needs target = \"single-peak\""));
 }
 
 }
