@@ -124,6 +124,16 @@ CLI::Validator number(bool only_finite)
         "");
 }
 
+/// Accepts names of files and folders: a script whose variable is empty would write where nobody looks.
+CLI::Validator output_name()
+{
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            return text.empty() ? ": must be the name of a file or a folder" : "";
+        },
+        "");
+}
+
 template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
@@ -133,6 +143,7 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
         added->expected(1, option.most_values)->transform(integer<std::int64_t>(option));
+    if (option.name == "--out") added->check(output_name());
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
@@ -151,7 +162,8 @@ CLI::Option* add_option(CLI::App& app, const Option& option, bool& value)
     return app.add_flag(option.name, value, option.help);
 }
 
-/// The action of a command. A device that it names must be there, also where the work turns out to need none.
+/// The action of a command. A device that --device names must exist, even if the work turns out to need none: a wrong
+/// name is an error.
 Action action_with_device(const Command& command)
 {
     const auto option = std::ranges::find(command.options, "--device", &Option::name);

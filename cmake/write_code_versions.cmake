@@ -12,7 +12,7 @@ function(hash_of variable)
     endif()
   endforeach()
   file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${SOURCE} ${ARGN})
-  list(FILTER files EXCLUDE REGEX "CMakeLists.txt$|^base/crew/") # by whom work is done changes no result
+  list(FILTER files EXCLUDE REGEX "CMakeLists.txt$|^base/crew/") # which process does the work changes no result
   list(SORT files)
   set(all "")
   foreach(file IN LISTS files)

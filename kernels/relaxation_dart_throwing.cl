@@ -151,8 +151,9 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
 #endif
 }
 
-/// Is a position inside, and no point too near to it? Beside a long region, where nearly half of the darts fall, most
-/// positions are far from points, for which all cells around them would be looked at: what is outside is found before.
+/// Is a position inside the region, and no point too near to it? Nearly half of the darts fall beside a long region,
+/// far from all points. For these a search of all cells around would be wasted, so the region is tested before the full
+/// search.
 ALWAYS_INLINE bool may_be_point(const Position* position, global const uint* cells, global const uint* points,
                                 const struct PointCells* grid, ulong threshold, const Region* region)
 {

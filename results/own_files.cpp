@@ -54,9 +54,10 @@ void check_output_folder(const fs::path& out, const std::string& begin)
 {
     std::error_code unknown;
     const std::string option = fmt::format("{}--out {}: ", begin, printable(out.string()));
-    if (names_standard_output(out)) throw InputError(option + "standard output takes a file; a folder is needed");
+    if (names_standard_output(out))
+        throw InputError(option + "standard output cannot hold a folder; a folder is needed");
     if (fs::is_symlink(out, unknown) && !fs::exists(out, unknown))
-        throw InputError(option + "is a link to what is not there; a folder is needed");
+        throw InputError(option + "is a link whose target does not exist; a folder is needed");
     if (fs::exists(out, unknown) && !fs::is_directory(out, unknown))
         throw InputError(option + "is a file; a folder is needed");
 }

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -101,9 +102,9 @@ InputError not_found(std::size_t count)
         fmt::format("{} tapers of this region cannot be told apart so closely: fewer tapers can be found", count));
 }
 
-/// Takes from the stiffness the potential with which a function is its lowest mode, with the eigenvalue 0 in each part
-/// of the region: u, whose stiffness is a load of 1 everywhere. Functions are u times g then, and what is left of their
-/// energy is the integral of u^2 |grad g|^2.
+/// Subtracts from the stiffness the potential that makes u its lowest mode, with the eigenvalue 0 in each part of the
+/// region. Here u is the solution under a load of 1 everywhere. Modes are then u times g, and their energy that is left
+/// is the integral of u^2 |grad g|^2.
 Matrices released_of(const Matrices& drum)
 {
     const Eigen::VectorXd load = drum.mass * Eigen::VectorXd::Ones(drum.mass.rows());
@@ -190,9 +191,36 @@ DrumModes drum_modes(const TaperGrid& grid, std::array<double, 2> step, std::siz
     return found;
 }
 
+/// The number of parts of the region that no element connects.
+std::size_t parts_of(const Sparse& stiffness)
+{
+    std::vector<int> above(static_cast<std::size_t>(stiffness.cols()));
+    std::iota(above.begin(), above.end(), 0);
+    const auto top = [&](int node) {
+        while (above[static_cast<std::size_t>(node)] != node) node = above[static_cast<std::size_t>(node)];
+        return node;
+    };
+    std::size_t parts = above.size();
+    for (Eigen::Index column = 0; column < stiffness.outerSize(); ++column)
+        for (Sparse::InnerIterator it(stiffness, column); it; ++it) {
+            const int a = top(static_cast<int>(it.row())), b = top(static_cast<int>(column));
+            if (a == b) continue;
+            above[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+            above[static_cast<std::size_t>(it.row())] = above[static_cast<std::size_t>(column)] = std::min(a, b);
+            --parts;
+        }
+    return parts;
+}
+
 DrumModes released_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count, double length)
 {
-    const Matrices drum = matrices_of(grid, step), released = released_of(drum);
+    const Matrices drum = matrices_of(grid, step);
+    // Each part has a mode of the eigenvalue 0: of more parts than tapers, rounding would choose some.
+    if (const std::size_t parts = parts_of(drum.stiffness); parts > count)
+        throw InputError(fmt::format("the region has {} parts that are apart from each other: tapers must be at least "
+                                     "as many, not {}",
+                                     parts, count));
+    const Matrices released = released_of(drum);
     Subspace modes(released, std::pow(std::numbers::pi / length, 2), static_cast<Eigen::Index>(count));
     modes.find(most_steps_of_long, small_residual_of_long);
     DrumModes found = modes.found();

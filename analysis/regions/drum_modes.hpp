@@ -12,7 +12,7 @@ namespace poissonlab {
 struct DrumModes
 {
     std::vector<std::vector<double>> values; ///< of each mode at each node; the integrals of its square are 1
-    std::vector<double> eigenvalues;         ///< in rising order
+    std::vector<double> eigenvalues;         ///< of these values
 };
 
 /// Bilinear elements on the nodes of a grid, whose steps are given; there are `count` + 8 nodes or more. Modes have
@@ -20,12 +20,12 @@ struct DrumModes
 /// where none are found.
 DrumModes drum_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count);
 
-/// Modes that live all along a long region, of some `length`: the drum's would live where it is a little wider, or
-/// bends. They are u g, where u is what a load of 1 everywhere makes of the drum, and the functions g are those of the
-/// least integrals of u^2 |grad g|^2, beginning with 1 in each part of the region: the drum's modes with the potential
-/// 1 / u taken off, which is what traps them (Filoche, Mayboroda, Universal mechanism for Anderson and weak
-/// localization, PNAS 109(37), 2012). Eigenvalues are the integrals of the squared gradient all the same. Cells are
-/// nearly squares.
+/// Modes that extend along the whole of a long region of some `length`. The drum's own modes would be confined to where
+/// it is a little wider, or bends. These are products u g: u is the drum's solution under a load of 1 everywhere, and
+/// the functions g have the least integrals of u^2 |grad g|^2, the first being 1 in each part of the region. They are
+/// the drum's modes without the potential 1 / u, which traps them (Filoche, Mayboroda, Universal mechanism for Anderson
+/// and weak localization, PNAS 109(37), 2012). Eigenvalues are the integrals of the squared gradients of u g. Cells
+/// must be nearly square.
 DrumModes released_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count, double length);
 
 }

@@ -20,13 +20,17 @@ constexpr double fewest_taper_cells = 32;
 /// Nodes in excess of tapers that are needed, so that each taper has a form.
 constexpr std::size_t nodes_a_taper = 16;
 
-/// A region is long if its box is, or if the grid over this has fewer nodes than the most tapers need.
+/// A region is long if its box is, or if the grid over its box has fewer nodes than the largest number of tapers needs.
 constexpr double longest_box = 32;
 
-/// Cells of long regions are a part of their width, twice the area over the boundary. So many of them would fill the
-/// area: as many as a compact region has, at least, and at most as memory and time allow, for each taper and in all.
+/// The cells of a long region are as wide as its width, twice the area over the boundary, divided by `cells_across`.
+/// The number that would fill its area is at least that of a compact region, so that tapers have a form, and is limited
+/// in all and for each taper, because memory and time are.
 constexpr double cells_across = 16;
 constexpr double fewest_cells = 1 << 14, most_cells = 1 << 19, most_cells_times_tapers = 1 << 22;
+
+/// Rows and columns of grids, which have a number each: 200 MiB.
+constexpr double most_rows = 1 << 22;
 
 /// Values of sums over nodes that are kept, of 16 bytes each: a GiB. Where there are more, they are summed anew.
 constexpr std::size_t most_kept_values = std::size_t{1} << 26;
@@ -49,7 +53,10 @@ TaperGrid grid_over_box(const FramedRegion& region, double step, double fewest)
     const RegionBox box = box_of(region.polygons());
     std::array<std::size_t, 2> cells{};
     for (std::size_t k = 0; k < 2; ++k)
-        cells[k] = static_cast<std::size_t>(std::max(fewest, std::round((box.high[k] - box.low[k]) / step)));
+        cells[k] = static_cast<std::size_t>(
+            std::min(most_rows + 1, std::max(fewest, std::round((box.high[k] - box.low[k]) / step))));
+    if (std::max(cells[0], cells[1]) > static_cast<std::size_t>(most_rows))
+        throw InputError("the region is too long for its width, or its parts are too far apart, for tapers");
     return {region, cells};
 }
 

@@ -19,9 +19,9 @@
 //
 // They are found among functions that are bilinear in the cells of a grid over the region's box, 0 at and beyond cells
 // that the boundary crosses: orthogonal as such, within rounding, and with transforms in closed form. Cells are a 128th
-// of the box where that leaves nodes enough, otherwise parts of the region's width; only nodes inside are stored. Of a
-// pair of equal frequency, as in a square, rounding decides the rotation: the two tapers can differ between machines,
-// not the sum of their spectra.
+// of the box wide where that gives enough nodes, and otherwise a part of the region's width. Where two tapers have the
+// same frequency, as in a square, rounding decides which pair of functions is found: single tapers can differ between
+// machines, the sum of their spectra cannot.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"

@@ -2,6 +2,7 @@
 
 #include "analysis/regions/region_transform.hpp"
 #include "analysis/spectra/radial_bin.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -16,16 +17,17 @@ namespace {
 
 using Wave = std::complex<double>;
 
-/// Differences of frequencies go up to so many root mean square frequencies of the highest taper: products of tapers
-/// have those of both. Up to `summed_reach` they are summed plainly, as all compact regions have them; there is a
-/// limit, as time goes with the square.
+/// Differences of frequencies are summed up to so many root mean square frequencies of the highest taper, because a
+/// product of two tapers has frequencies of both. Up to `summed_reach`, which all compact regions keep, sums are
+/// direct; their time grows with its square, so larger reaches use fast transforms. `most_reach` limits these.
 constexpr double root_mean_squares = 4;
 constexpr int least_reach = 4, summed_reach = 32, most_reach = 512;
 
-/// Of larger tables next to all is in few differences, as those of a strip lie on a line: so much of the sum is kept.
+/// In long regions a few differences of frequencies have nearly all of the sum: those of a strip lie on a line. The
+/// smallest terms are dropped, and this part of the sum is kept.
 constexpr double kept_part = 0.999;
 
-/// Rings up to this many frequencies, or three reaches, but not more than `most_radius`, are summed.
+/// Rings are summed up to this many frequencies, or up to three times the reach but at most `most_radius`.
 constexpr int summed_radius = 64, most_radius = 256;
 
 /// The transforms of products of tapers, sums over the nodes, which lie in rows.
@@ -104,6 +106,7 @@ std::vector<double> fast_squares(const RegionTapers& tapers, int reach)
     std::vector<double> squares(columns * heights), products(nodes.size());
     for (std::size_t k = 0; k < tapers.count(); ++k)
         for (std::size_t l = 0; l <= k; ++l) {
+            stop_if_interrupted();
             for (std::size_t i = 0; i < products.size(); ++i) products[i] = tapers.values(k)[i] * tapers.values(l)[i];
             const HalfPlane sums = region_sums(nodes, products, tapers.unit_length(), reach, &transform);
             for (std::size_t at = 0; at < squares.size(); ++at)
@@ -223,7 +226,8 @@ RingCovariance TaperCovariance::of_rings(int size, double bin_width) const
     RingTable ring_at(bins, radius + reach_);
     std::vector<std::vector<double>> sums(rings, std::vector<double>(bands));
     std::vector<double> samples(rings);
-    for (int v = -radius; v <= radius; ++v)
+    for (int v = -radius; v <= radius; ++v) {
+        stop_if_interrupted();
         for (int u = -radius; u <= radius; ++u) {
             const std::size_t ring = ring_at.at(u, v);
             if (ring >= rings) continue;
@@ -233,13 +237,16 @@ RingCovariance TaperCovariance::of_rings(int size, double bin_width) const
                 if (other >= ring && other < rings && other - ring < bands) sums[ring][other - ring] += d.square;
             }
         }
+    }
     std::size_t whole = 0; // rings that lie in the radius
     while (whole < rings && bins.centre(whole + 1) + bin_width / 2 <= radius) ++whole;
     for (std::size_t b = whole; b < rings; ++b) samples[b] = 2 * std::numbers::pi * bins.centre(b + 1) * bin_width;
     // f and -f have one power: twice the sum over the other half.
     std::vector<double> level(bands);
-    const std::size_t from = whole / 2;
     for (std::size_t d = 0; d < bands; ++d) {
+        // Rings that are farther apart than half of those summed, in long regions, are taken where there are some.
+        const bool has_few = reach_ > summed_reach && d < whole;
+        const std::size_t from = has_few ? std::min(whole / 2, (whole - d) / 2) : whole / 2;
         double all = 0;
         std::size_t counted = 0;
         for (std::size_t b = from; b + d < whole; ++b, ++counted)

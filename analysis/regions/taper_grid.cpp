@@ -16,8 +16,8 @@ struct CellRun
 };
 using Runs = std::vector<CellRun>;
 
-/// Adds the cells whose inside an edge goes through to the runs of their rows; it is in units of cells. An edge between
-/// two cells makes an empty run: what is inside may be different beyond it.
+/// Adds the cells that an edge crosses to the runs of their rows; the edge is in units of cells. An edge along the line
+/// between two cells adds an empty run, because the cells on its two sides may differ.
 void mark_edge(std::array<double, 2> from, std::array<double, 2> to, const std::array<std::size_t, 2>& cells,
                std::vector<Runs>& crossed)
 {
@@ -38,7 +38,7 @@ void mark_edge(std::array<double, 2> from, std::array<double, 2> to, const std::
     }
 }
 
-/// The runs of cells of a row that are inside: what is left between those that are crossed is so, or not, as a whole.
+/// The runs of cells of a row that are inside. The cells between two crossed runs are all inside or all outside.
 template <typename Inside>
 Runs runs_inside(Runs crossed, std::uint32_t columns, const Inside& is_inside)
 {

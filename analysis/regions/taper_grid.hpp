@@ -1,4 +1,4 @@
-// A grid over a region's box of which only what lies in the region is stored: the nodes of tapers.
+// The nodes of tapers: a grid over a region's box, of which only the nodes inside the region are stored.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
@@ -16,8 +16,8 @@ inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 class TaperGrid
 {
 public:
-    /// Divides the box into so many columns and rows. Nodes are those that have cells within the region on all sides:
-    /// no edge goes through these. The cost goes with the rows, the cells that the boundary crosses, and the nodes.
+    /// Divides the box into so many columns and rows. A node is stored if no edge crosses the cells around it and all
+    /// of them are inside. The cost grows with the rows, the cells that the boundary crosses, and the nodes.
     TaperGrid(const FramedRegion& region, const std::array<std::size_t, 2>& cells);
 
     const std::array<std::size_t, 2>& cells() const { return cells_; }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -63,7 +64,7 @@ constexpr char record_separator = '\x1e';
 
 std::string_view without_separator(std::string_view line)
 {
-    const std::size_t begin = line.find_first_not_of(std::string{' ', '\t', '\r', record_separator});
+    const std::size_t begin = line.find_first_not_of(std::string{' ', '\t', '\r', '\n', record_separator});
     return begin == line.npos ? std::string_view{} : line.substr(begin);
 }
 
@@ -74,27 +75,54 @@ bool begins_as_geojson(std::string_view text)
     return text.starts_with('{') || (text.starts_with(record_separator) && without_separator(text).starts_with('{'));
 }
 
-nlohmann::json parsed_geojson(std::string_view text, const std::string& name)
+namespace {
+
+/// Is the text several values of JSON, one a line?
+bool is_sequence(std::string_view text)
 {
     LineReader lines(text);
-    lines.next();
-    const bool is_sequence =
-        lines.rest().find('{') != std::string_view::npos && nlohmann::json::accept(without_separator(lines.line()));
-    if (!is_sequence) return parsed_json(without_separator(text), name);
-    nlohmann::json features = nlohmann::json::array();
+    while (lines.next())
+        if (const std::string_view line = without_separator(lines.line()); !line.empty())
+            return lines.rest().find('{') != std::string_view::npos && nlohmann::json::accept(line);
+    return false;
+}
+
+/// Adds a value of a sequence to a collection of features: a feature, all of a collection, or a geometry. Throws
+/// InputError where it names another system of coordinates than those before.
+void add_value(nlohmann::json value, bool is_first, nlohmann::json& all)
+{
+    if (!value.is_object()) throw InputError("must be an object of GeoJSON");
+    const nlohmann::json system = value.value("crs", nlohmann::json());
+    if (is_first && !system.is_null()) all["crs"] = system;
+    if (all.value("crs", nlohmann::json()) != system)
+        throw InputError("crs: must be the same on all lines, or on none");
+    const nlohmann::json type = value.value("type", nlohmann::json());
+    if (type == "FeatureCollection" && value.contains("features") && value["features"].is_array()) {
+        for (nlohmann::json& feature : value["features"]) all["features"].push_back(std::move(feature));
+    } else if (type == "Feature") {
+        all["features"].push_back(std::move(value));
+    } else {
+        all["features"].push_back({{"type", "Feature"}, {"geometry", std::move(value)}});
+    }
+}
+
+}
+
+nlohmann::json parsed_geojson(std::string_view text, const std::string& name)
+{
+    if (!is_sequence(text)) return parsed_json(without_separator(text), name);
+    nlohmann::json all{{"type", "FeatureCollection"}, {"features", nlohmann::json::array()}};
+    bool is_first = true;
     for (LineReader each(text); each.next();) {
         const std::string_view line = without_separator(each.line());
         if (line.empty()) continue;
         try {
-            nlohmann::json value = parsed_json(line, name);
-            const bool is_feature = value.is_object() && value.value("type", nlohmann::json()) == "Feature";
-            features.push_back(is_feature ? std::move(value)
-                                          : nlohmann::json{{"type", "Feature"}, {"geometry", std::move(value)}});
+            add_value(parsed_json(line, name), std::exchange(is_first, false), all);
         } catch (const InputError& error) {
             throw error.moved_to({name, each.number()});
         }
     }
-    return {{"type", "FeatureCollection"}, {"features", std::move(features)}};
+    return all;
 }
 
 }

@@ -114,7 +114,7 @@ bool TextTable::takes(std::string_view line, int number, std::string_view rest)
     if (!names_.empty()) return false;
     find_separator(line);
     split(line, number);
-    if (!are_names(rest)) {
+    if (!are_names(number, rest)) {
         if (separator_ == Separator::comma || separator_ == Separator::blank) separator_ = Separator::blank_or_comma;
         return false;
     }
@@ -165,13 +165,14 @@ void TextTable::split(std::string_view line, int number)
     }
 }
 
-/// Without the index of pandas its names may be numbers, which they are not where fractions follow.
-bool TextTable::are_names(std::string_view rest) const
+/// Without pandas' index, the names of columns are numbers. They count as names only if the next line has fractions.
+bool TextTable::are_names(int number, std::string_view rest) const
 {
     const std::vector<std::string> names(fields_.begin(), fields_.end());
     if (are_counted(names)) {
         LineReader next(rest);
-        return names.front().empty() || (separator_ == Separator::comma && next.next() && has(next.line(), '.'));
+        return names.front().empty() ||
+               (number == 1 && separator_ == Separator::comma && next.next() && has(next.line(), '.'));
     }
     const auto is_axis = [](const std::string& name) { return axis_of(name) || globe_axis_of(name); };
     return std::ranges::none_of(names, is_a_number) && std::ranges::any_of(names, is_a_word) &&
@@ -186,7 +187,7 @@ void TextTable::take_names(int number)
     const bool of_globe = are_of_globe(names_), is_counted = are_counted(names_);
     const std::size_t count = names_.size() - names_.front().empty();
     if (is_counted && count == names_.size())
-        file_.tell("its first line is taken for the names that pandas gives to columns");
+        file_.tell("the first line is read as the column numbers that pandas writes, not as a point");
     for (std::size_t i = 0; i < names_.size(); ++i) {
         const auto axis = is_counted && !names_[i].empty() ? std::optional(i - (names_.size() - count))
                           : of_globe                       ? globe_axis_of(names_[i])
@@ -241,6 +242,7 @@ std::span<const std::string_view> TextTable::coordinates(std::string_view line, 
 void TextTable::check_fields(std::string_view line, int number)
 {
     const bool is_numbered = separator_ != Separator::comma && // which may be a decimal one
+                             !fields_.back().empty() &&        // as a separator at the end leaves it
                              fields_.front().find_first_not_of("0123456789") == std::string_view::npos;
     if (std::exchange(is_first_point_, false) && fields_.size() == names_.size() + 1 &&
         (line.starts_with('"') || is_numbered || !is_a_number(fields_.front()))) {

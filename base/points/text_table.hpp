@@ -22,7 +22,7 @@ class TextTable
 public:
     explicit TextTable(const PointFileContent& file) : file_(file) {}
 
-    /// Takes a line before all points; `rest` is the text behind it. True where it is about the table, and no point.
+    /// Takes a line before the points; `rest` is the text after it. True if the line belongs to the table's head.
     /// Throws InputError for names without x and y.
     bool takes(std::string_view line, int number, std::string_view rest);
 
@@ -42,7 +42,7 @@ private:
 
     void find_separator(std::string_view line);
     void split(std::string_view line, int number);
-    bool are_names(std::string_view rest) const;
+    bool are_names(int number, std::string_view rest) const;
     void take_names(int number);
     std::string names_in_words() const;
     /// Decimal commas are read where no comma separates numbers.

@@ -15,8 +15,8 @@
 namespace poissonlab {
 namespace {
 
-/// A region is long if fewer than this part of the cells of a grid over a square have something of it: squares that
-/// cover it are smaller then, as many as that grid has cells.
+/// A region is long if it meets fewer than this part of the cells of a square grid of `most_squares` cells. Its
+/// distances are then read on at most as many smaller squares that cover it.
 constexpr double part_of_long = 1.0 / 64;
 constexpr std::size_t most_squares = std::size_t{1} << 18;
 
@@ -61,7 +61,7 @@ private:
     {
         const RegionSquares<FixedRegion> squares =
             small_squares_of(region_, most_squares, static_cast<int>(DistanceTable::least_shift));
-        if (squares.shift >= static_cast<int>(DistanceTable::box_shift)) return;
+        if (squares.corners.empty() || squares.shift >= static_cast<int>(DistanceTable::box_shift)) return;
         lay_cells(static_cast<std::uint32_t>(squares.shift));
         for (const TorusPoint<2>& corner : squares.corners)
             table_.squares.push_back({corner[0] >> table_.shift, corner[1] >> table_.shift});
@@ -112,7 +112,8 @@ private:
         }
     }
 
-    /// Places twice as near as nodes: all of the box, row by row, or those of squares.
+    /// The number of a place. Places are twice as dense as nodes: those of the whole box, row by row, or those of the
+    /// squares.
     std::size_t place_number(std::uint32_t x, std::uint32_t y) const
     {
         if (!has_squares()) return std::size_t{y} * width_ + x;

@@ -1,9 +1,9 @@
 // Minimum distances that vary from place to place, as a table that every device reads alike.
 //
-// Nodes lie a power of two of positions apart, and between four of them the distance is bilinear, in whole numbers. So
-// the slope is known exactly, and so are bounds over boxes. Nodes are those of a grid over the region's box; where the
-// region fills little of it, as roads do, those of small squares that cover the region, which are found by their
-// places.
+// Nodes lie a power of two of positions apart, and between four of them the distance is bilinear, in whole numbers. The
+// slope is therefore known exactly, and bounds over boxes are exact. In most regions the nodes are those of a grid over
+// the region's box. Where the region fills little of its box, as roads do, they are the corners of small squares that
+// cover the region and are found by their row and column.
 #pragma once
 
 #include "base/geometry/torus.hpp"
@@ -81,10 +81,10 @@ public:
     std::uint32_t rows() const { return rows_; }
     std::uint32_t shift() const { return shift_; }
     std::span<const std::uint32_t> nodes() const { return nodes_; }
-    /// The least node of each cell, then of each 2 x 2 cells, and so on until one is left. Sides are halved and rounded
-    /// up. Of squares: for sizes of 2^shift positions, twice as many, and so on until 2^31, where a list begins, and
-    /// where the last one ends; each list has the places of its squares, row << 16 | column, in rising order, and then
-    /// the least node of each.
+    /// With a grid: the least node of each cell, then of each block of 2 x 2 cells, and so on until one block is left;
+    /// sides are halved and rounded up. With squares there is a list for each size, from 2^shift to 2^31 positions,
+    /// doubling each time. First come the places in bounds() where the lists begin, and where the last one ends. Each
+    /// list has the numbers row << 16 | column of its squares, in rising order, and then the least node of each square.
     std::span<const std::uint32_t> bounds() const { return bounds_; }
 
 private:

@@ -139,6 +139,9 @@ void FixedRegion::find_cells(std::size_t edge, const FixedBox& block, int shift,
 
 void FixedRegion::list_edges()
 {
+    std::vector<FixedEdge> sorted = edges_;
+    std::ranges::sort(sorted);
+    has_coinciding_edges_ = std::ranges::adjacent_find(sorted) != sorted.end();
     const FixedBox all{{0, 0}, {most_coordinate, most_coordinate}};
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
     for (std::uint32_t number = 0; number < edges_.size(); ++number)

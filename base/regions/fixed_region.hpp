@@ -89,9 +89,9 @@ public:
 
     RegionSide side_of(const FixedBox& box) const;
 
-    /// Finds the edges of the boundary in a box, where a few go all through it and none ends there. Returns false
-    /// where that is not so, or where there are margins. Of two positions in the box that lie on no edge, both are
-    /// inside or outside where an even number of the edges' lines go between them.
+    /// Finds the edges of the boundary that cross a box. Returns false if there are too many of them, if one ends in
+    /// the box, or if the region has margins there. If true, two positions in the box that lie on no edge are both
+    /// inside or both outside exactly when an even number of the edges' lines separate them.
     bool find_crossing(const FixedBox& box, std::vector<FixedEdge>& edges) const;
     static constexpr std::size_t most_crossing = 4;
 
@@ -186,8 +186,9 @@ private:
     std::array<std::uint32_t, 3> margins_{};         ///< rounded up
     std::array<std::uint64_t, 3> squared_margins_{}; ///< of margins that are not rounded
     FixedBox extent_{};
-    std::vector<FixedEdge> edges_; ///< each once
-    std::vector<bool> lies_right_; ///< for each of them, of the region, on the way up
+    std::vector<FixedEdge> edges_;      ///< each once
+    bool has_coinciding_edges_ = false; ///< as rounding makes of a gap between polygons
+    std::vector<bool> lies_right_;      ///< for each of them, of the region, on the way up
     std::vector<FixedEdge> listed_;
     std::vector<std::uint32_t> listed_numbers_; ///< in `edges_`, of those of whole cells
     std::vector<std::uint32_t> cells_, filled_;

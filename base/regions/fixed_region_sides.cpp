@@ -55,7 +55,7 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
 bool FixedRegion::find_crossing(const FixedBox& box, std::vector<FixedEdge>& edges) const
 {
     edges.clear();
-    bool is_simple = std::ranges::max(margins_) == 0;
+    bool is_simple = std::ranges::max(margins_) == 0 && !has_coinciding_edges_;
     const auto has = [&](std::uint32_t x, std::uint32_t y) {
         return x >= box.low[0] && x <= box.high[0] && y >= box.low[1] && y <= box.high[1];
     };

@@ -22,7 +22,7 @@ using CheckPoint = CheckKernel::Point_2;
 /// Extents below this part of the largest coordinate leave too few digits of a double.
 constexpr double least_extent = 1e-9;
 
-/// Areas of products of larger ones may be infinite.
+/// The area of a region with larger coordinates may be infinite as a double.
 constexpr double largest_coordinate = 1e150;
 
 /// Areas below this part of the squared extent are lost where corners are rounded to 32 bits.
@@ -263,10 +263,9 @@ void check_region(const PlaneRegion& region, const std::string& name)
     double largest = 0;
     for (std::size_t k = 0; k < 2; ++k) largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
     if (!(largest < largest_coordinate))
-        throw InputError(
-            fmt::format("{}: has coordinates of up to {:.3g}: must be less than {:.3g}, as doubles hold no "
-                        "area of the region",
-                        name, largest, largest_coordinate));
+        throw InputError(fmt::format("{}: has coordinates of up to {:.3g}: must be less than {:.3g}, "
+                                     "because the region's area would exceed the largest double",
+                                     name, largest, largest_coordinate));
     if (!(box.longest() > least_extent * largest))
         throw InputError(fmt::format("{}: is {:.3g} large at coordinates of {:.3g}, which doubles cannot resolve", name,
                                      box.longest(), largest));

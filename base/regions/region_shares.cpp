@@ -32,7 +32,7 @@ public:
         }
     }
 
-    /// The shares of squares, which are asked for from the last one back; they are numbered row by row.
+    /// Begins the sums. Ask for the shares of squares in falling order of their numbers, which go row by row.
     void begin()
     {
         std::ranges::stable_sort(pieces_, std::greater{}, &Piece::square);
@@ -52,7 +52,7 @@ private:
     struct Piece
     {
         std::uint64_t square;
-        double share, beyond; ///< what an edge adds to its square, and to those on its left
+        double share, beyond; ///< what an edge adds to the share of its own square, and of each square to its left
     };
 
     /// Goes on to the next square with edges.
@@ -91,8 +91,9 @@ private:
     std::uint32_t columns_, rows_;
     std::vector<Piece> pieces_;
     std::size_t next_ = 0;
-    std::uint64_t last_ = UINT64_MAX; ///< square with edges
-    double share_ = 0, right_ = 0;    ///< of it, and of those on its left
+    std::uint64_t last_ = UINT64_MAX; ///< the last square with edges that was summed
+    /// the share of that square, and of the squares between it and the next one to its left
+    double share_ = 0, right_ = 0;
 };
 
 }

@@ -31,7 +31,7 @@ RegionSquares<Region> halves_of(const Region& region, const RegionSquares<Region
     return halves;
 }
 
-/// `enough`: the part of the squares that the region has to have; above 1: none is.
+/// `enough`: the search ends where the region fills this part of the squares; above 1 it never does.
 template <typename Region>
 RegionSquares<Region> found_squares(const Region& region, std::size_t most, double enough = well_filled,
                                     int least_shift = 0)

@@ -38,7 +38,7 @@ inline constexpr std::size_t most_region_squares = std::size_t{1} << 18;
 RegionSquares<FixedRegion> squares_of(const FixedRegion& region, std::size_t most);
 RegionSquares<FixedSpace> squares_of(const FixedSpace& space, std::size_t most);
 
-/// Squares as small as there may be `most` of them, 2^shift positions wide at least.
+/// The smallest squares that cover the region with at most `most` of them, and at least 2^shift positions wide.
 RegionSquares<FixedRegion> small_squares_of(const FixedRegion& region, std::size_t most, int shift);
 
 }

@@ -38,8 +38,8 @@ bool is_wkt_text(std::string_view text)
     for (const char* word : {"POLYGON", "POINT", "LINESTRING", "GEOMETRYCOLLECTION"})
         for (const char* dimensions : {"", "Z", "M", "ZM"})
             if (begins_with_whole(text, std::string(word) + dimensions)) return true;
-    // Others are not known here, which their reader says: a bracket tells them from names of files.
-    return text.find('(') != text.npos &&
+    // Others are not known here, which their reader says: brackets tell them from names of files, "triangle (1).svg".
+    return text.find('(') != text.npos && text[text.find_last_not_of(" \t\r\n;")] == ')' &&
            std::ranges::any_of(unread_wkt, [&](const char* word) { return begins_with_whole(text, word); });
 }
 

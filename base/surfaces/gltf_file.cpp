@@ -112,7 +112,7 @@ std::vector<std::string> GltfFile::notes() const
     if (root_->has("extensionsUsed")) unknown = root_->texts("extensionsUsed");
     std::erase_if(unknown, [](const std::string& name) { return is_known_extension(name); });
     for (std::string& name : unknown)
-        name = "the extension " + shortened(printable(name)) + " of the file is not known here: it was left out";
+        name = "the extension " + shortened(printable(name)) + " of the file is not known here and was left out";
     return unknown;
 }
 

@@ -3,6 +3,7 @@
 #include "base/files/mapped_file.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/mesh_format.hpp"
+#include "base/text/plain_text.hpp"
 
 #include <fmt/format.h>
 
@@ -88,7 +89,7 @@ PolygonSoup read_polygons(const std::filesystem::path& file, MeshParts parts)
     const MeshFormat& format = checked_format(file);
     const MappedFile content(file);
     if (content.bytes().empty()) fail_in_mesh(file, "is empty");
-    PolygonSoup soup = format.read({file.string(), content.bytes(), parts});
+    PolygonSoup soup = format.read({file.string(), plain_text(file.string(), content.bytes()), parts});
     if (soup.sizes.empty()) fail_in_mesh(file, fmt::format("has no faces: {}", format.faces));
     return soup;
 }

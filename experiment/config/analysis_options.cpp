@@ -32,7 +32,7 @@ void check_region_keys(const Keys& keys, int dimension, bool is_any_in_region)
         if (!has_region && !is_any_in_region && keys.is_given(key)) throw keys.invalid(key, "needs region");
     for (const char* key : {"window", "tiles", "zone_plate"})
         if ((has_region || is_any_in_region) && keys.is_given(key))
-            throw keys.invalid(key, "cannot be combined with region: it is about sets in a square");
+            throw keys.invalid(key, "cannot be combined with region: it is for sets in a square");
     if (has_region) check_is_planar(keys, dimension);
     if (keys.is_given("density_from") && !keys.is_given("density")) throw keys.invalid("density_from", "needs density");
 }
@@ -108,7 +108,7 @@ void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)
     keys.flag(
         "keep_spectrum", o.keep_spectrum,
         fmt::format("whether spectra of more than {} frequencies along an axis are stored whole, not as means over "
-                    "blocks, in 2D",
+                    "blocks, in 2D; those of a given spectrum_size are",
                     largest_stored_spectrum));
     keys.flag("volume", o.volume, "whether the whole spectrum is stored, in 3D");
 }

@@ -38,12 +38,12 @@ struct RegionOptions
     std::uint64_t hash = 0;                       ///< of all corners and weights, for keys of stored work
 };
 
-/// Visits those of [analysis], and reads `measures`; nothing where it has no region. Names of files count from the
-/// folder of the config. Throws InputError with the value's own line; also for keys that cannot be combined with a
-/// region, or not without one: `is_any_in_region` says that methods have regions of their own.
+/// Visits the keys of a region in [analysis], and reads `measures`; returns nothing where it names no region. Relative
+/// file names start at the config's folder. Throws InputError at the value's line, also for keys that need a region, or
+/// that cannot be combined with one. `is_any_in_region` says that methods have regions of their own.
 std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasures& measures, bool is_any_in_region);
 
-/// Visits those of a [[method]]; nothing where it has no region. Throws InputError as well.
+/// Visits the keys of a region in a [[method]]; returns nothing where it names no region. Throws InputError as well.
 std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const RegionMeasures& measures);
 
 /// The square of sets that are not periodic, as a region.

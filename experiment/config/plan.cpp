@@ -1,6 +1,7 @@
 #include "experiment/config/plan.hpp"
 
 #include "host/sampling/optimized/ordered_sampler.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 
@@ -78,8 +79,8 @@ void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& par
 {
     if (sampler.has_own_points)
         throw invalid_value(points.location, "points", points.shown,
-                            fmt::format("cannot be combined with the sampler \"{}\", whose sets are as large as they "
-                                        "are; leave it out",
+                            fmt::format("cannot be combined with the sampler \"{}\", whose sets have their own "
+                                        "number of points; leave it out",
                                         sampler.name));
     for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
         check_points_can_be_asked(*start.spec, start.parameters, points);
@@ -130,10 +131,9 @@ void check_box(const Config& config, const MethodConfig& method)
 /// The name of a series' folder. Commands have the label that a user gives them: their programs are often the same.
 std::string series_name(const MethodConfig& method, const Combination& chosen)
 {
-    const bool has_label = method.sampler->name == "command" && !method.label.empty();
-    const std::string name =
-        has_label ? series_label(method, chosen) : name_of(*method.sampler, method.settings, chosen);
-    return safe_name(name).substr(0, longest_name);
+    if (method.sampler->name == "command" && !method.label.empty())
+        return series_folder_name(series_label(method, chosen));
+    return safe_name(name_of(*method.sampler, method.settings, chosen)).substr(0, longest_name);
 }
 
 SeriesPlan make_series(const Config& config, std::size_t method_index, const Combination& chosen)
@@ -154,9 +154,11 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
     if (is_ordered(series.parameters)) {
         if (series.region)
-            throw series.parameters.error("order", "cannot be combined with a region: the order is of a torus");
+            throw series.parameters.error("order",
+                                          "cannot be combined with a region: the order is for points on the torus");
         if (!config.analysis.box_sides.empty())
-            throw series.parameters.error("order", "cannot be combined with box: the order is of the unit torus");
+            throw series.parameters.error("order",
+                                          "cannot be combined with box: the order is for points on the unit torus");
         series.ordered = std::make_shared<const SamplerSpec>(in_progressive_order(sampler));
         series.sampler = series.ordered.get();
     }
@@ -212,6 +214,14 @@ std::vector<MethodGrid> method_grids(const Config& config)
         grids.push_back(std::move(grid));
     }
     return grids;
+}
+
+std::string series_folder_name(const std::string& label)
+{
+    const std::string name = safe_name(label).substr(0, longest_name);
+    const bool is_taken =
+        name == "site" || name == file_names::results || name == file_names::collection || name.ends_with(".html");
+    return is_taken ? "points-" + name : name;
 }
 
 std::string safe_name(const std::string& text)

@@ -40,4 +40,7 @@ std::vector<MethodGrid> method_grids(const Config& config);
 /// never starting with a dot.
 std::string safe_name(const std::string& text);
 
+/// The folder of a series that is named after its label: never one of the output folder's own files and folders.
+std::string series_folder_name(const std::string& label);
+
 }

@@ -58,8 +58,9 @@ std::vector<std::string> AnalysisUnit::write_spectrum_files(UnitStore& store, co
 {
     std::vector<std::string> files = {file_names::spectrum, file_names::radial};
     const Spectrum spectrum = series_.mean_spectrum();
-    const int block =
-        spectrum.dimension == 2 && !options_.keep_spectrum ? block_for(spectrum.size, largest_stored_spectrum) : 1;
+    // Sizes that nobody asked for are of sets of many points, and eighths of powers of two: so are their means.
+    const bool has_means = spectrum.dimension == 2 && !options_.keep_spectrum && options_.spectrum_size == 0;
+    const int block = has_means ? block_for(spectrum.size, largest_stored_spectrum) : 1;
     write_spectrum(store.file(key, file_names::spectrum), block > 1 ? block_means(spectrum, block) : spectrum,
                    metadata);
     if (options_.volume) {

@@ -87,8 +87,8 @@ double Progress::Pace::seconds_each() const
     return (seconds - first_seconds) / static_cast<double>(count - first_count);
 }
 
-/// Seconds left, assuming that remaining realizations take as long to make as those made, and as long to analyse as
-/// those analysed; where nothing is known of one, as long as the other.
+/// Seconds left, if each remaining realization takes as long to make and to analyse as those that are done. While only
+/// one of the two times is known, it stands for both.
 double Progress::seconds_left() const
 {
     const double make = made_.count > 0 ? made_.seconds_each() : analysed_.seconds_each();
@@ -117,9 +117,10 @@ void Progress::analysed() { advance(0, 1, elapsed()); }
 
 void Progress::elsewhere(std::uint64_t made, std::uint64_t analysed) { advance(made, analysed, elapsed()); }
 
-/// Counts what is done, and the time since the last call, of which at most `most_seconds` were spent on this.
+/// Adds what is done since the last call, and the time that it took: at most `most_seconds` of the time since then.
 void Progress::advance(std::uint64_t made, std::uint64_t analysed, double most_seconds)
 {
+    if (made + analysed == 0) return;
     const auto now = clock_();
     const double since = std::chrono::duration<double>(now - std::exchange(advanced_, now)).count();
     made = std::min(made, totals_.to_make - made_.count);

@@ -68,8 +68,8 @@ public:
     void report(const std::string& path);
 
 private:
-    /// How long work of one sort takes. What happens once, such as building kernels and planning transforms, is in the
-    /// time of what is done first, which counts only as long as nothing else is done.
+    /// How long one sort of work takes. The first count also has the time of what happens once, such as building
+    /// kernels and planning transforms; it is left out as soon as there are others.
     struct Pace
     {
         void add(double time, std::uint64_t more);

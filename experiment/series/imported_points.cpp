@@ -82,14 +82,6 @@ void check_count(std::size_t sets, const std::string& place)
         throw InputError(fmt::format("{}: there are more than {} realizations", place, max_realizations));
 }
 
-/// A folder name that is not one of the output folder's files.
-std::string series_folder_name(const std::string& label)
-{
-    const std::string name = safe_name(label).substr(0, 100);
-    const bool is_taken = name == "site" || name == file_names::results || name.ends_with(".html");
-    return is_taken ? "points-" + name : name;
-}
-
 /// The experiment of sets that were checked, without what makes them. `paths` are the files that they come from.
 Experiment experiment_of(const SetShape& shape, std::size_t sets, const std::string& label,
                          const std::vector<std::string>& paths)

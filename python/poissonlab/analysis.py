@@ -346,8 +346,8 @@ def to_unit(points, ranges, name):
 
 
 def without_rounding(item, ranges, name):
-    """The set of an argument. A few coordinates of float32 that rounding has put on the ends of a domain lie at its begin,
-    as those of files do: 0.99999999 becomes 1."""
+    """The points of an argument. A few float32 coordinates that rounding has moved to the end of a domain (0.99999999
+    becomes 1) are moved to its beginning, as in files."""
     given = numpy.asarray(item)
     points = numpy.asarray(given, dtype=float)
     ranges = numpy.asarray(ranges or [(0, 1)], dtype=float)
@@ -357,8 +357,8 @@ def without_rounding(item, ranges, name):
     reach = numpy.finfo(given.dtype).eps / 2 * numpy.maximum(abs(low), abs(high))
     rounded = ((points >= high) & (points <= high + reach)) | ((points < low) & (points >= low - reach))
     if 0 < rounded.sum() <= max(3, points.size // 10000):
-        warnings.warn(f"{name}: {rounded.sum()} of {points.size} coordinates lie on the end of the domain by rounding: taken "
-                      "as its begin, as on the torus", stacklevel=4)
+        warnings.warn(f"{name}: {rounded.sum()} of {points.size} coordinates were rounded to the end of the domain; "
+                      "they count as its beginning, as on a torus", stacklevel=4)
         return numpy.where(rounded, low, points)
     return points
 
@@ -422,7 +422,8 @@ def analyze(points: Points, *, label: str = "points", domain: Domain | None = No
     if options.get("region") is not None:
         for name, value in (("domain", domain), ("box", box)):
             if value is not None:
-                raise _poissonlab.InputError(f"analyze: {name}: cannot be combined with region, whose units points are in")
+                raise _poissonlab.InputError(f"analyze: {name}: cannot be combined with region: points are then in the "
+                                             "region's units")
         domain = [(-numpy.inf, numpy.inf)]  # as they are
     if box is not None:
         if domain is not None:

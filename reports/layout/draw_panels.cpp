@@ -87,8 +87,8 @@ Drawing draw_close_ups(const std::vector<Spectrum>& planes)
 /// The whole number of pixels for a small image's pixel.
 int magnification(int size) { return std::max(1, density_pixels / size); }
 
-/// Means over blocks of b x b frequencies are those of a torus of side 1 / b with as many points to an area, whose
-/// frequencies are b apart.
+/// A spectrum of means over blocks of b x b frequencies, which are b apart, is drawn as that of a torus with sides of 1
+/// / b and the same density of points.
 GreyImage draw_autocorrelation(Spectrum spectrum, int block)
 {
     spectrum.points /= static_cast<std::size_t>(block) * static_cast<std::size_t>(block);

@@ -26,12 +26,12 @@ std::string line_style(std::size_t index)
     return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index), dashes.empty() ? "1" : "(" + dashes + ")");
 }
 
-/// The step between ticks of a linear axis, 1, 2 or 5 times a power of ten, at which numbers of four digits and more do
-/// not run into each other. 0: gnuplot chooses, whose steps suit shorter ones.
+/// The step between ticks of a linear axis, 1, 2 or 5 times a power of ten, at which numbers of four digits or more do
+/// not overlap. 0 leaves the choice to gnuplot, whose steps suit shorter numbers.
 double step_for_long_numbers(const PlotAxis& axis)
 {
     if (axis.logarithmic || axis.step > 0 || !(axis.high >= 1000)) return axis.step;
-    constexpr double characters = 46; // that an axis has room for
+    constexpr double characters = 46; // an axis is this many characters long
     const double digits = std::floor(std::log10(axis.high)) + 1;
     const double least = (axis.high - axis.low) * (digits + 2) / characters;
     const double power = std::pow(10.0, std::floor(std::log10(least)));

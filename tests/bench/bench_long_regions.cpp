@@ -1,8 +1,7 @@
-// Time by area and points: methods and analyses in corridors that are 10,000 times longer than wide, straight and
-// slanting, beside a square of the same area with as many points; analyses of periodic boxes beside squares and cubes.
-//
-// With 20,000 points the corridors are 1.4 mean spacings wide, with 100,000 they are 3.2: most points are at the
-// boundary. Kernels are built before, and what commands read, draw and write is left out.
+// Times of methods and analyses in straight and slanting corridors, 10,000 times as long as wide, compared with a
+// square of the same area and number of points; and of analyses of periodic boxes, compared with squares and cubes. The
+// corridors are 1.4 mean spacings wide with 20,000 points and 3.2 with 100,000, so that most points are near the
+// boundary. Times leave out the building of kernels, reading, drawing and writing.
 #include "base/regions/region_text.hpp"
 #include "experiment/measuring/series_analysis.hpp"
 #include "host/distribution/regions/region_points.hpp"
@@ -79,8 +78,8 @@ void analyse_region(benchmark::State& state, const std::string& shape, std::size
     for (auto _ : state) analyse(options, darts.points);
 }
 
-/// Random points in a box whose first side is so many times as long as the others. Squares and cubes are measured in
-/// more ways: in their place stand boxes that are nearly theirs.
+/// Random points in a box whose first side is so many times as long as the others. Squares and cubes have additional
+/// measures, so boxes that are nearly square or cubic stand in for them.
 void analyse_box(benchmark::State& state, int dimension, int factor)
 {
     std::mt19937 random(1);
@@ -113,7 +112,7 @@ void add_shapes(std::vector<Ratio>& ratios, const std::string& what, const Body&
             add(name(shape), [=](benchmark::State& state) { body(state, shape, points); });
             if (shape == "square") continue;
             ratios.push_back(
-                {fmt::format("{}, {} points: a square, part of the time of a {} corridor", what, points, shape),
+                {fmt::format("{}, {} points: time in a square over time in a {} corridor", what, points, shape),
                  name("square") + "/", name(shape) + "/", 1.0 / 2});
         }
     }

@@ -217,14 +217,14 @@ class Analyses(FolderTest):
         numpy.save(self.folder / "set.npy", points)
         self.assert_same_bytes(pl.read_points(self.folder / "set.npy", (-1e9, 0))[0], expected)
 
-    def test_take_the_end_of_a_domain_for_its_begin_where_rounding_put_it_there(self):
+    def test_move_coordinates_rounded_to_the_end_of_a_domain_to_its_beginning(self):
         points = sets_of(1, 40)[0].astype(numpy.float32)
         points[7, 1] = 0.99999999
         right = points.copy()
         right[7, 1] = 0
-        with self.assertWarnsRegex(UserWarning, "1 of 80 coordinates lie on the end of the domain by rounding"):
+        with self.assertWarnsRegex(UserWarning, "1 of 80 coordinates were rounded to the end of the domain"):
             self.assert_same_bytes(pl.analyze(points).radial.power, pl.analyze(right).radial.power)
-        with self.assertWarnsRegex(UserWarning, "by rounding"):
+        with self.assertWarnsRegex(UserWarning, "were rounded to the end"):
             of_domain = pl.analyze(points * 3, domain=3)
         numpy.testing.assert_allclose(of_domain.min_distance, pl.analyze(right).min_distance, rtol=1e-5)
         grid = numpy.stack(numpy.meshgrid(*[numpy.linspace(0, 1, 6)] * 2), axis=-1).reshape(-1, 2).astype(numpy.float32)

@@ -80,7 +80,7 @@ class Wheels(FolderTest):
         self.assert_same_bytes(numpy.load(self.folder / "tiles.npy"), pl.TileSet(TILE_SET).window(-3, 5, 4, 2, seed=9))
 
     @unittest.skipUnless(shutil.which("patchelf"), "needs patchelf")
-    def test_with_libraries_take_nothing_from_the_machine_but_its_c_library(self):
+    def test_with_libraries_load_only_system_libraries_from_outside_the_wheel(self):
         done = self.build(pathlib.Path(PROGRAM).parent, POISSONLAB_LIBRARIES="1")
         self.assertEqual(done.returncode, 0, done.stderr)
         (wheel,) = self.folder.glob("*.whl")

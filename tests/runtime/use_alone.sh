@@ -77,7 +77,7 @@ END
 "$3" -std=c++11 -Wall -Wextra -Werror -pedantic ranges.cpp -o ranges
 [ "$(./ranges)" = "$quarter $least $squared" ]
 
-# Windows is tried where a compiler for it is there, and where Wine is, the programs print there what they print here.
+# With a compiler for Windows the programs are compiled; with Wine they must also print the same as here.
 windows=${WINDOWS_COMPILER_PREFIX:-x86_64-w64-mingw32}
 if command -v "$windows-gcc" "$windows-g++" >/dev/null; then
   "$windows-gcc" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines.exe

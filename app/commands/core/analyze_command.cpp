@@ -142,13 +142,13 @@ std::string quoted(const std::string& text) { return nlohmann::json(text).dump()
 
 void check_printable(const AnalyzeOptions& options)
 {
-    for (const std::string& typed : {options.files.front().string(), options.label, options.channel, options.region})
+    for (const std::string& typed : {options.files.front().string(), options.label, options.channel})
         if (printable(typed) != typed)
             throw InputError(fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8",
                                          printable(typed)));
 }
 
-/// Measures a file by the kind of work that does so; `keys` are those of its table.
+/// Measures a file by one kind of work; `keys` are the entries of that kind's table.
 void analyze_by_kind(const AnalyzeOptions& options, const std::string& keys)
 {
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
@@ -168,7 +168,7 @@ void analyze_mask(const AnalyzeOptions& options)
     if (options.files.size() > 1) throw InputError(fmt::format("analyze: {}: a picture is measured alone", name));
     const bool has_others = !options.domain.empty() || options.particles != no_type || !options.region.empty() ||
                             !options.periodic.empty() || !options.overrides.empty() || options.gallery ||
-                            options.in_pieces;
+                            options.in_pieces || options.along;
     if (has_others)
         throw InputError(fmt::format("analyze: {}: is a picture, which is measured as a mask of thresholds: --out, "
                                      "--label, --channel, --threads and --quiet can be given with it",
@@ -179,7 +179,7 @@ void analyze_mask(const AnalyzeOptions& options)
     analyze_by_kind(options, keys);
 }
 
-/// Measures points on the lines of a region. Relative paths are those from where the command was typed.
+/// Measures points on the lines of a region. Relative paths start at the current folder.
 void analyze_line_set(const AnalyzeOptions& options)
 {
     if (options.region.empty()) throw InputError("analyze: --along needs --region");
@@ -214,7 +214,7 @@ void analyze(const AnalyzeOptions& options)
     ConfigTable entries = region_entry(options.region);
     const auto region = overridden_region(options.overrides, entries);
     if (region && domain)
-        throw InputError("analyze: --domain cannot be combined with --region, whose units points are in");
+        throw InputError("analyze: --domain cannot be combined with --region: points are then in the region's units");
     if (region && options.in_pieces) throw InputError("analyze: --in-pieces cannot be combined with --region");
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
@@ -263,7 +263,7 @@ Command analyze_command(const std::string& typed)
               "The region of the plane that points lie in, whose units they have: a file of GeoJSON or WKT, rectangle "
               "X0 Y0 X1 Y1, disk X Y RADIUS",
               "REGION"},
-             {"--along", &o->along, "Points lie on the lines and outlines of the region, and are measured along these"},
+             {"--along", &o->along, "Measure the points along the lines and outlines of the region"},
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "

@@ -264,7 +264,7 @@ void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& me
     const bool has_own_points = asked.parameters.sampler("start").spec->has_own_points;
     if (has_own_points && asked.points)
         throw keys.invalid("points",
-                           "cannot be combined with a start whose sets are as large as they are; leave it out");
+                           "cannot be combined with a start whose sets have their own number of points; leave it out");
     if (!has_own_points && !asked.points) throw keys.problem("needs " + keys.name_of("points"));
     keys.check([&] { check_methods(asked, method); });
 }

@@ -179,7 +179,7 @@ void check_export(const TextureExportOptions& o)
         throw InputError(
             fmt::format("texture export: --relief {}: must be a number greater than 0 and at most 10000", o.relief));
     if (!std::isnan(o.relief) && o.normals.empty())
-        throw InputError("texture export: --relief: needs --normals, whose heights it is for");
+        throw InputError("texture export: --relief: needs --normals: it sets the height that the normals are for");
     check_output_folder(o.out, "texture export: ");
     const bool has_page = o.formats.empty() || std::ranges::find(o.formats, "page") != o.formats.end();
     if (has_page) check_own_page(o.out / page_name);

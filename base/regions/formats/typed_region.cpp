@@ -105,8 +105,9 @@ const char* const no_region =
 TypedRegion::TypedRegion(const std::string& text, bool is_along)
 {
     std::error_code unknown;
-    const bool is_file =
-        !is_region_text(text) && (text.size() <= longest_absent_name || std::filesystem::exists(text, unknown));
+    const bool may_be_name =
+        text.size() <= longest_absent_name || (text.find('/') != text.npos && text.find_first_of("({\n") == text.npos);
+    const bool is_file = !is_region_text(text) && (may_be_name || std::filesystem::exists(text, unknown));
     name = is_file ? printable(text) : shortened(printable(text), 40);
     if (is_file && has_drawing_name(text)) {
         kind = TypedKind::shape;

@@ -62,9 +62,10 @@ std::optional<MapSystem> source_system(const TypedRegion& typed, const RegionRea
     const RegionBox box = box_of_all(typed.shapes.shapes);
     const RegionBox turned{{box.low[1], box.low[0]}, {box.high[1], box.high[0]}};
     if (!fits_globe(box) && fits_globe(turned) && is_far_away(box))
-        throw InputError(fmt::format("{}: coordinates from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) look like latitude and "
-                                     "longitude: longitude must come first, or planar say that they are lengths",
-                                     typed.name, box.low[0], box.low[1], box.high[0], box.high[1]));
+        throw InputError(
+            fmt::format("{}: coordinates from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) look like latitude and "
+                        "longitude: longitude must come first; if they are lengths, give --planar (planar = true)",
+                        typed.name, box.low[0], box.low[1], box.high[0], box.high[1]));
     if (fits_globe(box) && is_far_away(box)) refuse_degrees(box, typed.name, "it is small and far from 0");
     return {};
 }

@@ -164,7 +164,7 @@ std::string plot_words(const Plot& plot)
         words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
                              plot.widest_hole);
     if (plot.narrow > 0)
-        words += fmt::format("; the pen is wider than {} {}, which become too dark: a thinner pen or fewer dots fit",
+        words += fmt::format("; the pen is wider than {} {}, which become too dark: use a thinner pen or fewer dots",
                              plot.narrow, noun(plot.narrow, "mark"));
     return words;
 }

@@ -26,7 +26,7 @@ struct Plot
     double way = 0;         ///< between marks
     double way_as_made = 0; ///< the same in the sampler's order
     double widest_hole = 0; ///< that the pen leaves in a dot
-    std::size_t narrow = 0; ///< marks that the pen is wider than
+    std::size_t narrow = 0; ///< how many marks are narrower than the pen
 };
 
 /// The plot of marks in a picture of this size in pixels, y upwards. Throws Interrupted.

@@ -16,10 +16,11 @@
 namespace poissonlab {
 namespace {
 
-/// Points may be off their lines by this part of the longest side of the box around them, because files round.
+/// Points may be off the lines by this part of the longest side of the lines' box, because files hold rounded
+/// coordinates.
 constexpr double off_lines = 1e-6;
 
-/// The edges of lines, by the squares of a grid that they come near to.
+/// The edges of lines, listed by the cells of a grid near which they pass.
 class EdgesByPlace
 {
 public:
@@ -43,10 +44,11 @@ public:
         }
     }
 
-    /// The nearest place on a line; infinitely far off where none is near.
+    /// The nearest place on a line; `off` is infinite where no line is near.
     OnLine nearest(const std::array<double, 2>& p) const
     {
         OnLine nearest;
+        if (!(std::max(std::abs(p[0]), std::abs(p[1])) < cell_ * 0x1p62)) return nearest; // no cell has such a number
         const auto found = cells_.find(cell_of(p));
         if (found == cells_.end()) return nearest;
         for (const std::size_t i : found->second) {
@@ -55,7 +57,9 @@ public:
             const double x = p[0] - edge.from[0], y = p[1] - edge.from[1];
             const double part = length > 0 ? std::clamp((x * dx + y * dy) / (length * length), 0.0, 1.0) : 0;
             const double off = std::hypot(x - part * dx, y - part * dy);
-            if (off < nearest.off) nearest = {off, edge.line, edge.along + part * length};
+            // Rounding must not choose between lines that share an edge: the first one has all of its points.
+            const double slack = edge.line == nearest.line ? 0 : off_;
+            if (off < nearest.off - slack) nearest = {off, edge.line, edge.along + part * length};
         }
         return nearest;
     }
@@ -79,7 +83,7 @@ private:
                 static_cast<std::int64_t>(std::floor(p[1] / cell_))};
     }
 
-    /// Lists an edge in the cells around places of it, half a cell from each other at most.
+    /// Lists an edge in all cells near it, by steps of at most half a cell along the edge.
     void list(std::size_t number)
     {
         const Edge& edge = edges_[number];

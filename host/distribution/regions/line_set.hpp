@@ -1,8 +1,8 @@
-// This measures points on lines of the plane, wherever they come from: along roads, shores and fences, and on outlines.
+// Measures points on lines of the plane, made here or elsewhere: along roads, shores, fences and outlines.
 //
-// Distances of nearest points are straight through the plane. Gaps are along a line, between neighbours on it: those of
-// random points are independent and exponential, those of points at equal steps are all the same. K functions along
-// networks of lines (Ang, Baddeley and Nair 2012) need ways through their crossings and are not measured.
+// Nearest-neighbour distances are straight through the plane. Gaps are between neighbours along a line: those of random
+// points are independent and exponential, those of points at equal steps are all equal. K functions along networks of
+// lines (Ang, Baddeley and Nair 2012) need distances through crossings and are not measured.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -27,14 +27,15 @@ struct LineSetSettings
 struct LineSet
 {
     std::size_t lines = 0;
-    double length = 0;          ///< of all lines, in units of the region
-    double least = 0;           ///< distance of two points
-    double mean_nearest = 0;    ///< distance of points from their nearest ones
-    std::vector<double> gaps{}; ///< along lines, in rising order; around closed ones as well, if they have a point
+    double length = 0;       ///< of all lines, in units of the region
+    double least = 0;        ///< the least distance of two points
+    double mean_nearest = 0; ///< the mean nearest-neighbour distance
+    /// along lines, in rising order; closed lines that have a point add the gap around their end
+    std::vector<double> gaps{};
 };
 
-/// Measures two points or more, in the region's plane. They may be off their lines by a millionth of the longest side
-/// of the box around these. Throws InputError, with the number of those that are farther away, and the first of them.
+/// Measures at least two points, in the region's plane. They may be off the lines by a millionth of the longest side of
+/// the lines' box. Throws InputError that says how many points are farther away, and which is the first.
 LineSet measure_line_set(const PlaneRegion& region, const PointSet& points);
 
 /// Returns kind = "line-set", which measures a file of points.

@@ -328,7 +328,7 @@ DistributionNumber relative_radius_number(const RegionDarts& darts, const Region
     const std::size_t count = darts.points.size();
     if (size.dimension == 1)
         return {"relative_radius", "Relative radius", least * static_cast<double>(count) / size.size,
-                "least distance over the length of the lines that each point has"};
+                "least distance over the length of the lines for each point"};
     return {"relative_radius", "Relative radius",
             least / (max_min_distance(count, size.dimension) * std::pow(size.size, 1.0 / size.dimension)),
             fmt::format("least distance over that of the densest packing of as many points in the region's "

@@ -28,9 +28,11 @@ PointSet line_set_points(const LineSetSettings& s, const PlaneRegion& region)
     how.domain = any_coordinates;
     std::vector<PointSet> sets = read_points(s.set, how);
     const std::string name = s.set.string();
-    if (sets.size() != 1) throw InputError(fmt::format("{}: has {} sets; one is measured on lines", name, sets.size()));
+    if (sets.size() != 1)
+        throw InputError(
+            fmt::format("{}: has {} sets; points on lines are measured one set at a time", name, sets.size()));
     if (sets.front().dimension != 2) throw InputError(name + ": points in space are not on lines of the plane");
-    if (sets.front().size() < 2) throw InputError(name + ": has one point; two or more have distances");
+    if (sets.front().size() < 2) throw InputError(name + ": has one point; distances need at least two");
     return as_in_plane(region, std::move(sets.front()));
 }
 
@@ -63,7 +65,7 @@ std::string line_set_label(const LineSetSettings& s)
     return fmt::format("{} along {}", s.set.stem().string(), name_of_input(s.region));
 }
 
-/// How many gaps are at least so long, beside the exponential of random points.
+/// The part of gaps that are at least so long, beside the exponential law of random points.
 MarkPicture gap_curves(const std::vector<double>& gaps, double mean)
 {
     MarkCurve found{"points", "#2c728e", {}}, random{"random points", "#8a8f98", {}};
@@ -72,7 +74,8 @@ MarkPicture gap_curves(const std::vector<double>& gaps, double mean)
     for (std::size_t i = 0; i < gaps.size(); i += step)
         found.places.push_back({gaps[i] / mean, 1 - static_cast<double>(i) / static_cast<double>(gaps.size())});
     for (double x = 0; x <= most; x += most / 200) random.places.push_back({x, std::exp(-x)});
-    return curve_marks({"gap / mean gap", 0, most, 1}, {"part of gaps that are longer", 0, 1, 0.2}, 0, {random, found});
+    return curve_marks({"gap / mean gap", 0, most, 1}, {"part of gaps at least as long", 0, 1, 0.2}, 0,
+                       {random, found});
 }
 
 DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set)
@@ -87,9 +90,9 @@ DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set)
         {"nearest_ratio", "Mean nearest distance over random", 2 * set.mean_nearest / each,
          "random points on one straight line have 1, points at equal steps 2; where lines cross or bend, less"},
         {"relative_radius", "Relative radius", set.least / each,
-         "least distance over the length of the lines that each point has"},
+         "least distance over the length of the lines for each point"},
         {"jamming_share", "Share of jamming", set.least / each / renyi_jamming,
-         "relative radius over that of darts until no further one fits on a long straight line, 0.7476"}};
+         "relative radius over 0.7476, that of darts on a long straight line on which no further one fits"}};
     if (set.gaps.empty()) return numbers;
     const auto count = static_cast<double>(set.gaps.size());
     const double mean = std::accumulate(set.gaps.begin(), set.gaps.end(), 0.0) / count;
@@ -120,8 +123,8 @@ DistributionResult measure_lines(const LineSetSettings& settings, std::uint64_t 
     const double mean = std::accumulate(set.gaps.begin(), set.gaps.end(), 0.0) / static_cast<double>(set.gaps.size());
     if (mean > 0)
         files.add_marks("gaps.json", gap_curves(set.gaps, mean),
-                        "Gaps between neighbours on a line: the part of them that is longer, beside that of random "
-                        "points.",
+                        "Gaps between neighbours on a line: the part of gaps that are at least as long, and the same "
+                        "for random points.",
                         result);
     return result;
 }
@@ -131,7 +134,7 @@ DistributionResult measure_lines(const LineSetSettings& settings, std::uint64_t 
 Kind line_set_kind()
 {
     return make_kind<LineSetSettings>(
-        {"distribution", "line-set", "", "Points on lines", "Measure points on lines, wherever they come from", false},
+        {"distribution", "line-set", "", "Points on lines", "Measure points on lines, made here or elsewhere", false},
         line_set_keys, line_set_label, measure_lines);
 }
 

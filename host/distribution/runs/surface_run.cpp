@@ -59,7 +59,8 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
     if (s.relative_radius && !s.points) throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     const bool shrinks = s.method == SurfaceMethod::darts && s.points && !s.min_distance && !s.relative_radius;
     if (keys.is_given("factor") && !shrinks)
-        throw keys.invalid("factor", fmt::format("needs {} alone, by darts", keys.name_of("points")));
+        throw keys.invalid("factor", fmt::format("needs darts with {} and neither {} nor {}", keys.name_of("points"),
+                                                 keys.name_of("min_distance"), keys.name_of("relative_radius")));
     if (s.method == SurfaceMethod::elimination)
         for (const char* key : {"min_distance", "relative_radius"})
             if (keys.is_given(key))

@@ -166,8 +166,8 @@ void check_gaussians(const Parameters& parameters, const SampleRequest& request,
     const std::size_t least = least_gaussian_points(parameters.number("sigma"), request.dimension);
     const bool has_levels = parameters.integer("levels") > 0;
     if (has_levels && parameters.sampler("start").spec->has_own_points)
-        throw parameters.error("levels",
-                               "cannot be combined with a start whose sets are as large as they are; leave it out");
+        throw parameters.error(
+            "levels", "cannot be combined with a start whose sets have their own number of points; leave it out");
     const std::size_t points = most_started_points(parameters, start_request(parameters, request));
     if (points >= least) return;
     if (has_levels)

@@ -120,8 +120,8 @@ private:
             list_.colour_starts[c] += list_.colour_starts[c - 1];
     }
 
-    /// Calls what() for each place whose coordinates, from the second one on, are no more than 1 off, and from 0 to
-    /// last.
+    /// Calls what(row) for the row of cells and each row beside it: coordinates from the second one on differ by at
+    /// most 1 and are from 0 to `last`.
     template <typename What>
     static void for_each_row_around(const Coordinates& row, std::int64_t last, const What& what)
     {

@@ -1,5 +1,5 @@
-// Points that lie in a small part of the torus, as those in long regions do: sorted by those cells of a grid alone that
-// have some, for kernels/sample_elimination.cl.
+// Points that lie in a small part of the torus, as in long regions, sorted by grid cells, of which only those that have
+// points are listed: for kernels/sample_elimination.cl.
 //
 // Tiles are blocks of cells, two wide or wider along each axis, and coloured like a chessboard. Cells are sorted by
 // their tile's colour, then by tiles, and in each tile row by row.
@@ -23,8 +23,8 @@ struct ListedCells
     std::vector<std::uint32_t> colour_starts; ///< the first tile of each colour, and the end
 };
 
-/// Lists the cells of points below 1/2 along each axis. Cells are as wide as `reach` or wider, and tiles so wide that
-/// there are no more than `most_tiles`, if any width does that.
+/// Lists the cells of points below 1/2 along each axis. Cells are at least `reach` wide. Tiles are made wider until
+/// there are no more than `most_tiles`, if that is possible.
 ListedCells listed_cells(const PointSet& points, double reach, std::size_t most_tiles);
 
 }

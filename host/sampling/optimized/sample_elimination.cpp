@@ -38,16 +38,16 @@ std::uint32_t elimination_grid(const EliminationReach& reach, std::size_t points
 /// The most tiles along each axis: an even number, so that they are coloured like a chessboard, or one.
 std::uint32_t most_tiles(std::uint32_t grid_size) { return std::max(1u, grid_size / 4 * 2); }
 
-/// Not more tiles along each axis than keep a device busy: points that wait for those of another tile have to be
-/// visited again.
+/// The number of tiles along each axis that keeps a device busy. More tiles would cost time: points that wait for
+/// points of another tile have to be visited again.
 std::uint32_t busy_tiles(int dimension, unsigned compute_units, std::size_t group_size)
 {
     const auto wanted = static_cast<double>(std::max(1u, compute_units) * groups_per_unit * group_size);
     return 2 * static_cast<std::uint32_t>(std::ceil(std::pow(wanted, 1.0 / dimension)));
 }
 
-/// The grid of all cells has no more than some for each point: where points lie in so small a part of the torus that
-/// cells as wide as the reach were more than so many for each, only those are listed that have points.
+/// The grid of all cells has at most this many cells for each point. Where points lie in so small a part of the torus
+/// that cells as wide as the reach would be more, only the cells that have points are listed.
 constexpr double most_cells_a_point = 8;
 
 bool has_listed_cells(std::size_t points, double reach, int dimension)
@@ -185,7 +185,7 @@ public:
     }
 
 private:
-    /// Sorts points by all cells of the torus, for a device that gets so many tiles to do.
+    /// Sorts points by all cells of the torus.
     void sort(const PointSet& points, const EliminationReach& reach)
     {
         grid_.emplace(device_, dimension_, size_, elimination_grid(reach, size_, dimension_), work_group_size_);

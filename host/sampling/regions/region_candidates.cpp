@@ -96,8 +96,7 @@ TorusPoint<D> fixed_position(std::span<const double> point)
 template <typename Region>
 using BoxOf = std::remove_cvref_t<decltype(std::declval<const Region&>().extent())>;
 
-/// The positions that are so near to one along the axes; nothing where some of these are not positions of the region's
-/// grid, unless `is_cut`.
+/// The box of positions within `reach` along each axis; nothing where it leaves the region's grid, unless `is_cut`.
 template <typename Region>
 std::optional<BoxOf<Region>> box_around(const PlaceIn<Region>& position, double reach, bool is_cut)
 {
@@ -111,8 +110,8 @@ std::optional<BoxOf<Region>> box_around(const PlaceIn<Region>& position, double 
     return box;
 }
 
-/// Says which of the places around a position that is inside are inside as well: where a few edges go all through the
-/// box around them, by their sides of these, else one by one.
+/// Tells which places around a position that is inside are inside as well. Where only a few edges cross the box around
+/// them, the sides of these edges decide; otherwise each place is tested in the region.
 class InsideAround
 {
 public:

@@ -47,10 +47,11 @@ public:
     std::span<const std::uint32_t> edge_starts() const { return edge_starts_; }
     std::span<const std::uint32_t> edge_numbers() const { return edge_numbers_; }
 
-    /// MAX_CLIPS words for each listed cell: the numbers of edges that sites' cells are cut beyond, and NO_CLIP.
+    /// MAX_CLIPS words for each listed cell: the numbers of the edges beyond which the Voronoi cells of its sites are
+    /// cut, then NO_CLIP.
     std::span<const std::uint32_t> clips() const { return clips_; }
     std::size_t clip_words() const { return grid_.is_listed != 0 ? cells() * contract::region_lloyd::MAX_CLIPS : 1; }
-    /// Those of the cell of a position that counts from the grid's lowest one.
+    /// The clips of the cell that has this position, which counts from the grid's lowest one.
     std::span<const std::uint32_t> clips_around(const TorusPoint<2>& position) const;
 
 private:
@@ -81,7 +82,7 @@ private:
     std::vector<std::uint8_t> is_filled_; ///< cells that are not outside
     std::vector<std::uint32_t> row_starts_{0}, listed_columns_{0};
     std::vector<std::uint32_t> clips_{contract::region_lloyd::NO_CLIP};
-    double clip_reach_ = 0; ///< half the side of squares around cells that clips are good for
+    double clip_reach_ = 0; ///< clips are valid in the square that reaches this far beyond a grid cell on each side
 };
 
 /// The grid's columns that an edge is in, and a little more, within a row.

@@ -9,13 +9,15 @@
 namespace poissonlab {
 namespace {
 
-/// Cells with more edges around them have none that sites' cells are cut beyond.
+/// Cells with more edges around them get no clips: looking for them would take too long.
 constexpr std::size_t most_edges_for_clips = 32;
+constexpr std::size_t most_entries_for_clips = 4096; ///< of edges in cells
+constexpr std::uint32_t most_rows_for_clips = 256;
 
-/// The cosine of the angle between edges of about one direction.
+/// Two edges count as parallel when the cosine of the angle between them is larger than this.
 constexpr double alike_edges = 0.7;
 
-/// More than rounding moves corners, in positions.
+/// Rounding moves corners by less than this, in positions.
 constexpr double clip_slack = 4;
 
 }
@@ -40,7 +42,7 @@ void SiteGrid::find_clips()
     });
 }
 
-/// Of edges that point in about the same direction, the first one is taken.
+/// Of edges that point in about the same direction, only the first one is used.
 void SiteGrid::find_clips_of(std::uint32_t row, std::size_t cell)
 {
     const double width = 1u << grid_.shift, x = column_of(cell, row) * width, y = row * width;
@@ -49,13 +51,16 @@ void SiteGrid::find_clips_of(std::uint32_t row, std::size_t cell)
     const auto cell_along = [&](double position, std::uint32_t count) {
         return static_cast<std::uint32_t>(std::clamp(std::floor(position / width), 0.0, count - 1.0));
     };
+    const std::uint32_t first_row = cell_along(low[1], grid_.rows), last_row = cell_along(high[1], grid_.rows);
+    if (last_row - first_row > most_rows_for_clips) return;
     std::vector<std::uint32_t> numbers;
-    for (std::uint32_t r = cell_along(low[1], grid_.rows); r <= cell_along(high[1], grid_.rows); ++r) {
+    for (std::uint32_t r = first_row; r <= last_row && numbers.size() <= most_entries_for_clips; ++r) {
         const std::size_t first = number_of_cell(r, cell_along(low[0], grid_.columns));
         const std::size_t end = number_of_cell(r, cell_along(high[0], grid_.columns) + 1);
         numbers.insert(numbers.end(), edge_numbers_.begin() + edge_starts_[first],
                        edge_numbers_.begin() + edge_starts_[end]);
     }
+    if (numbers.size() > most_entries_for_clips) return;
     std::ranges::sort(numbers);
     numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
     if (numbers.size() > most_edges_for_clips) return;
@@ -74,8 +79,8 @@ void SiteGrid::find_clips_of(std::uint32_t row, std::size_t cell)
     }
 }
 
-/// Is all that a box has of the region on the edge's left, or little beyond its line? The box and its edges' parts in
-/// it have corners there.
+/// Is the part of the region in the box on the left of the edge's line, or only a little beyond it? It is enough to
+/// test the corners of the box and the ends of the edges' parts in it.
 bool SiteGrid::ends_region(const FixedEdge& edge, std::span<const FixedEdge> edges, const std::array<double, 2>& low,
                            const std::array<double, 2>& high) const
 {

@@ -222,8 +222,8 @@ private:
     std::vector<std::filesystem::path> inputs_;
 };
 
-/// Refuses keys of a table that `visit` does not describe, but for those of `before` and `after`, which messages list
-/// with them. Done before a table is read, so that a mistyped key is told, and not what is missing without it.
+/// Refuses keys of a table that are neither described by `visit` nor in `before` and `after`, which messages list as
+/// well. This is checked before the table is read, so that a mistyped key is reported as such and not as a missing one.
 void check_described_keys(const ConfigTable& table, const std::function<void(Keys&)>& visit,
                           std::vector<std::string> before = {}, const std::vector<std::string>& after = {});
 

@@ -14,8 +14,9 @@ enum
     FACTOR_UNITS = 16
 };
 
-/// With listed cells a cell has so many runs of points in the cells around it and in itself, as words: the first point
-/// and the end. Three cells that follow each other along x lie in two tiles at most.
+/// With listed cells each cell has this many runs of points, those in the cell itself and in the cells around it. A run
+/// is two words: its first point and its end. There are two for each row, as three cells side by side along x lie in
+/// two tiles at most.
 DERIVED(RUNS, (size_t DIMENSION), DIMENSION == 2 ? 6 : 18)
 
 /// The tiles around a tile, itself among them, or NO_TILE.
@@ -33,8 +34,8 @@ struct Elimination
     double least;        ///< d_min: nearer pairs weigh no more
     uint points;
     uint grid_size; ///< cells along each axis, of at least the reach, or one
-    uint tiles;     ///< along each axis: one, or an even number of tiles that are two cells wide or wider; with listed
-                    ///< cells, the end of those of a colour
+    uint tiles;     ///< along each axis: one, or an even number of tiles at least two cells wide; with listed cells,
+                    ///< the number after the last tile of the colour
     uint stride;    ///< of coordinates
 };
 

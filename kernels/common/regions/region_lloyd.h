@@ -10,9 +10,10 @@ enum
     MAX_LINES = 40 ///< of a cell; the host takes cells that have more while they are cut
 };
 
-/// Listed cells of a grid have so many edges, or NO_CLIP, beyond whose lines nothing of the region is in the square that
-/// sites' cells lie in, or nothing farther than that part of a cell's width. A site's cell is cut there: else cells at
-/// the boundary reach far out of the region, where many sites would have to be looked at.
+/// Each listed cell of a grid has up to MAX_CLIPS edges, and NO_CLIP in the words that are left. In the square that has
+/// the Voronoi cells of its sites, the region reaches at most CLIP_PART of the cell's width beyond the line of such an
+/// edge. Voronoi cells are cut there: otherwise those at the boundary would reach far out of the region, among many
+/// sites.
 enum
 {
     MAX_CLIPS = 4,

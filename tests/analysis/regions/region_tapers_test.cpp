@@ -251,9 +251,9 @@ TEST(LongTapers, AreThoseOfScipy)
         EXPECT_NEAR(tapers.eigenvalue(k), scipy_gradients[k], 1e-6 * scipy_gradients[k]) << k;
 }
 
-/// Along a strip, u is the parabola y (1 - y) / 2, and functions g are cosines. The ends, where u falls to 0, take less
-/// than a width from either side, and so much from their phases; u is off where the grid's cells cross the boundary,
-/// within a diagonal of them.
+/// Along a strip u is the parabola y (1 - y) / 2, and the functions g are cosines. At the ends, where u falls to 0, the
+/// cosines begin less than a width late, which shifts their phases. Where the boundary crosses cells, u is off by at
+/// most what a diagonal of a cell changes.
 void expect_cosines_along(const std::string& text, double angle)
 {
     constexpr double length = 400;
@@ -323,7 +323,8 @@ TEST(LongTapers, OfARoadAreOrthogonalAndCoverIt)
                 }
     for (std::size_t k = 0; k < five; ++k)
         for (std::size_t l = 0; l < five; ++l) EXPECT_NEAR(products[k][l], k == l, 1e-9) << k << ", " << l;
-    // Squares of a parabola across and 1 along cover 0.7 of a strip; one of five tapers is even, others are cosines.
+    // The mean square of a parabola across and 1 along has an effective part of 0.7 of a strip; with cosines it is
+    // smaller.
     EXPECT_GT(1 / fourth, 0.5);
     EXPECT_LT(1 / fourth, 0.7);
 }
@@ -340,7 +341,7 @@ TEST(LongTapers, OfTwoIslandsFarApartCoverBoth)
     EXPECT_NEAR(squares[0] / squares[1], 1, 0.1); // sums over nodes instead of integrals
 }
 
-/// Points without any order have the power 1 - |H|^2 on average, with H next to nothing beyond some 4 / width.
+/// Random points have the power 1 - |H|^2 on average, and H is nearly 0 beyond some 4 / width.
 TEST(LongTapers, GiveRandomPointsThePowerOne)
 {
     const auto region = framed_road();

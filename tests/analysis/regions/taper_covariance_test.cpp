@@ -76,8 +76,8 @@ TEST(RingCovariance, GivesTheErrorsOfLinearStatistics)
     EXPECT_EQ(covariance.error_of(power, [](const auto&) { return 2.0; }), 0);
 }
 
-/// One set's errors are the spread over random sets: of rings with 0.87 to 1 of it, as the powers of few points have to
-/// do with each other a little more than chance says; it is less where there are more of them.
+/// The errors of one set agree with the spread over random sets: in rings they are 0.87 to 1 of it, because the powers
+/// of a few points are slightly more correlated than chance says. With more points the difference is smaller.
 void expect_spread(const std::shared_ptr<const FramedRegion>& region, std::size_t n)
 {
     constexpr std::size_t count = 6, sets = 300;
@@ -117,7 +117,7 @@ TEST(TaperCovariance, IsTheSpreadOfRandomSets)
     expect_spread(std::make_shared<const FramedRegion>(framed("POLYGON ((0 0, 3 0, 3 1, 1 1, 1 3, 0 3, 0 0))")), 200);
 }
 
-/// Transforms of the products of tapers reach further than plain sums, almost 50 along each axis.
+/// In a strip products of tapers reach almost 50 frequencies along each axis, farther than direct sums go.
 TEST(TaperCovariance, IsTheSpreadOfRandomSetsInAStrip)
 {
     expect_spread(std::make_shared<const FramedRegion>(framed("POLYGON ((0 0, 240 320, 239.2 320.6, -0.8 0.6, 0 0))")),

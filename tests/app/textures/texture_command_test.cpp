@@ -95,7 +95,7 @@ TEST_F(TextureCommand, MapsThePlane)
                  "wang: --laid 16: is for sets without a hash, which are laid in scanlines; this is a complete set of "
                  "corner or Wang tiles");
     expect_error("export wang --relief 4 --out e",
-                 "texture export: --relief: needs --normals, whose heights it is for");
+                 "texture export: --relief: needs --normals: it sets the height that the normals are for");
 }
 
 /// Tiles without a hash are laid in a window first: omega, compact and marked ones; the window repeats.

@@ -1,5 +1,5 @@
-// Small files of points by hand, one a habit of those who write files: those of a folder all hold the same three
-// points.
+// Small files of points by hand, one for each way in which programs write them. All files of a folder hold the same
+// three points.
 #include "base/points/point_file.hpp"
 #include "tests/support/places.hpp"
 

@@ -58,11 +58,11 @@ TEST(TextTable, LeavesOutOtherColumnsWithAWord)
     EXPECT_EQ(table(",0,1,2\n0,0.5,0.25,0.375\n1,0.125,0.75,0.625\n"), two_in_space);
 }
 
-TEST(TextTable, TakesNumbersForNamesWhereFractionsFollow)
+TEST(TextTable, ReadsNumbersAsNamesOfColumnsBeforeFractions)
 {
     EXPECT_EQ(table("0,1\n0.5,0.25\n0.125,0.75\n"), two); // pandas, of an array, index=False
     EXPECT_THAT(told_of("0,1\n0.5,0.25\n"),
-                ElementsAre("a.csv: its first line is taken for the names that pandas gives to columns"));
+                ElementsAre("a.csv: the first line is read as the column numbers that pandas writes, not as a point"));
     EXPECT_EQ(table("0,1,2\n0.5,0.25,0.375\n0.125,0.75,0.625\n"), two_in_space);
     EXPECT_EQ(table("# domain 0:8\n0,1\n4,2\n"), (PointSet{2, {0, 0.125, 0.5, 0.25}}));
     EXPECT_EQ(table("# domain 0:8\n0 1\n4.0 2.0\n"), (PointSet{2, {0, 0.125, 0.5, 0.25}}));
@@ -111,7 +111,7 @@ TEST(TextTable, IsReadWhateverItsLinesEndIn)
         }
     EXPECT_THAT(input_error_of("a.csv", "x,y\r0.5,0.25\r0.125,no\r"), HasSubstr("a.csv:3: no: must be a number"));
     EXPECT_THAT(input_error_of("a.csv", std::string_view("\xFF\xFEx\0,\0y\0\n\0", 10)),
-                HasSubstr("is text in UTF-16, as some programs call \"Unicode\": must be saved as UTF-8"));
+                HasSubstr("is in UTF-16, which some programs call \"Unicode\": save it as UTF-8"));
 }
 
 TEST(TextTable, DeclaresItsDomainBeforeItsPointsOnly)

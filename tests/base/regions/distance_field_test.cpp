@@ -84,7 +84,7 @@ TEST(DistanceFields, AreBilinearInWholeNumbersWithBounds)
 
 /// Squares that cover a strip 5,000 times as long as wide: their distances are those of a formula which changes many
 /// times over a 512th of its length, and its integral is known.
-TEST(DistanceFields, FollowLongRegions)
+TEST(DistanceFields, FollowTheFormulaInLongRegions)
 {
     for (const std::string text :
          {"POLYGON ((0 0, 4000 3000, 3999.4 3000.8, -0.6 0.8, 0 0))", "rectangle 0 7 5000 8"}) {

@@ -230,7 +230,7 @@ TEST(FixedRegions, KnowOnWhichSideBoxesLie)
 }
 
 /// Of two positions, an even number of crossing edges' lines goes between them where both are inside or outside.
-TEST(FixedRegions, KnowEdgesThatGoAllThroughBoxes)
+TEST(FixedRegions, FindTheEdgesThatCrossBoxes)
 {
     std::mt19937 random(6);
     std::size_t with_edges = 0;

@@ -1,4 +1,4 @@
-// Small files of regions by hand, one a habit of those who write files, beside their areas.
+// Small files of regions by hand, one for each way in which programs write them, and their areas.
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/regions/region_text.hpp"
@@ -40,8 +40,8 @@ std::vector<RightRegion> right_regions()
     return regions;
 }
 
-/// Edges of the globe are off by 1e-6 of the longest side at most, on four sides of a region that is about as wide as
-/// high.
+/// Edges on the globe are off by at most 1e-6 of the longest side, on each of the four sides of regions that are about
+/// as wide as high.
 TEST(RegionCorpus, HasItsRightAreas)
 {
     for (const RightRegion& right : right_regions()) {
@@ -52,7 +52,7 @@ TEST(RegionCorpus, HasItsRightAreas)
     }
 }
 
-TEST(RegionCorpus, IsKnown)
+TEST(RegionCorpus, HasAnExpectedAreaForEachFile)
 {
     std::set<std::string> known, found;
     for (const RightRegion& right : right_regions()) known.insert(right.file);

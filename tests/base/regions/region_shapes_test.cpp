@@ -49,7 +49,7 @@ TEST(WktShapes, AreCollectionsAndMayBeEmpty)
                 HasSubstr("has no polygon: the region is empty"));
 }
 
-TEST(WktShapes, MayBeSeveral)
+TEST(WktShapes, AreReadWhereAFileHasSeveral)
 {
     const RegionShapes read = wkt("POLYGON ((0 0, 1 0, 0 1, 0 0));\r\nSRID=25832;POINT (1 2)\nSRID=25832;POINT EMPTY");
     EXPECT_THAT(read.shapes.polygons, SizeIs(1));

@@ -89,7 +89,8 @@ TEST(RegionTexts, AreRefusedWhereTheyAreNoRegion)
               "has coordinates of up to 1e+308: must be less than 1e+150"},
              {"POLYGON ((50.8 104.3, 50.9 104.3, 50.9 104.4, 50.8 104.3))", "longitude must come first"},
              {R"({"type": "Polygon", "coordinates": [[[50.8,104.3],[50.9,104.3],[50.9,104.4],[50.8,104.3]]]})",
-              "look like latitude and longitude: longitude must come first, or planar say that they are lengths"},
+              "look like latitude and longitude: longitude must come first; if they are lengths, give --planar (planar "
+              "= true)"},
              {"POLYGON EMPTY", "has no polygon: the region is empty"},
              {"POLYGON (0 0, 1 0)", "is not WKT"},
              {"rectangle 0 0 0 1", "must be rectangle X0 Y0 X1 Y1 with X0 < X1 and Y0 < Y1"},

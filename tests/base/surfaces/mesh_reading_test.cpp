@@ -129,7 +129,7 @@ TEST_F(WrongMeshes, OfObj)
         {"a.obj", obj_triangle + "surf 0 1 0 1 1 2 3\n",
          ":4: surf: only vertices and faces of OBJ are read, no free forms and no other files: store the surface as "
          "polygons"},
-        {"a.obj", "\xff\xfev\0", ": is text in UTF-16, as some programs call \"Unicode\": must be saved as UTF-8"},
+        {"a.obj", "\xff\xfev\0", ": is in UTF-16, which some programs call \"Unicode\": save it as UTF-8"},
     });
 }
 

@@ -134,8 +134,8 @@ TEST(ConfigError, FilesHaveTheirOwnPoints)
     folder.write("a.dat", "0.1 0.2\n");
     const std::string file = folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = \"a.dat\"\npoints = 1\n");
     EXPECT_EQ(message_of([&] { make_plan(read_config(file)); }),
-              file + ":4: points = 1: cannot be combined with the sampler \"file\", whose sets are as large as they "
-                     "are; leave it out");
+              file + ":4: points = 1: cannot be combined with the sampler \"file\", whose sets have their own "
+                     "number of points; leave it out");
 }
 
 TEST(ConfigError, Dimension)

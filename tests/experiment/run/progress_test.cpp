@@ -80,10 +80,10 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
                                                       "tile 3 of 16\n");
 }
 
-TEST(Progress, SecondsLeftAreRightAfterATenth)
+TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
 {
-    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s for what all of them share: 90 s are left after
-    // one.
+    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once. After two, 80 s are
+    // left.
     FakeTime time;
     testing::internal::CaptureStdout();
     {

@@ -90,17 +90,29 @@ TEST(Runner, AveragesPeriodogramsInOrder)
         EXPECT_FLOAT_EQ(static_cast<float>(stored.power[i]), static_cast<float>(expected.power[i]));
 }
 
+/// Points of a square lattice, 1/side apart.
+PointSet lattice(std::size_t side)
+{
+    PointSet points;
+    for (std::size_t i = 0; i < side * side; ++i)
+        for (const std::size_t k : {i % side, i / side})
+            points.coordinates.push_back((static_cast<double>(k) + 0.25) / static_cast<double>(side));
+    return points;
+}
+
+/// The size of the spectrum follows from the number of points: beyond 169,000 it is 4,096.
 TEST(Runner, StoresLargeSpectraAsMeansOverBlocksUnlessAllIsAskedFor)
 {
     const TemporaryFolder folder;
-    Experiment experiment = experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(16, 0); })});
-    experiment.analysis.spectrum_size = 2 * largest_stored_spectrum;
-    const auto stored = [&](bool keep) {
-        experiment.analysis.keep_spectrum = keep;
-        run(experiment, folder.path() / (keep ? "all" : "means"));
-        return read_spectrum_planes(folder.path() / (keep ? "all/s/spectrum.exr" : "means/s/spectrum.exr")).at(0);
+    Experiment experiment = experiment_of({task("s", 1, [](std::uint32_t) { return lattice(420); })});
+    experiment.analysis.distances_only = true;
+    const auto stored = [&](const char* name) {
+        run(experiment, folder.path() / name);
+        return read_spectrum_planes(folder.path() / name / "s/spectrum.exr").at(0);
     };
-    const Spectrum all = stored(true), means = stored(false);
+    const Spectrum means = stored("means");
+    experiment.analysis.keep_spectrum = true;
+    const Spectrum all = stored("all");
     ASSERT_EQ(all.size, 2 * largest_stored_spectrum);
     ASSERT_EQ(means.size, largest_stored_spectrum);
     const int half = largest_stored_spectrum / 2;
@@ -111,6 +123,15 @@ TEST(Runner, StoresLargeSpectraAsMeansOverBlocksUnlessAllIsAskedFor)
                                all.at(2 * x + 1, 2 * y + 1);
             ASSERT_NEAR(means.at(x, y), sum / 4, 1e-6 * sum) << x << ", " << y; // float32
         }
+}
+
+TEST(Runner, StoresASpectrumOfAGivenSizeWhole)
+{
+    const TemporaryFolder folder;
+    Experiment experiment = experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(16, 0); })});
+    experiment.analysis.spectrum_size = largest_stored_spectrum + 2;
+    run(experiment, folder.path());
+    EXPECT_EQ(read_spectrum_planes(folder.path() / "s/spectrum.exr").at(0).size, largest_stored_spectrum + 2);
 }
 
 TEST(Runner, StoresPairCorrelationsOfAllSets)

@@ -23,9 +23,9 @@ LineSet measured(const std::string& lines, const PointSet& points)
     return measure_line_set(read_region(lines, {.is_along = true}), points);
 }
 
-/// Random points on a straight line have gaps and distances of nearest ones in closed form: means L / (n + 1) and
-/// nearly L / (2 n), gaps with a variation of 1.
-TEST(LineSets, OfRandomPointsAreThoseOfChance)
+/// Closed forms for random points on a straight line of length L: a mean gap of L / (n + 1), a mean nearest-neighbour
+/// distance of nearly L / (2 n), and a variation of gaps of 1.
+TEST(LineSets, OfRandomPointsHaveTheirClosedForms)
 {
     constexpr std::size_t count = 20'000;
     std::mt19937 random(1);
@@ -41,13 +41,13 @@ TEST(LineSets, OfRandomPointsAreThoseOfChance)
     const double each = 5000.0 / count, error = 5 / std::sqrt(double{count});
     EXPECT_NEAR(set.mean_nearest, each / 2, each / 2 * error);
     const double sum = std::accumulate(set.gaps.begin(), set.gaps.end(), 0.0);
-    EXPECT_LT(5000 - sum, 20 * each); // less the ends, which are exponential
+    EXPECT_LT(5000 - sum, 20 * each); // the two ends, whose lengths are exponential, are missing
     double longer = 0;
     for (const double gap : set.gaps) longer += gap > 2 * each;
     EXPECT_NEAR(longer / count, std::exp(-2.0), error);
 }
 
-TEST(LineSets, KnowCrossingsClosedLinesAndWhatComesTwice)
+TEST(LineSets, MeasureCrossingsClosedLinesAndRepeatedEdges)
 {
     // Two streets that cross, a square, one of whose edges is there again, and points at known places.
     const std::string lines = "GEOMETRYCOLLECTION (LINESTRING (0 0, 10 0), LINESTRING (5 -5, 5 5), "
@@ -68,8 +68,9 @@ TEST(LineSets, KnowCrossingsClosedLinesAndWhatComesTwice)
     EXPECT_NEAR(set.mean_nearest, nearest, 1e-12);
 }
 
-/// Darts until no further one fits: gaps are from one distance to two, and 0.7476 of the length is in them.
-TEST(LineSets, OfParkedCarsAreRenyis)
+/// Darts until no further one fits: gaps are between one and two distances, and L over the distance times 0.7476 points
+/// fit.
+TEST(LineSets, OfDartsThatLeaveNoRoomAreJammedAsRenyiSays)
 {
     DartSettings settings;
     settings.region = "LINESTRING (0 0, 6000 8000)";

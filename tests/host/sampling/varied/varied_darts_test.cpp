@@ -139,9 +139,9 @@ TEST_P(LongVariedDarts, AreTheSameByKernelsAndKeepTheFormula)
         for (std::size_t j = i + 1; j < points.size() && points[j][0] < points[i][0] + 1; ++j)
             least = std::min(least, gap(points[i], points[j]) / kept(points[i], points[j]));
     EXPECT_GE(least, 1);
-    EXPECT_LT(least, 1.01); // a table that is off shows here
+    EXPECT_LT(least, 1.01); // fails if the table of distances is wrong
     if (!darts.is_full) return;
-    // All along the middle, places have a point near them: distances of the table are raised by 1e-3 at most.
+    // Every place on the middle line has a point near it; the table's distances are at most 1e-3 above the formula.
     for (std::array<double, 2> on{-0.3, 0.4}; on[0] < 2399.7; on[0] += 0.04, on[1] += 0.03) {
         bool is_near = false;
         for (auto point = std::ranges::lower_bound(points, std::array{on[0] - 1, 0.0});
