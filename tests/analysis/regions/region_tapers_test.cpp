@@ -341,6 +341,24 @@ TEST(LongTapers, OfTwoIslandsFarApartCoverBoth)
     EXPECT_NEAR(squares[0] / squares[1], 1, 0.1); // sums over nodes instead of integrals
 }
 
+TEST(LongTapers, AreRefusedWhereTheyWouldLeaveIslandsOut)
+{
+    const auto region =
+        framed_text("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((900 800, 901 800, 900 801, 900 800)), "
+                    "((0 500, 1 500, 1 501, 0 501, 0 500)))");
+    try {
+        const RegionTapers tapers(*region, 2);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "the region has 3 parts that are apart from each other: tapers must be at least as "
+                                   "many, not 2");
+    }
+    EXPECT_EQ(RegionTapers(*region, 3).count(), 3U);
+    const auto far = framed_text("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((9e6 9e6, 9000001 9e6, 9e6 9000001, "
+                                 "9e6 9e6)))");
+    EXPECT_THROW(RegionTapers(*far, 2), InputError);
+}
+
 /// Random points have the power 1 - |H|^2 on average, and H is nearly 0 beyond some 4 / width.
 TEST(LongTapers, GiveRandomPointsThePowerOne)
 {

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -264,6 +265,21 @@ TEST(FixedRegions, FindTheEdgesThatCrossBoxes)
         }
     }
     EXPECT_GT(with_edges, 500U);
+}
+
+/// A gap below a position makes one edge of two, of which parity would count one.
+TEST(FixedRegions, FindNoCrossingsWhereEdgesCoincide)
+{
+    std::vector<FixedEdge> edges;
+    const FixedBox around{{(1u << 30) - 10, 100}, {(1u << 30) + 10, 120}};
+    const auto squares = [](const char* gap) {
+        return FixedRegion(
+            read_region(fmt::format("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), (({0} 0, 2 0, 2 1, {0} 1, "
+                                    "{0} 0)))",
+                                    gap)));
+    };
+    EXPECT_FALSE(squares("1.0000000001").find_crossing(around, edges));
+    EXPECT_TRUE(squares("1.1").find_crossing(around, edges));
 }
 
 TEST(FixedRegions, GiveTheirOwnCoordinatesBack)

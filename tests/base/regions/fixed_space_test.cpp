@@ -196,6 +196,8 @@ TEST(FixedSpaces, AreRefusedWhereThereAreNone)
     EXPECT_FALSE(is_space_region_text("ball.geojson"));
     EXPECT_FALSE(is_space_region_text("ball park.geojson"));
     EXPECT_FALSE(is_region_text("solid rock.wkt"));
+    EXPECT_FALSE(is_region_text("triangle (1).svg"));
+    EXPECT_TRUE(is_region_text("triangle ((0 0, 1 0, 0 1, 0 0))\n"));
     EXPECT_TRUE(is_space_region_text(" ball -.5 0"));
     EXPECT_FALSE(is_space_region_text("rectangle 0 0 1 1"));
 }

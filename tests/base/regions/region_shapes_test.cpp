@@ -92,6 +92,21 @@ TEST(GeoJsonSequences, AreLayers)
     EXPECT_THAT(shapes_of_geojson("\x1e" + square, "g").shapes.polygons, SizeIs(1));
     EXPECT_THAT(message_of([&] { shapes_of_geojson(square + "\n" + point + "\n{\"type\": 1\n", "g"); }),
                 HasSubstr("g:3: is not JSON"));
+    EXPECT_THAT(shapes_of_geojson("\n\x1e\n" + square + "\n" + point, "g").ids, ElementsAre("0", "7"));
+    const std::string collection = R"({"type": "FeatureCollection", "features": [)" + point + "]}";
+    EXPECT_THAT(shapes_of_geojson(collection + "\n" + square, "g").ids, ElementsAre("7", "1"));
+}
+
+TEST(GeoJsonSequences, HaveOneSystemOfCoordinates)
+{
+    const auto in = [](const std::string& system) {
+        return R"({"type": "Point", "crs": {"type": "name", "properties": {"name": ")" + system +
+               R"("}}, "coordinates": [1,2]})" + "\n";
+    };
+    EXPECT_EQ(shapes_of_geojson(in("EPSG:25832") + in("EPSG:25832"), "g").system, "EPSG:25832");
+    for (const std::string& other : {in("EPSG:25833"), std::string(R"({"type": "Point", "coordinates": [1,2]})")})
+        EXPECT_THAT(message_of([&] { shapes_of_geojson(in("EPSG:25832") + other, "g"); }),
+                    HasSubstr("g:2: crs: must be the same on all lines, or on none"));
 }
 
 TEST(GeoJsonFeatures, TellWhichOfThemAPointLiesIn)

@@ -68,6 +68,17 @@ TEST(LineSets, MeasureCrossingsClosedLinesAndRepeatedEdges)
     EXPECT_NEAR(set.mean_nearest, nearest, 1e-12);
 }
 
+/// Rounded points on an edge of two lines, as parcels have, all belong to the first one.
+TEST(LineSets, GivePointsOnASharedEdgeToOneLine)
+{
+    PointSet points{2, {}};
+    for (int i = 0; i <= 100; ++i)
+        points.coordinates.insert(points.coordinates.end(), {std::round(3e5 * i) * 1e-6, std::round(1e5 * i) * 1e-6});
+    const LineSet set = measured("GEOMETRYCOLLECTION (LINESTRING (0 0, 30 10), LINESTRING (30 10, 0 0))", points);
+    ASSERT_EQ(set.gaps.size(), 100U);
+    EXPECT_NEAR(set.gaps.back() / set.gaps.front(), 1, 1e-4);
+}
+
 /// Darts until no further one fits: gaps are between one and two distances, and L over the distance times 0.7476 points
 /// fit.
 TEST(LineSets, OfDartsThatLeaveNoRoomAreJammedAsRenyiSays)
