@@ -21,7 +21,7 @@ struct ShareLattice
 /// The parts of squares that lie in the region: areas between its edges, but for what doubles round.
 std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice);
 
-/// The same for some squares of a lattice, given by column and row, in rising order of rows and, in a row, of columns.
+/// Shares of some squares of that lattice, given by column and row, in rising order of rows and, in a row, of columns.
 std::vector<double> region_shares(const FixedRegion& region, const ShareLattice& lattice,
                                   std::span<const std::array<std::uint32_t, 2>> squares);
 
