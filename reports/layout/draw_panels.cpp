@@ -55,7 +55,8 @@ std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
     auto planes = read_spectrum_planes(picture.file);
     const bool in_space = picture.dimension == 3;
     const int size = planes.front().size;
-    if (size * stored_block(picture, planes.front()) != picture.size ||
+    const int size_of_means = in_space ? 0 : picture.size / block_for(picture.size, largest_stored_spectrum);
+    if ((size != picture.size && size != size_of_means) ||
         planes.size() != (in_space ? shown_planes(picture.size).size() : 1))
         throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", picture.file.string(),
                                      in_space ? "images of a 3D spectrum's planes" : "an image", picture.size,

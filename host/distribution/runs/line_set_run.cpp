@@ -51,9 +51,7 @@ void line_set_keys(Keys& keys, LineSetSettings& s)
 {
     keys.file("set", s.set, "the points: a file of points, in the region's coordinates").required();
     keys.region(s.region);
-    region_reading_keys(keys, s.reading);
-    for (const char* key : {"overlap", "buffer"})
-        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with points on lines");
+    region_coordinates_keys(keys, s.reading);
     s.reading.is_along = true;
     if (!keys.is_read()) return;
     keys.check("region", [&] { read_region(s.region, s.reading); });

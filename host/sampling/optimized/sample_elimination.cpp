@@ -343,8 +343,10 @@ std::vector<std::uint32_t> SampleElimination::removal_order(const PointSet& poin
     return EliminationRun(device_, *buffers_, points, reach, factors, work_group_size_).first(count);
 }
 
-DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::size_t kept, double area,
-                                       bool has_factors)
+namespace {
+
+/// The memory of one elimination.
+DeviceMemory memory_of_one(int dimension, std::size_t points, std::size_t kept, double area, bool has_factors)
 {
     const EliminationReach reach = elimination_reach(kept, points, dimension);
     const double side = side_of(area, dimension);
@@ -356,6 +358,21 @@ DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::s
         for (const NeededBuffer& buffer : buffers.listed(points, points, points, dimension)) needed.push_back(buffer);
     if (has_factors) needed.push_back({buffers.factors, points});
     return is_listed ? memory_of(needed) : PointGrid::memory(dimension, points, grid_size) + memory_of(needed);
+}
+
+}
+
+DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::size_t kept, double area,
+                                       bool has_factors)
+{
+    const DeviceMemory first = memory_of_one(dimension, points, kept, area, has_factors);
+    if (kept < 2) return first;
+    // Orders halve the set again and again. The first half can be the first to have listed cells, beside the grid.
+    const auto lists_cells = [&](std::size_t of, std::size_t left) {
+        return has_listed_cells(of, elimination_reach(left, of, dimension).most * side_of(area, dimension), dimension);
+    };
+    const DeviceMemory halving = memory_of_one(dimension, kept, kept / 2, area, has_factors);
+    return lists_cells(points, kept) == lists_cells(kept, kept / 2) ? either(first, halving) : first + halving;
 }
 
 }

@@ -10,7 +10,11 @@ namespace poissonlab {
 
 inline constexpr std::array region_reading_names{"planar", "crs", "overlap", "buffer"};
 
-/// Visits them. Throws InputError for systems of coordinates that PROJ does not know.
+/// Visits planar and crs, which lines have as well. Throws InputError for systems of coordinates that PROJ does not
+/// know.
+void region_coordinates_keys(Keys& keys, RegionReading& reading);
+
+/// Visits all of them.
 void region_reading_keys(Keys& keys, RegionReading& reading);
 
 }

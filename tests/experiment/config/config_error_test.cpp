@@ -54,7 +54,8 @@ TEST(ConfigError, UnknownAnalysisKey)
 {
     EXPECT_EQ(error_of("[analysis]\npoint = 16384\n" + good_method),
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
-              "known keys: points, realizations, dimension, timing_runs, spectrum, spectrum_size, bin_width, volume, "
+              "known keys: points, realizations, dimension, timing_runs, spectrum, spectrum_size, bin_width, "
+              "keep_spectrum, volume, "
               "zone_plate, tiles, window, box, "
               "measures, point_files, region, planar, crs, overlap, buffer, density, density_from, envelope, tapers");
 }

@@ -82,8 +82,8 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
 
 TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
 {
-    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once. After two, 80 s are
-    // left.
+    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once. When two
+    // are made and one is analysed, 89 s are left.
     FakeTime time;
     testing::internal::CaptureStdout();
     {
@@ -99,7 +99,7 @@ TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
         progress.analysed();
     }
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "1/10 realizations, 100 points/s, 19.0 s left\n"
-                                                      "2/10 realizations, 100 points/s, 80.0 s left\n");
+                                                      "2/10 realizations, 100 points/s, 1 min 29 s left\n");
 }
 
 TEST(Progress, WhatIsStoredCountsAsDone)

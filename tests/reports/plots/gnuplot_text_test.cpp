@@ -110,8 +110,7 @@ TEST(Plots, OfOneSeriesKeepTheAxesOfAll)
 TEST(Plots, NumbersBelowTheAxisDoNotRunIntoEachOther)
 {
     const TemporaryFolder folder;
-    for (const double high :
-         {9.5, 95.0, 511.0, 999.0, 1023.0, 1999.0, 2047.0, 4095.0, 8191.0, 9999.0, 65'535.0, 1e6, 4.2e6}) {
+    for (const double high : {9.5, 95.0, 511.0, 999.0, 1023.0, 1999.0, 2047.0, 4095.0, 8191.0, 9999.0, 65'535.0, 1e6}) {
         Plot plot = plot_with({"a"});
         plot.x.high = plot.curves[0].end = high;
         draw_with_gnuplot({gnuplot_picture(alone(plot, 0), folder.path() / "a")}, PrintPictures::none);
