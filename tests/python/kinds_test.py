@@ -58,6 +58,21 @@ class Kinds(unittest.TestCase):
         with self.assertRaisesRegex(poissonlab.InputError, "pen = .*needs width"):
             distribute.stipple(image="0.2", points=200, pen="0.5mm")
 
+    def test_points_on_lines_are_measured_as_numpy_does(self):
+        along = numpy.sort(numpy.random.default_rng(5).uniform(0, 50, 40))
+        points = numpy.column_stack([0.6 * along, 0.8 * along])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "points.npy"
+            numpy.save(file, points)
+            made = distribute.line_set(set=file, region="LINESTRING (0 0, 30 40)")
+        gaps = numpy.diff(along)
+        nearest = numpy.minimum(numpy.append(gaps, numpy.inf), numpy.insert(gaps, 0, numpy.inf))
+        self.assertAlmostEqual(made.numbers["length"], 50, places=9)
+        self.assertAlmostEqual(made.numbers["least_distance"], gaps.min(), places=9)
+        self.assertAlmostEqual(made.numbers["mean_nearest"], nearest.mean(), places=9)
+        self.assertAlmostEqual(made.numbers["gap_variation"], gaps.std() / gaps.mean(), places=9)
+        self.assertAlmostEqual(made.numbers["jamming_share"], gaps.min() / (50 / 40) / 0.7475979202534114, places=9)
+
     def test_mask_pictures_are_measured_as_numpy_does(self):
         height, width = 24, 40
         mask = numpy.random.default_rng(2).integers(0, 256, (height, width), dtype=numpy.uint8)
@@ -126,7 +141,7 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "cells",
+                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set", "cells",
                           "textured_surface", "surface_objects"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
