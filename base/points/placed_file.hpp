@@ -25,6 +25,7 @@ struct PointFileHead
     int dimension = 2;
     std::uint64_t points = 0;
     double side = 1;                         ///< coordinates are in [0, side); 0: anywhere
+    bool fills_square = true;                ///< points are in all of that square (cube), not in a part that is lower
     std::string unit = "sides of the torus"; ///< of lengths
     std::string comment{};
 };

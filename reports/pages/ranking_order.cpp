@@ -40,6 +40,7 @@ constexpr std::array wishes{
     Wish{"points far apart", "relative_radius", "ρ = ", ""},
     Wish{"little noise at low frequencies", "low_frequency_mean", "power ", ""},
     Wish{"the widest range almost without noise", "effective_nyquist", "Nyquist ", ""},
+    Wish{"integrals across edges", "integration_disk", "squared error ", " of random points'"},
     Wish{"speed", "sample_time", "", " a set"},
 };
 
@@ -133,7 +134,10 @@ std::vector<BestFor> best_series(const std::vector<const ReportSeries*>& all, in
         const Measure& wanted = measure(wish.key);
         if (!compare(wanted, ranked)) continue;
         const ReportSeries* series = best_of(wanted, even.empty() ? ranked : even);
-        if (!series) continue;
+        const auto is_best = [&](const ReportSeries* other) {
+            return !wanted.get(*other->stored) || is_as_good(wanted, *other, *series);
+        };
+        if (!series || std::ranges::all_of(ranked, is_best)) continue; // none is better than another
         const MeasureWords words = words_of(wanted, *wanted.get(*series->stored));
         best.push_back({wish.what, series, wish.before + words.shown + wish.after});
     }

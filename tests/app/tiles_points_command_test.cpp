@@ -75,7 +75,9 @@ TEST_F(TilesPointsCommand, WritesSpheres)
     write_tile_set(folder_.path() / "spheres.json", spheres);
     const Outcome outcome = run("spheres.json --window -1 -2 3 4 2 3 --out points.dat");
     ASSERT_EQ(outcome.status, 0) << outcome.error;
-    EXPECT_EQ(read_points(folder_.path() / "points.dat").at(0),
+    PointReading how;
+    how.domain = CoordinateRange{0, 4}; // of a window that is not a cube
+    EXPECT_EQ(read_points(folder_.path() / "points.dat", how).at(0),
               expected_points(spheres, {1, 0}, {{-1, -2, 3}, {4, 2, 3}}, 4));
 }
 
@@ -84,6 +86,8 @@ TEST_F(TilesPointsCommand, WindowsOfChainsFitTogether)
 {
     const PoissonTileSet tiles = random_chain_set(3, 20);
     write_tile_set(folder_.path() / "chains.ptiles", tiles);
+    ASSERT_EQ(run("chains.ptiles --window -3 5 8 7 --seed 7 --out points.txt").status, 0);
+    EXPECT_THAT(content_of(folder_.path() / "points.txt"), testing::Not(HasSubstr("domain"))); // it is not a square
     ASSERT_EQ(run("chains.ptiles --window -3 5 8 8 --seed 7 --out points.txt").status, 0);
     const PointSet found = read_points(folder_.path() / "points.txt").at(0);
     const ptiles_tiling tiling = runtime_tiling(tiles, {7, 0});
@@ -121,7 +125,9 @@ protected:
     {
         const Outcome outcome = run("set.ptiles --window -3 5 8 4 --seed 3 --out points.txt --density " + density);
         EXPECT_EQ(outcome.status, 0) << outcome.error;
-        return read_points(folder_.path() / "points.txt").at(0).coordinates;
+        PointReading how;
+        how.domain = CoordinateRange{0, 8}; // of a window that is not a square
+        return read_points(folder_.path() / "points.txt", how).at(0).coordinates;
     }
 };
 

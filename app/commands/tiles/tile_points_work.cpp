@@ -151,6 +151,8 @@ void TilePointsWork::set_up_block()
 {
     const TileBlock block = checked_block(options_, head.dimension);
     head.side = std::ranges::max(block.size); // of the square (cube) that the points are in
+    for (int k = 0; k < head.dimension; ++k)
+        head.fills_square = head.fills_square && block.size[static_cast<std::size_t>(k)] == head.side;
     head.comment = comment_of(options_, nullptr);
     check_particles(options_, block, head);
     set_density({{}, {static_cast<double>(block.size[0]), static_cast<double>(block.size[1])}});

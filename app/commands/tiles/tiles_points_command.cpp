@@ -87,7 +87,7 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
         if (!crew.leads()) return;
         all = points.count_all();
         const std::string comment =
-            head.side > 0 ? fmt::format("domain 0:{}\n{}", head.side, head.comment) : head.comment;
+            head.side > 0 && head.fills_square ? fmt::format("domain 0:{}\n{}", head.side, head.comment) : head.comment;
         write_streamed(path, head.dimension, all, comment, region, [&](const PointSink& sink) {
             std::vector<double> coordinates;
             for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {
@@ -124,8 +124,8 @@ constexpr auto tiles_points_notes =
     R"help(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
 from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
 The format follows the extension: .npy, .h5 (HDF5: /points), .csv, .usda, .ply (ascii), or text; the latter two say
-`domain 0:N`, the longest side of the window, so that poissonlab analyze takes the points of a square one; for .npy and
-.csv, --domain N. Edges of the window are not those of a torus: --set analysis.window=true.
+`domain 0:N` for a square window, whose points poissonlab analyze takes so; for .npy and .csv, --domain N. Edges of the
+window are not those of a torus: --set analysis.window=true. Of other windows: --region "rectangle 0 0 WIDTH HEIGHT".
 Files may be larger than memory. Started by mpirun, processes write .npy and HDF5 together, the same bytes as one.
 With --torus, N x N (x N) tiles whose opposite edges fit: a box with periodic borders, as simulations have it.
 Points of cubes as particles: .hdf5 is a snapshot as Gadget has it (BoxSize in tiles), which monofonIC takes as a glass;
