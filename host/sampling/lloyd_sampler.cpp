@@ -84,7 +84,8 @@ std::vector<ParameterSpec> parameters()
 
 void check_lloyd(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
-    if (!parameters.is_given("iterations")) throw InputError::at(where, "sampler = \"lloyd\": needs iterations");
+    if (!parameters.is_given("iterations"))
+        throw InputError::at(where, "sampler = \"lloyd\": needs iterations, such as 100");
     if (parameters.flag("repulsion") && !parameters.is_given("until_relative_radius")) {
         throw parameters.error("repulsion", "needs until_relative_radius, the relative radius that it is to reach");
     }
