@@ -26,7 +26,7 @@
 namespace poissonlab {
 namespace {
 
-// What the program says to those who call it without a command.
+// The opening words are printed when the program is called without a command.
 
 const char* const opening_words =
     R"(poissonlab makes Poisson disk point sets and tiles, measures them, and writes reports.

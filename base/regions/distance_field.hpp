@@ -34,7 +34,8 @@ struct DistanceTable
     std::uint32_t columns = 0;       ///< cells of the box; there is a node more along each axis
     std::uint32_t rows = 0;
 
-    /// By column and row, row by row, the squares that have the nodes of a long region. Empty: all of the box.
+    /// The squares whose corners are the nodes of a long region: column and row of each, row by row. It is empty
+    /// where the nodes are those of the whole box.
     std::vector<std::array<std::uint32_t, 2>> squares;
 
     std::vector<double> nodes; ///< row by row, or of each square the lower two and the upper two

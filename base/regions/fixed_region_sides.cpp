@@ -1,4 +1,4 @@
-// What a region's grid tells of the positions of a box.
+// A region's grid decides whether a box lies inside the region, outside of it, or is crossed by edges, and by which.
 #include "base/regions/fixed_edges.hpp"
 #include "base/regions/fixed_region.hpp"
 

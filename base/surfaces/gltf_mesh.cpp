@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-// Where nodes of glTF put what is below them.
+// A node of glTF moves the meshes below it by its matrix, or by its scale, rotation and translation.
 
 /// Rows of a movement of space, which may stretch and mirror it: the last column moves.
 using Movement = std::array<std::array<double, 4>, 3>;

@@ -25,7 +25,7 @@ constexpr std::size_t shades = 16;
 constexpr double turn_cos = 0.8660254037844386, turn_sin = 0.5;
 constexpr double down_cos = 0.9396926207859084, down_sin = 0.3420201433256687;
 
-/// Where a place is seen: to the right, upwards, and how far behind.
+/// SeenPlace has the coordinates of a place in the picture: to the right, upwards, and how far behind.
 using SeenPlace = std::array<double, 3>;
 
 SeenPlace seen_place(const std::array<double, 3>& place)

@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-// What dart throwing keeps on the device.
+// These buffers hold the cells, points and darts of dart throwing on the device.
 
 struct DartBuffers
 {

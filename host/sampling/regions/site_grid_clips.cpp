@@ -42,7 +42,7 @@ void SiteGrid::find_clips()
     });
 }
 
-/// Of edges that point in about the same direction, only the first one is used.
+/// Finds the clips of a cell. Edges are left out that point in about the direction of an earlier one.
 void SiteGrid::find_clips_of(std::uint32_t row, std::size_t cell)
 {
     const double width = 1u << grid_.shift, x = column_of(cell, row) * width, y = row * width;

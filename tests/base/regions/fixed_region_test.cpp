@@ -230,7 +230,7 @@ TEST(FixedRegions, KnowOnWhichSideBoxesLie)
     for (const int each : count) EXPECT_GT(each, 100);
 }
 
-/// Of two positions, an even number of crossing edges' lines goes between them where both are inside or outside.
+/// Two positions are both inside or both outside exactly when an even number of crossing edges' lines separates them.
 TEST(FixedRegions, FindTheEdgesThatCrossBoxes)
 {
     std::mt19937 random(6);
