@@ -3,16 +3,16 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules tiles other_tiles tilings textures regions distributions)
-set(lab_command_modules tiles tilings textures distributions large_sets manual)
+set(lab_host_modules tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_command_modules
+  tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
 set(lab_wordless_modules particles space) # that work asks for, and no word: files of HDF5, sets in 3D
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
 # Modules that another one stands on.
 set(lab_needs_of_other_tiles tiles)
-set(lab_needs_of_distributions tiles regions)
-set(lab_needs_of_textures tiles regions distributions)
+set(lab_needs_of_surface_textures distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})
@@ -44,7 +44,7 @@ foreach(name IN LISTS lab_modules_of_program)
   if(name STREQUAL regions)
     set(lab_program_has_regions YES)
   endif()
-  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions)$")
+  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|surfaces|surface_textures)$")
     set(lab_program_has_tiles YES)
   endif()
 endforeach()

@@ -35,7 +35,10 @@ std::vector<GroupedCommand> core_commands(const ProgramContext& context);
 std::vector<GroupedCommand> tiles_commands(const ProgramContext& context);
 std::vector<GroupedCommand> tilings_commands(const ProgramContext& context);
 std::vector<GroupedCommand> textures_commands(const ProgramContext& context);
+std::vector<GroupedCommand> regions_commands(const ProgramContext& context);
 std::vector<GroupedCommand> distributions_commands(const ProgramContext& context);
+std::vector<GroupedCommand> surfaces_commands(const ProgramContext& context);
+std::vector<GroupedCommand> surface_textures_commands(const ProgramContext& context);
 std::vector<GroupedCommand> large_sets_commands(const ProgramContext& context);
 std::vector<GroupedCommand> manual_commands(const ProgramContext& context);
 

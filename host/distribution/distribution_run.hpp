@@ -3,9 +3,7 @@
 
 #include "host/distribution/even_points.hpp"
 #include "host/kinds/distribution_place.hpp"
-#include "host/settings/distributions/texture_config.hpp"
 #include "host/settings/keys/choices.hpp"
-#include "results/pictures/distribution_files.hpp"
 
 #include <string>
 
@@ -19,8 +17,5 @@ EvenMethod chosen_method(const EvenMethodChoice& choice);
 
 /// "corner-tiles" or the file's name, for facts.
 std::string method_words(const EvenMethodChoice& choice);
-
-DistributionResult make_texture(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                                DistributionFiles& files);
 
 }

@@ -35,6 +35,8 @@ void add_tilings(Laboratory& laboratory);
 void add_textures(Laboratory& laboratory);
 void add_regions(Laboratory& laboratory);
 void add_distributions(Laboratory& laboratory);
+void add_surfaces(Laboratory& laboratory);
+void add_surface_textures(Laboratory& laboratory);
 
 /// The modules of this program; CMake writes the list.
 const std::vector<Module>& built_modules();

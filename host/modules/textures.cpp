@@ -1,4 +1,4 @@
-// Textures of tiles, and endless ones of other kinds.
+// Textures of tiles, endless ones of other kinds, and maps of cells.
 #include "host/kinds/kinds.hpp"
 #include "host/modules/laboratory.hpp"
 
@@ -6,8 +6,7 @@ namespace poissonlab {
 
 void add_textures(Laboratory& laboratory)
 {
-    for (Kind (*const kind)() :
-         {texture_kind, texture_set_kind, endless_kind, textured_surface_kind, surface_object_kind})
+    for (Kind (*const kind)() : {texture_kind, texture_set_kind, endless_kind, cell_kind})
         laboratory.kinds.push_back(kind());
 }
 

@@ -25,6 +25,8 @@ struct DistributionNumber
     bool operator==(const DistributionNumber&) const = default;
 };
 
+using DistributionNumbers = std::vector<DistributionNumber>;
+
 /// A picture: pixels as they are (.png), or marks that reports draw (.json, see mark_picture.hpp).
 struct DistributionPicture
 {

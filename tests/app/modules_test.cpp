@@ -97,7 +97,8 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "other_tiles"},
              {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
              {"[[method]]\nsampler = \"random\"\nregion = \"disk 0 0 1\"\n", "regions"},
-             {"[[distribution]]\nkind = \"darts\"\n", "distributions"},
+             {"[[distribution]]\nkind = \"darts\"\n", "regions"},
+             {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
              {"[[tiling]]\nkind = \"corner\"\n", "tilings"}}) {
@@ -111,7 +112,9 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
     for (const auto& [arguments, module] :
          std::vector<std::pair<std::string, std::string>>{{"tiles build corner", "tiles"},
                                                           {"help texture map", "textures"},
-                                                          {"distribute darts --help", "distributions"},
+                                                          {"distribute darts --help", "regions"},
+                                                          {"distribute stipple --help", "distributions"},
+                                                          {"texture surface --help", "surface_textures"},
                                                           {"points lloyd --points 9", "large_sets"},
                                                           {"tiling corner", "tilings"},
                                                           {"manual", "manual"}})

@@ -12,10 +12,10 @@ namespace poissonlab {
 namespace {
 
 /// A tile with those that touch it, by cells.
-class Patch
+class CollaredTile
 {
 public:
-    Patch(const Neighbourhoods& all, std::uint32_t tile_class) : all_(all)
+    CollaredTile(const Neighbourhoods& all, std::uint32_t tile_class) : all_(all)
     {
         owners_.fill(-1);
         tiles_.push_back(Pose{});
@@ -121,7 +121,7 @@ private:
 
     const Neighbourhoods& all_;
     std::uint32_t first_;
-    Patch patch_;
+    CollaredTile patch_;
 };
 
 }

@@ -1,7 +1,7 @@
 // poissonlab texture endless: a window of an endless texture by other methods than tiles.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/distribution/textures/endless_run.hpp"
+#include "host/distribution/textures/texture_run.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "base/files/output_place.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
-#include "host/distribution/textures/endless_run.hpp"
+#include "host/distribution/textures/texture_run.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/mapping/endless_map.hpp"

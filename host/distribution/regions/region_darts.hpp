@@ -16,6 +16,7 @@
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
+#include "results/pictures/distribution_result.hpp"
 
 #include <memory>
 
@@ -86,6 +87,9 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                std::uint32_t realization = 0);
+
+/// The numbers of points in a region: results have them, and commands print them with --json.
+DistributionNumbers dart_numbers(const RegionDarts& darts);
 
 /// A point set in the region's fixed-point coordinates, in its units.
 PointSet in_units_of(const FixedRegion& region, const PointSet& fixed);

@@ -3,7 +3,6 @@
 
 #include "host/distribution/icons.hpp"
 #include "host/distribution/instances/instances.hpp"
-#include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/sky_lights.hpp"
 #include "host/distribution/stipple.hpp"
 #include "results/pictures/distribution_result.hpp"
@@ -13,15 +12,11 @@
 
 namespace poissonlab {
 
-using DistributionNumbers = std::vector<DistributionNumber>;
-
 /// `map` is the environment map, if it is one; `points` are the even ones.
 DistributionNumbers warp_numbers(const std::optional<LinearPicture>& map, const Density& density,
                                  const PixelPlaces& places, const SquarePoints& points);
 
 DistributionNumbers rank_numbers(const RankSettings& settings, const Density& density, const PixelPlaces& places);
-
-DistributionNumbers dart_numbers(const RegionDarts& darts);
 
 /// `points` is the number of even points.
 DistributionNumbers icon_numbers(const Icons& icons, const VectorField& field, std::size_t points);

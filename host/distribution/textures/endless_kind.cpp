@@ -1,7 +1,7 @@
 // The kind of `texture endless`, which draws a window of an endless texture without tiles.
 #include "base/errors/errors.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
-#include "host/distribution/textures/endless_run.hpp"
+#include "host/distribution/textures/texture_run.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/texture/endless/quilting.hpp"
 

@@ -1,6 +1,6 @@
 // Endless textures without tiles as results: repeated exemplars, squares and hexagons at random places, by-example
 // noise, and quilted pictures, with the measures that tiles have as well.
-#include "host/distribution/textures/endless_run.hpp"
+#include "host/distribution/textures/texture_run.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"

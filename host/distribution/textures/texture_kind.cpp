@@ -1,6 +1,6 @@
 // The kind of [[texture]], and what `texture build` makes: tiles from a picture.
-#include "host/distribution/distribution_run.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
+#include "host/distribution/textures/texture_run.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/exemplar_pictures.hpp"

@@ -4,7 +4,6 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/distribution/regions/region_points.hpp"
-#include "host/distribution/runs/run_numbers.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "host/distribution/textures/quad_atlas.hpp"
+#include "host/distribution/surface_textures/quad_atlas.hpp"
 
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"

@@ -1,10 +1,15 @@
-// A table [[texture]] of a method without tiles.
+// Tables [[texture]], of tiles and of methods without tiles.
 #pragma once
 
-#include "host/distribution/distribution_run.hpp"
+#include "host/kinds/distribution_place.hpp"
+#include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/endless/endless_texture.hpp"
+#include "results/pictures/distribution_files.hpp"
 
 namespace poissonlab {
+
+DistributionResult make_texture(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                DistributionFiles& files);
 
 DistributionResult make_endless(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files);

@@ -6,9 +6,9 @@
 // distance along the quads for their radius; an object lies in the frame of its point's own quad, which is unfolded
 // around the vertex that is nearest to the place.
 #include "host/distribution/object_shapes.hpp"
+#include "host/distribution/surface_textures/surface_texture.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
-#include "host/distribution/textures/surface_texture.hpp"
 #include "tiles/quads/quad_points.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // poissonlab texture surface and distribute objects cover the quads of a mesh with textures and with objects.
 #include "app/commands/kind_options.hpp"
-#include "host/distribution/textures/surface_texture.hpp"
+#include "host/distribution/surface_textures/surface_texture.hpp"
 #include "host/kinds/kinds.hpp"
 
 namespace poissonlab {

@@ -2,7 +2,7 @@
 // along parallel lines. Pixels are means of 3 x 3 samples in linear light.
 #include "base/images/srgb_light.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
-#include "host/distribution/textures/quad_atlas.hpp"
+#include "host/distribution/surface_textures/quad_atlas.hpp"
 
 #include <tbb/parallel_for.h>
 

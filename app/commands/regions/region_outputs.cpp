@@ -1,4 +1,4 @@
-#include "app/commands/distributions/region_outputs.hpp"
+#include "app/commands/regions/region_outputs.hpp"
 
 #include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
@@ -7,8 +7,8 @@
 #include "base/regions/region_features.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/text/noun.hpp"
-#include "host/distribution/runs/dart_pictures.hpp"
-#include "host/distribution/runs/varied_results.hpp"
+#include "host/distribution/region_runs/dart_pictures.hpp"
+#include "host/distribution/region_runs/varied_results.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>

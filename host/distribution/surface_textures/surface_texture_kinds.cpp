@@ -1,8 +1,8 @@
 // kind = "textured-surface" and kind = "surface-objects" cover the quads of a mesh with textures and with objects.
 #include "host/distribution/object_shapes.hpp"
+#include "host/distribution/surface_textures/surface_texture.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
-#include "host/distribution/textures/surface_texture.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 // Words, numbers and files about points whose minimum distance varies.
 #pragma once
 
-#include "host/distribution/runs/run_numbers.hpp"
+#include "host/distribution/regions/region_darts.hpp"
+#include "results/pictures/distribution_result.hpp"
 
 #include <filesystem>
 #include <string>

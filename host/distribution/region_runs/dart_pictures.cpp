@@ -1,4 +1,4 @@
-#include "host/distribution/runs/dart_pictures.hpp"
+#include "host/distribution/region_runs/dart_pictures.hpp"
 
 #include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/regions/region_darts.hpp"

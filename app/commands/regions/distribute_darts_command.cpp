@@ -1,9 +1,8 @@
 // poissonlab distribute darts: points in a region of the plane, in its own units.
-#include "app/commands/distributions/region_outputs.hpp"
 #include "app/commands/kind_options.hpp"
+#include "app/commands/regions/region_outputs.hpp"
 #include "base/errors/errors.hpp"
 #include "host/distribution/regions/region_darts.hpp"
-#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "host/distribution/textures/surface_texture.hpp"
+#include "host/distribution/surface_textures/surface_texture.hpp"
 
 #include "base/errors/errors.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"

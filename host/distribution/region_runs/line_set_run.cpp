@@ -5,7 +5,6 @@
 #include "base/text/noun.hpp"
 #include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/regions/line_set.hpp"
-#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/region_keys.hpp"
 

@@ -1,7 +1,7 @@
 // This lays textures on surfaces of quads, by generalised Wang tiles and corner tiles, and objects of section 7.6.
 #pragma once
 
-#include "host/distribution/textures/quad_atlas.hpp"
+#include "host/distribution/surface_textures/quad_atlas.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/settings/distributions/quad_config.hpp"
 #include "host/settings/keys/choices.hpp"

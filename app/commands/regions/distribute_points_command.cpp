@@ -1,9 +1,8 @@
 // poissonlab distribute points: points in a region of the plane by several methods, in its own units.
-#include "app/commands/distributions/region_outputs.hpp"
 #include "app/commands/kind_options.hpp"
+#include "app/commands/regions/region_outputs.hpp"
 #include "base/errors/errors.hpp"
 #include "host/distribution/regions/region_points.hpp"
-#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>

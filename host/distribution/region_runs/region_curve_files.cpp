@@ -1,4 +1,4 @@
-#include "host/distribution/runs/region_curve_files.hpp"
+#include "host/distribution/region_runs/region_curve_files.hpp"
 
 #include "analysis/regions/region_curves.hpp"
 #include "base/files/whole_file.hpp"

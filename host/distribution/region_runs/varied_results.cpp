@@ -1,4 +1,4 @@
-#include "host/distribution/runs/varied_results.hpp"
+#include "host/distribution/region_runs/varied_results.hpp"
 
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
