@@ -196,7 +196,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint bit = lowest_bit(bits);
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
-            uint square_of_it;
+            __attribute__((unused)) uint square_of_it;
             PLACE_IN_BOX(position, square_of_it);
             if (may_be_point(&position, cells, points, &grid, threshold, &region)) word |= 1ul << dart;
         }
