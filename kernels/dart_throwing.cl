@@ -413,6 +413,23 @@ ALWAYS_INLINE void look_at(Parent* parent, const struct Batch* batch, const Grid
     }
 }
 
+/// The side of all cells of level 0 of a work-item, which are a part of a brick.
+ALWAYS_INLINE uint side_of_run(uint first, const struct Batch* batch, const Grid* grid)
+{
+    Spot spot, last_spot;
+    find_spot(&grid->cells, first, &spot);
+    find_spot(&grid->cells, first + THROW_RUN - 1, &last_spot);
+    Position low, extent;
+    FOR_EACH_AXIS(k)
+    {
+        const ulong begin = lower_bound(torus_coordinate(&grid->cells, &spot, k), 0, batch->step);
+        const ulong end = lower_bound((ulong)torus_coordinate(&grid->cells, &last_spot, k) + 1, 0, batch->step);
+        low.c[k] = (uint)begin;
+        extent.c[k] = (uint)(end - begin - 1);
+    }
+    return side_of_positions(&grid->region, &low, &extent);
+}
+
 /// The lists that throw_darts makes.
 typedef struct
 {
@@ -484,11 +501,13 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
     const Grid grid = {masks, positions, region, cells};
     Parent parents[THROW_RUN];
     Near near;
+    // Nearly all bricks have many cells outside.
+    const uint side = BRICKS && batch.number == 0 && count > 0 ? side_of_run(first, &batch, &grid) : REGION_CROSSED;
     uint near_end = 0;
     uint open_count = 0;
     for (uint p = 0; p < count; ++p) {
         Parent* parent = &parents[p];
-        parent->is_inside = false;
+        parent->is_inside = side == REGION_INSIDE;
         if (batch.number < (BRICKS ? 1 : 2)) {
             parent->base = first + p;
             Spot spot;
@@ -499,7 +518,7 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
         }
         if (batch.number == 0) {
             parent->near_begin = parent->near_end = 0;
-            parent->open = 1;
+            parent->open = side != REGION_OUTSIDE;
             Halves halves;
             halve(&parent->cell, &batch, &halves);
             close_outside(parent, &halves, &grid.region);

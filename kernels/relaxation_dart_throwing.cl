@@ -26,8 +26,8 @@
 //
 // With REGION darts fall into the least box around a region of the plane or of space, whose coordinates are below half of
 // the torus' along each axis: parts of the table outside count as covered, and darts outside fail. Where the region is
-// long, REGION 2, they fall into squares that cover it (host/sampling/regions/region_candidates.hpp), and no table is
-// looked into: its parts would be too large.
+// long, REGION 2, they fall into squares that cover it (host/sampling/regions/region_candidates.hpp), and the table has
+// only blocks of cells around these squares (host/sampling/cells/table_blocks.hpp).
 //
 // Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (2, 1 or 0; see common/regions/region.clh).
 
@@ -36,56 +36,49 @@
 #include "kernels/common/philox.clh"
 #include "kernels/common/regions/region.clh"
 
-// Arguments of kernels, and what becomes of them.
+// Arguments of kernels, and what becomes of them. PLACE_IN_BOX turns random words into a position, and finds its square.
 #if REGION == 2
 #define BOX_PARAMETER , struct DartSquares squares, global const uint *corners
-#define PLACE_IN_BOX(position) place_in_square(&(position), squares, corners)
+#define TABLE_PARAMETER , struct DartSquares squares, global const uint *first_parts
+#define PLACE_IN_BOX(position, square_of_it) square_of_it = place_in_square(&(position), squares, corners)
 #elif REGION
 #define BOX_PARAMETER , struct DartBox box
+#define TABLE_PARAMETER BOX_PARAMETER
 // The coordinate that a random word stands for; of lanes of 64 bits as well.
 #define PLACED(k, word) (box.low[k] + (((word)&0xffffffffu) * box.size[k] >> 32))
-#define PLACE_IN_BOX(position) FOR_EACH_AXIS(k)(position).c[k] = (uint)PLACED(k, (ulong)(position).c[k])
+#define PLACE_IN_BOX(position, square_of_it)                                                                           \
+    FOR_EACH_AXIS(k)(position).c[k] = (uint)PLACED(k, (ulong)(position).c[k])
 #else
 #define BOX_PARAMETER
+#define TABLE_PARAMETER
 #define PLACED(k, word) (word)
-#define PLACE_IN_BOX(position)
+#define PLACE_IN_BOX(position, square_of_it)
 #endif
 
-/// Turns random words into a position in a square: the first says which, and where along x.
-ALWAYS_INLINE void place_in_square(Position* position, struct DartSquares squares, global const uint* corners)
+#if REGION == 2
+/// Turns random words into a position in a square, and returns the square's number: the first word says which, and where
+/// along x.
+ALWAYS_INLINE uint place_in_square(Position* position, struct DartSquares squares, global const uint* corners)
 {
     const ulong place = (ulong)position->c[0] * squares.count;
     global const uint* corner = &corners[(uint)(place >> 32) * DIMENSION];
     position->c[0] = (uint)place;
     FOR_EACH_AXIS(k) position->c[k] = corner[k] + (uint)((ulong)position->c[k] << squares.shift >> 32);
+    return (uint)(place >> 32);
+}
+#endif
+
+/// Notes the square of a point, where there are any.
+ALWAYS_INLINE void set_square(global uint* points, uint number, uint square_of_it)
+{
+#if REGION == 2
+    points[number * POINT_WORDS + SQUARE_WORD] = square_of_it;
+#endif
 }
 
+#include "kernels/common/darts/cover_table.clh"
+
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
-
-// The table counts squared distances in units of 2^-15 of a grid cell's squared width, which no threshold
-// exceeds.
-#define UNIT_BITS(grid_bits) (49 - 2 * (grid_bits))
-#define NOT_COVERED 32768
-
-// Vectors with a lane for each part of a grid cell along an axis.
-#if COVER_BITS == 3
-#define COVER_PARTS 8
-#define PART_NUMBERS (uint8)(0, 1, 2, 3, 4, 5, 6, 7)
-#else
-#define COVER_PARTS 4
-#define PART_NUMBERS (uint4)(0, 1, 2, 3)
-#endif
-#define JOIN(a, b) a##b
-#define JOINED(a, b) JOIN(a, b)
-#define VECTOR(type) JOINED(type, COVER_PARTS)
-#define CONVERT(type) JOINED(convert_##type, COVER_PARTS)
-#define LOAD JOINED(vload, COVER_PARTS)
-#define STORE JOINED(vstore, COVER_PARTS)
-
-typedef struct
-{
-    uint c[DIMENSION];
-} Cell;
 
 ALWAYS_INLINE uint4 random_block(ulong block, uint2 key)
 {
@@ -114,13 +107,9 @@ ALWAYS_INLINE Position dart_position(ulong dart, uint2 key)
 /// One work-item owns eight blocks of darts. Needs `flags` to have room for all work-items, padded to whole
 /// groups.
 kernel void throw_darts(global const ulong* restrict state, global const ushort* restrict table, uint grid_bits,
-                        uint key_x, uint key_y, global uchar* restrict flags BOX_PARAMETER)
+                        uint key_x, uint key_y, global uchar* restrict flags TABLE_PARAMETER)
 {
     const uint id = get_global_id(0);
-#if REGION == 2
-    vstore8((uchar8)((1 << DARTS_A_BLOCK) - 1), id, flags);
-#else
-    const uint bits = grid_bits + COVER_BITS;
     const ushort8 low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const ulong8 block = state[NEXT_DART] / DARTS_A_BLOCK + 8 * (ulong)id + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
     EightBlocks words;
@@ -131,6 +120,24 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
 
     // Parts as vectors, then looks into the table that do not wait for each other.
     ulong8 parts[DARTS_A_BLOCK];
+#if REGION == 2
+    ulong8 numbers[DARTS_A_BLOCK]; // of squares
+    const ulong bits_of_square = parts_of_square(squares.shift, grid_bits);
+    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK; ++i)
+    {
+        const ulong8 place = (words.word[DIMENSION * i] & 0xffffffffu) * squares.count;
+        numbers[i] = place >> 32;
+        words.word[DIMENSION * i] = place;
+        parts[i] = 0;
+        _Pragma("unroll") for (int k = DIMENSION - 1; k >= 0; --k)
+        {
+            parts[i] = parts[i] << squares.block_bits |
+                       (words.word[DIMENSION * i + k] & 0xffffffffu) << bits_of_square >> 32;
+        }
+    }
+#define FIRST_PART(i) first_parts[((const ulong*)numbers)[i]]
+#else
+    const uint bits = grid_bits + COVER_BITS;
     _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK; ++i)
     {
         parts[i] = UPPERMOST(PLACED(DIMENSION - 1, words.word[DIMENSION * i + DIMENSION - 1]), bits);
@@ -139,8 +146,13 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
             parts[i] = parts[i] << bits | UPPERMOST(PLACED(k, words.word[DIMENSION * i + k]), bits);
         }
     }
+#define FIRST_PART(i) 0
+#endif
     ushort farthest[DARTS_A_BLOCK * 8];
-    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK * 8; ++i) { farthest[i] = table[((const ulong*)parts)[i]]; }
+    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK * 8; ++i)
+    {
+        farthest[i] = table[FIRST_PART(i) + ((const ulong*)parts)[i]];
+    }
     // The sign of low - farthest says that the part is not covered: neither exceeds 2^15. (oclgrind 21.10
     // takes a vector comparison for 255 where it is widened to 1.)
     ushort8 result = (low - vload8(0, farthest)) >> (ushort8)15;
@@ -148,7 +160,6 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     result |= (low - vload8(1, farthest)) >> (ushort8)15 << (ushort8)1;
 #endif
     vstore8(convert_uchar8(result), id, flags);
-#endif
 }
 
 /// Is a position inside the region, and no point too near to it? Nearly half of the darts fall beside a long region,
@@ -185,7 +196,8 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
             const uint bit = lowest_bit(bits);
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
             Position position = dart_position(first + dart, (uint2)(key_x, key_y));
-            PLACE_IN_BOX(position);
+            __attribute__((unused)) uint square_of_it;
+            PLACE_IN_BOX(position, square_of_it);
             if (may_be_point(&position, cells, points, &grid, threshold, &region)) word |= 1ul << dart;
         }
     }
@@ -245,9 +257,11 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
             if (!goes_on) break;
             ++looked_at;
             Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
-            PLACE_IN_BOX(position);
+            uint square_of_it = 0;
+            PLACE_IN_BOX(position, square_of_it);
             if (is_free(&position, cells, points, &grid, thresholds[progress.level - settling.first_level])) {
                 insert_point(&position, count, cells, points, &grid);
+                set_square(points, count, square_of_it);
                 ++count;
                 ++progress.dart;
                 progress.failures = 0;
@@ -298,9 +312,11 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             const uint first = (uint)(dart % DARTS_A_BLOCK) * DIMENSION;
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
-            PLACE_IN_BOX(position);
+            uint square_of_it = 0;
+            PLACE_IN_BOX(position, square_of_it);
             if (may_be_point(&position, cells, points, &grid, threshold, &region)) {
                 insert_point(&position, count, cells, points, &grid);
+                set_square(points, count, square_of_it);
                 ++count;
                 failures = 0;
                 goes_on = count < settling.target;
@@ -318,116 +334,6 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
     state[POINTS] = count;
     state[LOW_LEVEL] = level + settling.levels_ahead;
     state[LOW_THRESHOLD] = thresholds[level + settling.levels_ahead - settling.first_level];
-}
-
-/// The table's units from a coordinate to the farthest of each part of a grid cell along an axis, rounded up;
-/// any value above all thresholds where that is a cell's width or more. In 32 bits, of which lengths take 16.
-ALWAYS_INLINE VECTOR(ushort) farthest_units(uint coordinate, uint cell, uint grid_bits)
-{
-    const uint part_bits = 32 - grid_bits - COVER_BITS;
-    const uint extent = (1u << part_bits) - 1;
-    const VECTOR(uint) forward = coordinate - ((cell << COVER_BITS | PART_NUMBERS) << part_bits);
-    const VECTOR(uint) back = forward - extent;
-    const VECTOR(uint) ends = max(min(forward, 0u - forward), min(back, 0u - back));
-    const VECTOR(uint) antipode = 0x80000000u;
-    const VECTOR(uint) farthest = select(ends, antipode, (forward ^ antipode) <= extent);
-    const uint drop = 16 - grid_bits;
-    const VECTOR(uint) most = 65535; // a vector: oclgrind 21.10 does not know the min of a vector and a scalar
-    const VECTOR(uint) length = min((farthest + ((1u << drop) - 1)) >> drop, most);
-    return CONVERT(ushort)((length * length >> 17) + 1);
-}
-
-/// Enters the disk of a point into the part of the table that is in one row of grid cells along x. Squared distances
-/// are rounded up axis by axis: a part may seem covered later than it is.
-ALWAYS_INLINE void cover_row(const Position* point, const Cell* cell, uint row, uint low, uint grid_bits,
-                             global ushort* table)
-{
-    const uint last = (1u << grid_bits) - 1;
-    const uint bits = grid_bits + COVER_BITS;
-    const uint cell_y = row & last;
-    const uint near_cells = min(3u, last + 1); // along an axis
-    VECTOR(ushort) along_x[3];
-    for (uint x = 0; x < near_cells; ++x) {
-        along_x[x] = farthest_units(point->c[0], cell->c[0] + last + x & last, grid_bits);
-    }
-    ushort along_y[COVER_PARTS];
-    STORE(farthest_units(point->c[1], cell_y, grid_bits), 0, along_y);
-#if DIMENSION == 3
-    const uint cell_z = row >> grid_bits;
-    ushort along_z[COVER_PARTS];
-    STORE(farthest_units(point->c[2], cell_z, grid_bits), 0, along_z);
-    for (uint k = 0; k < COVER_PARTS; ++k) {
-        const uint slice = (cell_z << COVER_BITS | k) << bits;
-#else
-    const ushort along_z[1] = {0};
-    const uint k = 0;
-    const uint slice = 0;
-    {
-#endif
-        for (uint j = 0; j < COVER_PARTS; ++j) {
-            const ushort along_yz = add_sat(along_z[k], along_y[j]);
-            if (along_yz > low) continue;
-            global ushort* table_row = &table[(slice | cell_y << COVER_BITS | j) << bits];
-            for (uint x = 0; x < near_cells; ++x) {
-                const uint at = cell->c[0] + last + x & last;
-                STORE(min(LOAD(at, table_row), add_sat((VECTOR(ushort))along_yz, along_x[x])), at, table_row);
-            }
-        }
-    }
-}
-
-/// One work-item owns `rows_an_item` rows of grid cells along x, and all rows of the table in them. Enters the disks of
-/// points from FIRST_NEW on: each is in three rows of cells (3D: nine), whose owners are few where items own many.
-kernel void cover_cells(global const ulong* state, global const uint* points, uint grid_bits, uint rows_an_item,
-                        global ushort* table)
-{
-    const uint last = (1u << grid_bits) - 1;
-    const uint first_row = get_global_id(0) * rows_an_item;
-    if (first_row >> (DIMENSION - 1) * grid_bits != 0) return;
-    const uint near_cells = min(3u, last + 1);
-    const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
-    const uint end = (uint)state[POINTS];
-    for (uint p = (uint)state[FIRST_NEW]; p < end; ++p) {
-        Position point;
-        Cell cell;
-        FOR_EACH_AXIS(k) point.c[k] = points[p * POINT_WORDS + k];
-        FOR_EACH_AXIS(k) cell.c[k] = (uint)((ulong)point.c[k] >> (32 - grid_bits));
-#if DIMENSION == 3
-        for (uint z = 0; z < near_cells; ++z) {
-            const uint layer = (cell.c[2] + last + z & last) << grid_bits;
-#else
-        {
-            const uint layer = 0;
-#endif
-            for (uint y = 0; y < near_cells; ++y) {
-                const uint row = layer | (cell.c[1] + last + y & last);
-                if (row - first_row < rows_an_item) cover_row(&point, &cell, row, low, grid_bits, table);
-            }
-        }
-    }
-}
-
-/// One work-item owns one row of COVER_PARTS parts in the table. Nothing is covered, but for parts outside a region, which
-/// stay so, and the table's next update enters all points.
-kernel void clear_table(global ulong* state, global ushort* table, uint row_count, uint grid_bits REGION_PARAMETERS)
-{
-    const uint id = get_global_id(0);
-    if (id == 0) state[FIRST_NEW] = 0;
-    if (id >= row_count) return;
-    STORE((VECTOR(ushort))NOT_COVERED, id, table);
-#if REGION
-    REGION_OF_PARAMETERS
-    const uint bits = grid_bits + COVER_BITS;
-    for (uint part = id * COVER_PARTS; part < (id + 1) * COVER_PARTS; ++part) {
-        Position low, extent;
-        FOR_EACH_AXIS(k)
-        {
-            low.c[k] = (part >> k * bits & ((1u << bits) - 1)) << (32 - bits);
-            extent.c[k] = (1u << (32 - bits)) - 1;
-        }
-        if (side_of_positions(&region, &low, &extent) == REGION_OUTSIDE) table[part] = 0;
-    }
-#endif
 }
 
 /// One work-item owns one cell, and makes it empty.

@@ -3,10 +3,37 @@
 #include "base/regions/fixed_region.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 namespace poissonlab {
 
 using namespace fixed_edges;
+
+namespace {
+
+bool has_position(const FixedBox& box, std::uint32_t x, std::uint32_t y)
+{
+    return x >= box.low[0] && x <= box.high[0] && y >= box.low[1] && y <= box.high[1];
+}
+
+/// The side of a box in a cell whose lowest corner, moved by (e^2, e), is inside or not, where there are no margins.
+/// Nothing where an edge ends in the cell or is a line to keep away from: of others only their lines matter.
+std::optional<RegionSide> side_in_cell(const FixedBox& box, const FixedBox& cell, std::span<const FixedEdge> edges,
+                                       bool is_corner_inside)
+{
+    bool is_inside = is_corner_inside;
+    for (const FixedEdge& e : edges) {
+        if (!is_of_boundary(e) || has_position(cell, e[0], e[1]) || has_position(cell, e[2], e[3])) return {};
+        if (touches(e, box)) return RegionSide::crossed;
+        const std::int64_t of_corner = line_side(e, whole(cell.low[0]), whole(cell.low[1]));
+        is_inside ^= (line_side(e, whole(box.low[0]), whole(box.low[1])) > 0) !=
+                     (of_corner > 0 || (of_corner == 0 && e[2] > e[0]));
+    }
+    return is_inside ? RegionSide::inside : RegionSide::outside;
+}
+
+}
 
 /// Calls what(edge) for the edges of the cells that a box is in, as long as it returns true; one may come several
 /// times. Small boxes are held against those parts of divided cells alone that they lie in.
@@ -37,6 +64,12 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
                                  filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
     if (filled == 0) return RegionSide::outside;
     if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
+    const auto [number, width] = cell_with(cut.low);
+    const std::uint32_t within = (1u << width) - 1;
+    const FixedBox cell{{cut.low[0] & ~within, cut.low[1] & ~within}, {cut.low[0] | within, cut.low[1] | within}};
+    if (std::ranges::max(squared_margins_) == 0 && has_position(cell, cut.high[0], cut.high[1]))
+        if (const auto side = side_in_cell(cut, cell, edges_of(number), cells_[number] % 2 == 1))
+            return *side == RegionSide::inside && cut.high != box.high ? RegionSide::crossed : *side;
     bool is_crossed = false, is_near_edge = false, is_all_margin = false;
     for_each_edge_of_cells(cut, [&](const FixedEdge& e) {
         const FixedEdge ends = ends_of(e);
@@ -56,13 +89,11 @@ bool FixedRegion::find_crossing(const FixedBox& box, std::vector<FixedEdge>& edg
 {
     edges.clear();
     bool is_simple = std::ranges::max(margins_) == 0 && !has_coinciding_edges_;
-    const auto has = [&](std::uint32_t x, std::uint32_t y) {
-        return x >= box.low[0] && x <= box.high[0] && y >= box.low[1] && y <= box.high[1];
-    };
     if (is_simple)
         for_each_edge_of_cells(box, [&](const FixedEdge& e) {
             if (!touches(e, box) || std::ranges::find(edges, e) != edges.end()) return true;
-            is_simple = edges.size() < most_crossing && !has(e[0], e[1]) && !has(e[2], e[3]);
+            is_simple =
+                edges.size() < most_crossing && !has_position(box, e[0], e[1]) && !has_position(box, e[2], e[3]);
             edges.push_back(e);
             return is_simple;
         });

@@ -3,10 +3,10 @@
 // cost only.
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
-#include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/region_buffers.hpp"
+#include "host/sampling/relaxing_grids.hpp"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 
 #include <algorithm>
@@ -40,71 +40,18 @@ constexpr std::uint64_t most_darts_in_order = std::uint64_t{1} << 14;
 /// row of cells would look at the points of a set as often as there are rows, which is not linear in its size.
 constexpr std::size_t cover_items_of_cpu = 64;
 
+/// Work-items of cover_cells for each compute unit where the table has blocks, and so many at most on other devices.
+constexpr std::size_t cover_items_a_unit = 4;
+constexpr std::size_t most_cover_items = 4096;
+
 /// A batch is looked at for a radius that is smaller by this factor at most, or by as many levels at least:
 /// the smaller, the more candidates fail.
 constexpr double least_radius_ahead = 0.98;
 constexpr std::uint64_t least_levels_ahead = 3;
 
-/// The grids of the kernel file: for the table 2^grid_bits cells along each axis, and 2^cover_bits parts of each; for
-/// points so many cells along each axis.
-struct GridLimits
-{
-    int most_grid_bits;
-    int cover_bits;
-    std::uint32_t most_cells;
-    std::uint32_t number_bits; ///< of folded cells of points; 0: they are not folded
-};
-
-/// Folded cells along each axis at most: they are at least as wide as distances, which have more positions than this
-/// leaves.
-constexpr std::uint32_t most_folded_cells = 1u << 28;
-
-/// Folded cells have twice as many numbers as there are points, or some more.
-std::uint32_t folded_bits(std::size_t points) { return static_cast<std::uint32_t>(std::bit_width(points)) + 1; }
-
 /// Cells of points are made narrower when so many times as many along each axis are wide enough: they have some two
 /// points at most, however many points there are.
 constexpr double finer_grid = 1.25;
-
-/// Cells of the table's grid, a point of the whole set, at most: a grid that would be made for less than the last
-/// quarter of the points costs more, with all points to be entered anew, than darts that it decides.
-constexpr double table_cells_a_point = 1.5;
-
-/// Parts of the table: more leave fewer darts undecided, and fit the caches less.
-constexpr int most_table_bits = 29;
-
-GridLimits grid_limits(const RelaxationDartThrowingRequest& request)
-{
-    const std::size_t points = request.points;
-    const int dimension = request.dimension;
-    if (request.is_in_squares()) return {0, dimension == 2 ? 3 : 2, most_folded_cells, folded_bits(points)};
-    const auto most_cells_of_table = static_cast<std::uint64_t>(table_cells_a_point * static_cast<double>(points));
-    const int for_points = (static_cast<int>(std::bit_width(most_cells_of_table)) - 1) / dimension;
-    const int most_grid_bits = std::clamp(for_points, 0, most_table_bits / dimension - 2);
-    const int cover_bits = dimension == 2 ? 3 : 2;
-    const double most_cells = std::pow(static_cast<double>(points), 1.0 / dimension);
-    return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits),
-            std::max(1u, static_cast<std::uint32_t>(most_cells)), 0};
-}
-
-/// Numbers of cells of points.
-std::size_t cell_numbers(const GridLimits& limits, std::uint32_t grid_size, int dimension)
-{
-    return limits.number_bits > 0 ? std::size_t{1} << limits.number_bits : lattice_cells(grid_size, dimension);
-}
-
-/// Sizes of what the kernels work on, in elements.
-struct GridSizes
-{
-    std::size_t cells;
-    std::size_t parts;
-};
-
-GridSizes grid_sizes(const GridLimits& limits, int dimension)
-{
-    return {cell_numbers(limits, limits.most_cells, dimension),
-            std::size_t{1} << dimension * (limits.most_grid_bits + limits.cover_bits)};
-}
 
 /// Blocks of the largest batch, padded to whole work-groups.
 std::size_t most_blocks(int dimension, std::size_t group_size)
@@ -127,6 +74,18 @@ std::uint64_t levels_in_reach(const RelaxationDartThrowingRequest& request)
 }
 std::uint64_t levels_of_table(const RelaxationDartThrowingRequest& request) { return 8 * levels_in_reach(request); }
 
+/// What kernels know as REGION: 2 where darts fall into squares.
+int region_kind(const RelaxationDartThrowingRequest& request)
+{
+    return request.is_in_squares() ? 2 : int{has_land(request)};
+}
+
+std::size_t point_words_of(const RelaxationDartThrowingRequest& request)
+{
+    return contract::relaxation_dart_throwing::POINT_WORDS(static_cast<std::size_t>(request.dimension),
+                                                           static_cast<std::size_t>(region_kind(request)));
+}
+
 }
 
 std::uint64_t RadiusLevels::squared_min_distance() const
@@ -142,22 +101,31 @@ struct RelaxationDartBuffers
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
     Buffer<std::uint32_t> cells;
     Buffer<std::uint32_t> points;
-    Buffer<std::uint32_t> corners; ///< of squares
+    Buffer<std::uint32_t> corners;                                   ///< of squares
+    Buffer<std::uint32_t> first_parts, block_corners, blocks_around; ///< see TableBlocks
     LandBuffers land;
 
     NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
     {
         const int d = request.dimension;
-        const auto [cell_count, parts] = grid_sizes(grid_limits(request), d);
-        NeededBuffers buffers{{state, contract::relaxation_dart_throwing::STATE_WORDS},
-                              {thresholds, levels_of_table(request)},
-                              {flags, most_blocks(d, group_size)},
-                              {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
-                              {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
-                              {cells, cell_count * contract::relaxation_dart_throwing::CELL_WORDS},
-                              {table, parts}};
-        if (request.squares) buffers.push_back({corners, 2 * request.squares->corners.size()});
-        if (request.cubes) buffers.push_back({corners, 3 * request.cubes->corners.size()});
+        const GridLimits limits = grid_limits(request);
+        NeededBuffers buffers{
+            {state, contract::relaxation_dart_throwing::STATE_WORDS},
+            {thresholds, levels_of_table(request)},
+            {flags, most_blocks(d, group_size)},
+            {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
+            {points, request.points * point_words_of(request)},
+            {cells, limits.cell_numbers(limits.most_cells, d) * contract::relaxation_dart_throwing::CELL_WORDS},
+            {table, limits.parts}};
+        if (request.is_in_squares())
+            with_squares(request, [&](const auto& all) {
+                const auto axes = static_cast<std::size_t>(d);
+                const std::size_t count = all.corners.size();
+                buffers.insert(buffers.end(), {{corners, axes * count},
+                                               {first_parts, count},
+                                               {block_corners, axes * count},
+                                               {blocks_around, (d == 2 ? 9 : 27) * count}});
+            });
         for (const NeededBuffer& buffer : land.needed(request)) buffers.push_back(buffer);
         return buffers;
     }
@@ -172,12 +140,12 @@ public:
     RelaxationThrowing(Device& device, RelaxationDartBuffers& buffers, const RelaxationDartThrowingRequest& request,
                        std::size_t group_size)
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request)),
-          is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
+          is_cpu_(device.info().type == "CPU"), compute_units_(device.info().compute_units), is_in_order_(is_cpu_),
+          window_(request)
     {
-        const KernelProgram program = kernel_program(
-            "relaxation_dart_throwing.cl", {{"DIMENSION", D},
-                                            {"COVER_BITS", limits_.cover_bits},
-                                            {"REGION", request.is_in_squares() ? 2 : int{has_land(request)}}});
+        const KernelProgram program =
+            kernel_program("relaxation_dart_throwing.cl",
+                           {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", region_kind(request)}});
         throw_ = device.kernel(program, "throw_darts");
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");
@@ -192,8 +160,7 @@ public:
         ask_for_large_pages(buffers_.table.impl());
         ask_for_large_pages(buffers_.cells.impl());
         buffers_.land.write(request);
-        if (request.squares) write_corners(*request.squares);
-        if (request.cubes) write_corners(*request.cubes);
+        if (request.is_in_squares()) with_squares(request, [&](const auto& all) { write_corners(all); });
     }
 
     RelaxationDarts run()
@@ -223,7 +190,6 @@ private:
     using enum contract::relaxation_dart_throwing::State;
     using StateWords = std::array<std::uint64_t, STATE_WORDS>;
     static constexpr std::uint64_t darts_a_word = contract::relaxation_dart_throwing::DARTS_A_WORD;
-    static constexpr std::size_t point_words = contract::relaxation_dart_throwing::POINT_WORDS(D);
     static constexpr std::size_t darts_a_throwing_item =
         contract::relaxation_dart_throwing::DARTS_A_BLOCK(D) * contract::relaxation_dart_throwing::BLOCKS_A_FLAG_ITEM;
 
@@ -252,20 +218,19 @@ private:
         buffers_.corners.write(words);
     }
 
-    template <typename Run, typename Squares>
-    void run_in_squares(const Run& run, const Squares& squares) const
+    /// Needs squares.
+    contract::relaxation_dart_throwing::DartSquares dart_squares() const
     {
-        run(contract::relaxation_dart_throwing::DartSquares{u32(squares.corners.size()),
-                                                            static_cast<std::uint32_t>(squares.shift)},
-            buffers_.corners);
+        const TableFineness fineness = fineness_of(request_, static_cast<int>(grid_bits_));
+        return {with_squares(request_, [](const auto& all) { return u32(all.corners.size()); }),
+                static_cast<std::uint32_t>(fineness.square_shift), static_cast<std::uint32_t>(fineness.block_bits())};
     }
 
     /// Runs a kernel with the box or the squares that darts fall into, if there are any.
     template <typename Run>
     void with_box(const Run& run) const
     {
-        if (request_.squares) return run_in_squares(run, *request_.squares);
-        if (request_.cubes) return run_in_squares(run, *request_.cubes);
+        if (request_.is_in_squares()) return run(dart_squares(), buffers_.corners);
         const auto run_in = [&](const auto& box) {
             contract::relaxation_dart_throwing::DartBox darts{};
             for (std::size_t k = 0; k < box.low.size(); ++k) {
@@ -311,7 +276,7 @@ private:
         const std::uint64_t points = state_[POINTS] - before[POINTS];
         const bool was_in_order = is_in_order_;
         is_in_order_ = is_cpu_ && points * darts_a_point_in_order >= darts;
-        if (was_in_order && !is_in_order_) update_table();
+        if (was_in_order && !is_in_order_ && has_table_) update_table();
     }
 
     void throw_batch()
@@ -319,10 +284,14 @@ private:
         RelaxationDartBuffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        with_box([&](const auto&... box) {
+        const auto run_throw = [&](const auto&... box) {
             throw_.run(batch_ / darts_a_throwing_item, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags,
                        box...);
-        });
+        };
+        if (request_.is_in_squares())
+            run_throw(dart_squares(), b.first_parts);
+        else
+            with_box(run_throw);
         with_region([&](const auto&... region) {
             find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.cells, b.points,
                       point_cells(), key_x, key_y, b.candidates, region...);
@@ -336,10 +305,21 @@ private:
     /// Enters the points that the table does not know.
     void update_table()
     {
+        if (request_.is_in_squares()) return update_blocks();
         const std::size_t rows = std::size_t{1} << (D - 1) * grid_bits_;
         const std::size_t rows_an_item = is_cpu_ ? std::max<std::size_t>(1, rows / cover_items_of_cpu) : 1;
         cover_.run(rows / rows_an_item, std::min<std::size_t>(group_size_, D == 2 || rows_an_item > 1 ? 1 : 8),
                    buffers_.state, buffers_.points, grid_bits_, u32(rows_an_item), buffers_.table);
+    }
+
+    void update_blocks()
+    {
+        const RelaxationDartBuffers& b = buffers_;
+        const std::size_t items = is_cpu_ ? cover_items_a_unit * std::max(1u, compute_units_) : most_cover_items;
+        const std::size_t blocks_an_item = (blocks_ + items - 1) / items;
+        cover_.run((blocks_ + blocks_an_item - 1) / blocks_an_item, std::min<std::size_t>(group_size_, is_cpu_ ? 1 : 8),
+                   b.state, b.points, grid_bits_, u32(blocks_an_item), b.table, dart_squares(), b.first_parts,
+                   b.block_corners, b.blocks_around, u32(blocks_));
     }
 
     /// The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of 2^-32.
@@ -370,26 +350,53 @@ private:
         if (!needs_finer_cells(present_threshold())) return;
         grid_size_ = cells_for(present_threshold());
         RelaxationDartBuffers& b = buffers_;
-        const std::size_t cells = cell_numbers(limits_, grid_size_, D);
+        const std::size_t cells = limits_.cell_numbers(grid_size_, D);
         clear_cells_.run(cells, group_size_, b.cells, u32(cells));
         if (state_[POINTS] == 0) return;
         link_.run(state_[POINTS], group_size_, b.state, b.cells, b.points, point_cells());
         fill_.run(cells, group_size_, b.cells, u32(cells), b.points);
     }
 
-    /// Makes the grid of the table as fine as the minimum distance allows.
+    /// Makes the grid of the table as fine as the minimum distance allows, where the table is needed.
     void fit_table()
     {
+        if (is_in_order_) return;
         const std::uint32_t bits = grid_bits_for(present_threshold());
         if (has_table_ && bits == grid_bits_) return;
         has_table_ = true;
         grid_bits_ = bits;
+        if (request_.is_in_squares())
+            with_squares(request_, [&](const auto& squares) { clear_blocks(squares.corners); });
+        else
+            clear_torus();
+        update_table();
+    }
+
+    void clear_torus()
+    {
         RelaxationDartBuffers& b = buffers_;
-        const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
+        const std::size_t rows = std::size_t{1}
+                                 << (D * grid_bits_ + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
         b.land.run_with(request_, [&](const auto&... region) {
-            clear_table_.run(rows, group_size_, b.state, b.table, u32(rows), bits, region...);
+            clear_table_.run(rows, group_size_, b.state, b.table, u32(rows), grid_bits_, region...);
         });
-        if (!is_in_order_) update_table();
+    }
+
+    template <std::size_t Axes>
+    void clear_blocks(const SquareCorners<Axes>& squares)
+    {
+        RelaxationDartBuffers& b = buffers_;
+        const TableFineness fineness = fineness_of(request_, static_cast<int>(grid_bits_));
+        const TableBlocks blocks = table_blocks(squares, fineness);
+        b.first_parts.write(blocks.first_parts);
+        b.block_corners.write(blocks.corners);
+        b.blocks_around.write(blocks.around);
+        blocks_ = blocks.corners.size() / Axes;
+        const std::size_t cells = blocks_ << static_cast<int>(Axes) * (fineness.block_bits() - fineness.cover_bits);
+        b.land.run_with(request_, [&](const auto&... region) {
+            clear_table_.run(cells, std::min<std::size_t>(group_size_, 8), b.state, b.table, u32(cells), grid_bits_,
+                             dart_squares(), b.block_corners, region...);
+        });
     }
 
     /// Makes the table of thresholds hold all levels that the next rounds can reach.
@@ -424,6 +431,7 @@ private:
 
     PointSet accepted_points() const
     {
+        const std::size_t point_words = point_words_of(request_);
         const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words);
         std::vector<TorusPoint<D>> positions(request_.points);
         for (std::size_t i = 0; i < positions.size(); ++i)
@@ -435,13 +443,16 @@ private:
     const RelaxationDartThrowingRequest& request_;
     std::size_t group_size_;
     GridLimits limits_;
-    bool is_cpu_, is_in_order_;
+    bool is_cpu_;
+    unsigned compute_units_;
+    bool is_in_order_;
     Kernel throw_, find_, settle_, cover_, clear_table_, clear_cells_, link_, fill_, throw_in_order_;
     StateWords state_{}; ///< as the host saw it last
     std::uint64_t batch_ = first_batch, darts_in_order_ = first_darts_in_order;
     std::uint64_t levels_ahead_ = 1;
     bool has_table_ = false;
     std::uint32_t grid_bits_ = 0; ///< of the table
+    std::size_t blocks_ = 0;      ///< of the table
     std::uint32_t grid_size_ = 0; ///< cells of points along each axis
     RadiusLevels window_;         ///< the first level of the table of thresholds on the device
     std::vector<std::uint64_t> window_thresholds_;

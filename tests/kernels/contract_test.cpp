@@ -42,7 +42,8 @@ std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<
         text += " values[" + std::to_string(i) + "] = " + expressions[i] + ";";
     Device device = Device::open();
     auto values = device.buffer<std::uint32_t>(expressions.size());
-    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2 -D BRICKS=1").run(1, 1, values);
+    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2 -D BRICKS=1 -D REGION=2")
+        .run(1, 1, values);
     return values.read(0, expressions.size());
 }
 
@@ -140,8 +141,12 @@ TEST(Contract, OfEndlessMap)
 TEST(Contract, OfRelaxationDartThrowing)
 {
     const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, unused)};
-    EXPECT_THAT(on_device("kernels/common/darts/relaxation_dart_throwing.h", layout_of("Settling", "unused")),
-                ElementsAreArray(layout));
+    const std::string file = "kernels/common/darts/relaxation_dart_throwing.h";
+    EXPECT_THAT(on_device(file, layout_of("Settling", "unused")), ElementsAreArray(layout));
+    const std::size_t squares[] = {LAYOUT_OF(contract::relaxation_dart_throwing::DartSquares, block_bits)};
+    EXPECT_THAT(on_device(file, layout_of("DartSquares", "block_bits")), ElementsAreArray(squares));
+    const std::size_t point_words[] = {contract::relaxation_dart_throwing::POINT_WORDS(3, 2)};
+    EXPECT_THAT(on_device(file, {"POINT_WORDS"}), ElementsAreArray(point_words));
 }
 
 TEST(Contract, OfTileFilling)

@@ -132,6 +132,7 @@ private:
     struct Shares
     {
         double of_box = 0, of_darts = 0;
+        std::shared_ptr<const RegionSquares<FixedRegion>> squares{}; ///< that darts fall into, once they are known
     };
 
     /// Random points, all of which are allowed, and what part that is.
@@ -140,7 +141,7 @@ private:
         RegionCandidates candidates(region_, stream(purpose), area());
         std::vector<TorusPoint<2>> places = candidates.next(count);
         if (places.size() < count) fail_without_room(points_.request, settings_.place);
-        share = {candidates.share(), candidates.share_of_darts()};
+        share = {candidates.share(), candidates.share_of_darts(), candidates.squares()};
         return places;
     }
 
@@ -163,7 +164,8 @@ private:
         request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.region = points_.request.region;
-        if (is_in_squares())
+        request.squares = share.squares;
+        if (!request.squares && is_in_squares())
             request.squares =
                 std::make_shared<const RegionSquares<FixedRegion>>(squares_of(region_, most_region_squares));
         return request;

@@ -1,5 +1,7 @@
 #include "host/sampling/regions/region_bricks.hpp"
 
+#include "host/sampling/cells/cells_around.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <tuple>
@@ -8,6 +10,8 @@
 
 namespace poissonlab {
 namespace {
+
+static_assert(contract::dart_throwing::NO_BRICK == no_cell_around);
 
 /// Bricks of a region are found by halves, from the whole box on. They come in the order of these, along a curve that
 /// goes from neighbours to neighbours mostly: what lies close together is close together in memory.
@@ -31,7 +35,7 @@ public:
         bricks->dimension = D;
         for (const Corner& corner : found_)
             for (const std::uint32_t c : corner) bricks->corners.push_back(c * side_);
-        link(*bricks);
+        bricks->around = numbers_around(found_);
         return bricks;
     }
 
@@ -60,41 +64,6 @@ private:
             if (!visit(half, size / 2)) return false;
         }
         return true;
-    }
-
-    /// Corners in the order of their last coordinates, with their numbers.
-    using Sorted = std::vector<std::pair<Corner, std::uint32_t>>;
-
-    static bool comes_before(const Corner& a, const Corner& b)
-    {
-        return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
-    }
-
-    /// Tells each brick of those around it: rows of three neighbours follow each other.
-    void link(DartBricks& bricks) const
-    {
-        Sorted sorted;
-        for (std::uint32_t i = 0; i < found_.size(); ++i) sorted.emplace_back(found_[i], i);
-        std::ranges::sort(sorted, comes_before, &Sorted::value_type::first);
-        constexpr std::size_t rows = contract::dart_throwing::BRICKS_AROUND(D) / 3;
-        bricks.around.assign(3 * rows * found_.size(), contract::dart_throwing::NO_BRICK);
-        for (std::size_t i = 0; i < found_.size(); ++i)
-            for (std::size_t row = 0; row < rows; ++row)
-                link_row(sorted, found_[i], row, &bricks.around[3 * (i * rows + row)]);
-    }
-
-    /// Corners below 0 wrap around, and are not found.
-    static void link_row(const Sorted& sorted, const Corner& corner, std::size_t row, std::uint32_t* numbers)
-    {
-        Corner left = corner;
-        for (std::size_t k = 1, digits = row; k < D; ++k, digits /= 3)
-            left[k] += static_cast<std::uint32_t>(digits % 3) - 1;
-        left[0] = corner[0] == 0 ? 0 : corner[0] - 1;
-        auto at = std::ranges::lower_bound(sorted, left, comes_before, &Sorted::value_type::first);
-        for (; at != sorted.end() && at->first[0] <= corner[0] + 1; ++at) {
-            if (!std::equal(left.begin() + 1, left.end(), at->first.begin() + 1)) return;
-            numbers[at->first[0] + 1 - corner[0]] = at->second;
-        }
     }
 
     const Region& region_;

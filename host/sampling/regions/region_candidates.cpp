@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace poissonlab {
@@ -119,11 +120,17 @@ public:
         : region_(region), is_simple_(region.find_crossing(*box_around<FixedRegion>(position, reach, true), edges_))
     {
         for (std::size_t i = 0; is_simple_ && i < edges_.size(); ++i) {
-            const std::int64_t side = fixed_edges::line_side(edges_[i], position[0], position[1]);
+            const FixedEdge& e = edges_[i];
+            const std::int64_t side = fixed_edges::line_side(e, position[0], position[1]);
             is_simple_ = side != 0;
             is_positive_[i] = side > 0;
+            const double length = std::hypot(double{1} * e[2] - e[0], double{1} * e[3] - e[1]);
+            nearest_ = std::min(nearest_, std::abs(static_cast<double>(side)) / length);
         }
     }
+
+    /// Are all places inside that are so near to the position? (Places are rounded down.)
+    bool contains_all_within(double distance) const { return is_simple_ && (distance + 2) * (1 + 1e-9) < nearest_; }
 
     bool contains(const TorusPoint<2>& place) const
     {
@@ -142,6 +149,7 @@ private:
     std::vector<FixedEdge> edges_;
     bool is_simple_;
     std::array<bool, FixedRegion::most_crossing + 1> is_positive_{};
+    double nearest_ = std::numeric_limits<double>::infinity(); ///< of the edges' lines
 };
 
 /// Regions of space are asked one by one.
@@ -149,31 +157,47 @@ class InsideSpaceAround
 {
 public:
     InsideSpaceAround(const FixedSpace& space, const TorusPoint<3>& /*position*/, double /*reach*/) : space_(space) {}
+    bool contains_all_within(double /*distance*/) const { return false; }
     bool contains(const TorusPoint<3>& place) const { return space_.contains(place); }
 
 private:
     const FixedSpace& space_;
 };
 
-/// `places` in a disk or ball of radius 1 that have equal weights. All points are inside.
+/// The distance of a place from the middle.
+template <std::size_t D>
+double distance_of(const std::array<double, D>& place)
+{
+    double squared = 0;
+    for (const double c : place) squared += c * c;
+    return std::sqrt(squared);
+}
+
+/// `places` in a disk or ball of radius 1 that have equal weights, from the nearest on. All points are inside.
 template <typename Around, typename Region, typename Places>
 std::vector<std::uint32_t> factors_by_places(const Region& region, const PointSet& points, const Places& places,
                                              const std::function<double(std::size_t)>& radius_of)
 {
     using contract::sample_elimination::FACTOR_UNITS;
     std::vector<std::uint32_t> factors(points.size(), FACTOR_UNITS);
+    std::array<double, std::tuple_size_v<Places>> distances{};
+    std::ranges::transform(places, distances.begin(), [](const auto& place) { return distance_of(place); });
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
-        const double radius = radius_of(i);
+        const double radius = radius_of(i), reach = radius * distances.back() * (1 + 1e-9) + 1; // of all places
         const auto position = fixed_position<std::tuple_size_v<PlaceIn<Region>>>(points[i]);
-        if (const auto box = box_around<Region>(position, radius, false))
+        if (const auto box = box_around<Region>(position, reach, false))
             if (region.side_of(*box) == RegionSide::inside) return;
-        const Around around(region, position, radius);
+        const Around around(region, position, reach);
         std::size_t inside = 0;
-        for (const auto& offset : places) {
+        for (std::size_t j = 0; j < places.size(); ++j) {
+            if (around.contains_all_within(radius * distances[j])) {
+                ++inside;
+                continue;
+            }
             auto place = position;
             bool is_position = true;
             for (std::size_t k = 0; k < place.size(); ++k) {
-                const double at = position[k] + offset[k] * radius;
+                const double at = position[k] + places[j][k] * radius;
                 is_position &= at >= 0 && at < 0x1p31;
                 if (is_position) place[k] = static_cast<std::uint32_t>(at);
             }
@@ -194,17 +218,17 @@ RegionCandidates<Region>::RegionCandidates(const Region& region, const StreamKey
     : region_(region), stream_(stream), least_share_(least_share)
 {
     if (area == CandidateArea::box) return;
-    squares_ = squares_of(region, most_region_squares);
-    area_part_ = static_cast<double>(squares_.corners.size());
+    squares_ = std::make_shared<const RegionSquares<Region>>(squares_of(region, most_region_squares));
+    area_part_ = static_cast<double>(squares_->corners.size());
     for (std::size_t k = 0; k < std::tuple_size_v<Place>; ++k)
-        area_part_ *= std::exp2(squares_.shift) / (double{1} * region.extent().high[k] - region.extent().low[k] + 1);
+        area_part_ *= std::exp2(squares_->shift) / (double{1} * region.extent().high[k] - region.extent().low[k] + 1);
 }
 
 template <typename Region>
 PlaceIn<Region> RegionCandidates<Region>::dart(const std::array<std::uint32_t, 4>& words) const
 {
     Place place;
-    if (squares_.corners.empty()) {
+    if (!squares_ || squares_->corners.empty()) {
         const auto& box = region_.extent();
         for (std::size_t k = 0; k < place.size(); ++k) {
             const std::uint64_t size = std::uint64_t{box.high[k]} - box.low[k] + 1;
@@ -212,8 +236,8 @@ PlaceIn<Region> RegionCandidates<Region>::dart(const std::array<std::uint32_t, 4
         }
         return place;
     }
-    place = squares_.corners[words[3] * std::uint64_t{squares_.corners.size()} >> 32];
-    for (std::size_t k = 0; k < place.size(); ++k) place[k] += squares_.within(words[k]);
+    place = squares_->corners[words[3] * std::uint64_t{squares_->corners.size()} >> 32];
+    for (std::size_t k = 0; k < place.size(); ++k) place[k] += squares_->within(words[k]);
     return place;
 }
 

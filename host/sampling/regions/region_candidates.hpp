@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,9 @@ public:
     /// The part of the box around the region that darts found inside.
     double share() const { return share_of_darts() * area_part_; }
 
+    /// The squares that darts fall into, if they do.
+    const std::shared_ptr<const RegionSquares<Region>>& squares() const { return squares_; }
+
     /// The part of the darts that fell inside.
     double share_of_darts() const { return static_cast<double>(found_) / static_cast<double>(thrown_); }
 
@@ -61,8 +65,8 @@ private:
     const Region& region_;
     StreamKey stream_;
     double least_share_;
-    RegionSquares<Region> squares_; ///< without corners: darts fall into the box
-    double area_part_ = 1;          ///< of what darts fall into, of the box
+    std::shared_ptr<const RegionSquares<Region>> squares_; ///< null: darts fall into the box
+    double area_part_ = 1;                                 ///< of what darts fall into, of the box
     std::uint64_t thrown_ = 0, found_ = 0;
 };
 

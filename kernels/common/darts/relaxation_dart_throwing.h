@@ -14,8 +14,9 @@ enum
     DARTS_A_WORD = 64       ///< candidates are a bit a dart
 };
 
-/// A point as words: position, 1 + the number of the next point in the cell's chain.
-DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
+/// A point as words: position, 1 + the number of the next point in the cell's chain, and with squares (REGION 2) the number
+/// of the square that its dart fell into.
+DERIVED(POINT_WORDS, (size_t DIMENSION, size_t REGION), DIMENSION + 1 + (REGION == 2))
 
 /// A cell as words: the position of the last point in it, and a link: 1 + the number of that point, with the
 /// uppermost bit if there are more, or 0.
@@ -60,11 +61,13 @@ struct Settling
     uint unused;
 };
 
-/// The squares that darts fall into, of a region that is long: 2^shift positions wide.
+/// The squares that darts fall into, of a region that is long: 2^shift positions wide. Blocks of the table have
+/// 2^block_bits parts along each axis (host/sampling/cells/table_blocks.hpp).
 struct DartSquares
 {
     uint count;
     uint shift;
+    uint block_bits;
 };
 
 /// The box that darts fall into, with a region; 2^31 positions along each axis at most.

@@ -8,10 +8,12 @@
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "tests/support/random_region.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -28,7 +30,49 @@ struct LongRelaxationCase
     std::string region;
     std::size_t points;
     bool is_in_space = false;
+    double initial_radius = 0.001;
 };
+
+/// A corridor 900 units long. Those of 1, 2, 4 and 50 units across are filled by some 750, 1,450, 2,600 and 32,000
+/// points at a distance of 1, which is 1 / 1,800 of the torus or a little more.
+std::string corridor(double degrees, double across)
+{
+    const double angle = degrees / 180 * std::numbers::pi, x = 900 * std::cos(angle), y = 900 * std::sin(angle);
+    const double left = -across * std::sin(angle), up = across * std::cos(angle);
+    return fmt::format("POLYGON ((0 0, {} {}, {} {}, {} {}, 0 0))", x, y, x + left, y + up, left, up);
+}
+
+LongRelaxationCase filled_corridor(double degrees, double across, std::size_t points)
+{
+    return {corridor(degrees, across), points, false, 1.3 / 3600};
+}
+
+/// A corridor that is bent like the letter S, with holes.
+std::string bent_corridor()
+{
+    constexpr int steps = 60;
+    std::string up, down, holes;
+    for (int i = 0; i <= steps; ++i) {
+        const double x = 15.0 * i, y = 90 * std::sin(i * 2 * std::numbers::pi / steps);
+        down += fmt::format("{} {}, ", x, y);
+        up = fmt::format("{} {}, ", x, y + 3) + up;
+        if (i > 0 && i < steps)
+            holes += fmt::format(", ({0} {1}, {0} {2}, {3} {2}, {0} {1})", x, y + 1.2, y + 1.8, x + 0.3);
+    }
+    return "POLYGON ((" + down + up + "0 0)" + holes + ")";
+}
+
+/// A hundred triangles, far from each other.
+std::string islands()
+{
+    std::string text;
+    for (int i = 0; i < 100; ++i) {
+        const double x = 97.0 * (i % 10) + i % 7, y = 89.0 * (i / 10) + i % 5;
+        text += fmt::format("{0}(({1} {2}, {3} {4}, {5} {6}, {1} {2}))", i > 0 ? ", " : "", x, y, x + 4, y + 1, x + 1,
+                            y + 5);
+    }
+    return "MULTIPOLYGON (" + text + ")";
+}
 
 void PrintTo(const LongRelaxationCase& c, std::ostream* out) { *out << c.points << " in " << c.region; }
 
@@ -38,11 +82,11 @@ class RelaxationInSquares : public testing::TestWithParam<LongRelaxationCase>
 
 TEST_P(RelaxationInSquares, IsThatOfTheReferenceInsideAndFarEnoughApart)
 {
-    const auto& [name, points, is_in_space] = GetParam();
+    const auto& [name, points, is_in_space, initial_radius] = GetParam();
     RelaxationDartThrowingRequest request;
     request.dimension = is_in_space ? 3 : 2;
     request.points = points;
-    request.initial_radius = 0.001;
+    request.initial_radius = initial_radius;
     request.factor = 0.9;
     request.attempts = 300;
     request.stream = stream_key(7, Purpose::relaxation_dart_throwing, 0);
@@ -54,8 +98,9 @@ TEST_P(RelaxationInSquares, IsThatOfTheReferenceInsideAndFarEnoughApart)
         request.squares = std::make_shared<const RegionSquares<FixedRegion>>(squares_of(*request.region, 1 << 14));
     }
     const RelaxationDarts expected = reference::throw_relaxation_darts(request);
-    for (const std::size_t group : {std::size_t{1}, std::size_t{0}})
-        EXPECT_TRUE(RelaxationDartThrower(Device::open(), group).throw_darts(request) == expected);
+    for (const unsigned threads : {1U, 0U})
+        for (const std::size_t group : {std::size_t{1}, std::size_t{0}})
+            EXPECT_TRUE(RelaxationDartThrower(Device::open({}, threads), group).throw_darts(request) == expected);
     ASSERT_EQ(expected.points.size(), points);
     for (std::size_t i = 0; i < points; ++i) {
         const auto p = expected.points[i];
@@ -63,7 +108,7 @@ TEST_P(RelaxationInSquares, IsThatOfTheReferenceInsideAndFarEnoughApart)
             EXPECT_TRUE(request.region->contains_plainly(
                 {static_cast<std::uint32_t>(p[0] * 0x1p32), static_cast<std::uint32_t>(p[1] * 0x1p32)}));
         }
-        for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t j = 0; j < i && i < 3000; ++j) {
             double squared = 0;
             for (std::size_t k = 0; k < p.size(); ++k)
                 squared += (p[k] - expected.points[j][k]) * (p[k] - expected.points[j][k]);
@@ -82,7 +127,16 @@ INSTANTIATE_TEST_SUITE_P(
                     LongRelaxationCase{"star60", 300},
                     LongRelaxationCase{"MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((9000 9000,9001 9000,9001 9001,9000 9000)))",
                                        400},
-                    LongRelaxationCase{"box 0 0 0 900 1 2", 500, true}));
+                    LongRelaxationCase{"box 0 0 0 900 1 2", 500, true},
+                    LongRelaxationCase{"box 0 0 0 900 4 5", 9000, true, 1.3 / 3600}));
+
+INSTANTIATE_TEST_SUITE_P(Filled, RelaxationInSquares,
+                         testing::Values(filled_corridor(0, 1, 750), filled_corridor(30, 1, 750),
+                                         filled_corridor(45, 2, 1450), filled_corridor(89, 2, 1450),
+                                         filled_corridor(90.0001, 4, 2600), filled_corridor(0, 4, 2600),
+                                         filled_corridor(30, 50, 30'000),
+                                         LongRelaxationCase{bent_corridor(), 2200, false, 1.3 / 3600},
+                                         LongRelaxationCase{islands(), 900, false, 1.3 / 3600}));
 
 struct ListedCase
 {

@@ -19,7 +19,7 @@
 namespace poissonlab {
 namespace {
 
-PointSet random_set(std::size_t points, int dimension, unsigned seed)
+PointSet uniform_set(std::size_t points, int dimension, unsigned seed)
 {
     std::mt19937_64 random(seed);
     return test::random_points_32(points, dimension, random);
@@ -43,7 +43,7 @@ class SampleEliminationOrder : public ::testing::TestWithParam<EliminationCase>
 TEST_P(SampleEliminationOrder, IsThatOfTheHeap)
 {
     const auto [dimension, points, kept] = GetParam();
-    const PointSet set = random_set(points, dimension, 7);
+    const PointSet set = uniform_set(points, dimension, 7);
     const EliminationReach reach = elimination_reach(kept, points, dimension);
     const auto expected = reference::removal_order(set, reach, points);
     ASSERT_EQ(expected.size(), points);
@@ -60,7 +60,7 @@ TEST_P(SampleEliminationOrder, IsThatOfTheHeap)
 TEST_P(SampleEliminationOrder, IsThatOfTheHeapWithFactors)
 {
     const auto [dimension, points, kept] = GetParam();
-    const PointSet set = random_set(points, dimension, 7);
+    const PointSet set = uniform_set(points, dimension, 7);
     const EliminationReach reach = elimination_reach(kept, points, dimension);
     std::mt19937 random(3);
     std::vector<std::uint32_t> factors(points);
@@ -77,7 +77,7 @@ TEST_P(SampleEliminationOrder, IsThatOfTheHeapWithFactors)
 TEST_P(SampleEliminationOrder, IsThatOfTheHeapOnARoad)
 {
     const auto [dimension, points, kept] = GetParam();
-    PointSet set = random_set(points, dimension, 7);
+    PointSet set = uniform_set(points, dimension, 7);
     double area = 1;
     for (std::size_t k = 0; k < set.coordinates.size(); ++k)
         set.coordinates[k] *= k % static_cast<std::size_t>(dimension) == 0 ? 0.5 : 0x1p-16;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SampleEliminationOrder,
 TEST(SampleElimination, RemovesTheHeaviestPointByDirectSums)
 {
     constexpr std::size_t points = 120, kept = 30;
-    const PointSet set = random_set(points, 2, 3);
+    const PointSet set = uniform_set(points, 2, 3);
     const EliminationReach reach = elimination_reach(kept, points, 2);
     EXPECT_NEAR(reach.most, std::sqrt(2 / (std::sqrt(3.0) * kept)), 1e-12);         // 2 r_max, equation 2 of the paper
     EXPECT_NEAR(reach.least / reach.most, (1 - std::pow(0.25, 1.5)) * 0.65, 1e-12); // equation 4
@@ -133,7 +133,7 @@ TEST(SampleElimination, RemovesTheHeaviestPointByDirectSums)
 
 TEST(SampleElimination, KeepsPointsOfTheSetInAnOrderWhosePrefixesAreSpread)
 {
-    const PointSet set = random_set(10240, 2, 5);
+    const PointSet set = uniform_set(10240, 2, 5);
     SampleElimination elimination(Device::open());
     const PointSet kept =
         eliminate(set, 2048, [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
