@@ -108,12 +108,20 @@ void GltfFile::check_extensions() const
 
 std::vector<std::string> GltfFile::notes() const
 {
-    std::vector<std::string> unknown;
-    if (root_->has("extensionsUsed")) unknown = root_->texts("extensionsUsed");
-    std::erase_if(unknown, [](const std::string& name) { return is_known_extension(name); });
-    for (std::string& name : unknown)
+    std::vector<std::string> notes;
+    if (root_->has("extensionsUsed")) notes = root_->texts("extensionsUsed");
+    std::erase_if(notes, [](const std::string& name) { return is_known_extension(name); });
+    for (std::string& name : notes)
         name = "the extension " + shortened(printable(name)) + " of the file is not known here and was left out";
-    return unknown;
+    const std::string without = " of the file were left out: the mesh has the shape without them";
+    const auto is_morphed = [](const StoredObject& mesh) {
+        return mesh.has("primitives") && std::ranges::any_of(mesh.objects("primitives"), [](const StoredObject& part) {
+                   return part.has("targets");
+               });
+    };
+    if (std::ranges::any_of(list("meshes"), is_morphed)) notes.push_back("morph targets" + without);
+    if (!list("skins").empty()) notes.push_back("skins" + without);
+    return notes;
 }
 
 std::vector<StoredObject> GltfFile::list(const std::string& name) const

@@ -26,7 +26,8 @@ public:
 
     const StoredObject& root() const { return *root_; }
 
-    /// A sentence for each extension that the file uses, does not require, and that is not known here.
+    /// A sentence for each extension that the file uses, does not require, and that is not known here, and for morph
+    /// targets and skins.
     std::vector<std::string> notes() const;
 
     /// A list of objects of the file; empty where there is none.

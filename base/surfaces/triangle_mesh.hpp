@@ -42,13 +42,13 @@ enum class MeshParts
 };
 
 /// Reads a mesh; the end of its name says the format: .off, .obj, .ply, .stl, .gltf or .glb. Materials, colours and
-/// normals of files are left alone, and so are skins and morph targets of glTF. Texture coordinates are `vt` of OBJ, s
-/// and t, u and v, or texture_u and texture_v of a PLY file's vertices or the list texcoord of its faces, and
-/// TEXCOORD_0 of glTF, whose v is counted from below as in OBJ; other formats have none. Vertices are those of the
-/// file, in its order; of STL, those at one place are one. Meshes of glTF are joined, each where its nodes put it.
-/// Throws InputError, a line that names the file, the place in it and the cause: the file is not a mesh, has no faces,
-/// coordinates that are not finite numbers or faces with vertices that are not there, ends early or late, or requires
-/// an extension of glTF that is not known here.
+/// normals of files are left alone; notes name skins and morph targets of glTF, which are left out. Texture coordinates
+/// are `vt` of OBJ, s and t, u and v, or texture_u and texture_v of a PLY file's vertices or the list texcoord of its
+/// faces, and TEXCOORD_0 of glTF, whose v is counted from below as in OBJ; other formats have none. Vertices are those
+/// of the file, in its order; of STL, those at one place are one. Meshes of glTF are joined, each where its nodes put
+/// it. Throws InputError, a line that names the file, the place in it and the cause: the file is not a mesh, has no
+/// faces, coordinates that are not finite numbers or faces with vertices that are not there, ends early or late, or
+/// requires an extension of glTF that is not known here.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts = MeshParts::faces);
 
 /// Files that hold a part of a mesh that was read: those of numbers that .gltf names.

@@ -134,6 +134,9 @@ TEST(MeshCorpus, IsLeftOutWithAWord)
     EXPECT_THAT(notes("gltf/lines.gltf"),
                 ElementsAre("the extension EXT_mesh_gpu_instancing of the file is not known here and was left out",
                             "2 lines or points of the file, which have no area, were left out"));
+    EXPECT_THAT(notes("gltf/morphed.gltf"),
+                ElementsAre("morph targets of the file were left out: the mesh has the shape without them",
+                            "skins of the file were left out: the mesh has the shape without them"));
     EXPECT_THAT(notes("ply/elements.ply"),
                 ElementsAre("2 lines or points of the file, which have no area, were left out"));
     EXPECT_THAT(notes("gltf/named-scene.gltf"),
