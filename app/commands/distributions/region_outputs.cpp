@@ -8,7 +8,7 @@
 #include "base/regions/region_source.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/runs/dart_pictures.hpp"
-#include "host/distribution/runs/varied_results.hpp"
+#include "host/distribution/runs/region_results.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>

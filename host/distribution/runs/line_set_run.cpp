@@ -6,7 +6,6 @@
 #include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/regions/line_set.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
-#include "host/kinds/kinds.hpp"
 #include "host/settings/keys/region_keys.hpp"
 
 #include <fmt/format.h>
