@@ -2,7 +2,7 @@
 //
 // Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang tiles for real-time blue noise, 2006. The plain twin, which has
 // the same points, is host/tile_sampling/recursive/recursive_points.cpp; host/tile_sampling/recursive/
-// recursive_kernel.cpp shows the tiles level by level. Whole numbers decide; only coordinates are of double precision.
+// recursive_sampler.cpp shows the tiles level by level. Whole numbers decide; only coordinates are of double precision.
 
 #pragma OPENCL FP_CONTRACT OFF
 

@@ -73,22 +73,25 @@ ALWAYS_INLINE long weight_of(const Elimination* e, ulong squared)
     return (long)(fourth * fourth * WEIGHT_UNITS + 0.5);
 }
 
+/// The points of a run, from `begin` up to `end`, in FOR_EACH_WITHIN_REACH().
+#define FOR_EACH_OF_RUN(e, item, coordinates, begin, end, WHERE, BODY)                                                 \
+    for (uint other = (begin), end_ = (end); other < end_; ++other) {                                                  \
+        if (!(WHERE)) continue;                                                                                        \
+        find_position(coordinates, (e)->stride, other, &there_);                                                       \
+        const ulong squared = squared_distance(&position_, &there_);                                                   \
+        if (squared >= (e)->squared_reach || other == item) continue;                                                  \
+        BODY                                                                                                           \
+    }
+
+// FOR_EACH_WITHIN_REACH(): BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees
+// `other`, is true: calls are textual, as OpenCL C has no function pointers.
 #if LISTED
 
-/// BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees `other`, is true.
 #define FOR_EACH_WITHIN_REACH(e, item, coordinates, WHERE, BODY)                                                       \
     Position position_, there_;                                                                                        \
     find_position(coordinates, (e)->stride, item, &position_);                                                         \
-    for (uint run_ = cells[item] * RUNS, last_ = run_ + RUNS; run_ < last_; ++run_) {                                  \
-        const uint end_ = runs[2 * run_ + 1];                                                                          \
-        for (uint other = runs[2 * run_]; other < end_; ++other) {                                                     \
-            if (!(WHERE)) continue;                                                                                    \
-            find_position(coordinates, (e)->stride, other, &there_);                                                   \
-            const ulong squared = squared_distance(&position_, &there_);                                               \
-            if (squared >= (e)->squared_reach || other == item) continue;                                              \
-            BODY                                                                                                       \
-        }                                                                                                              \
-    }
+    for (uint run_ = cells[item] * RUNS, last_ = run_ + RUNS; run_ < last_; ++run_)                                    \
+        FOR_EACH_OF_RUN(e, item, coordinates, runs[2 * run_], runs[2 * run_ + 1], WHERE, BODY)
 
 #else
 
@@ -99,8 +102,7 @@ ALWAYS_INLINE uint cell_of(const Elimination* e, uint coordinate)
 
 ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; }
 
-/// BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees `other`, is true: calls
-/// are textual, as OpenCL C has no function pointers. Cells that follow each other along an axis hold points that do.
+/// Cells that follow each other along an axis hold points that do.
 #define FOR_EACH_WITHIN_REACH(e, item, coordinates, WHERE, BODY)                                                       \
     Position position_, there_;                                                                                        \
     find_position(coordinates, (e)->stride, item, &position_);                                                         \
@@ -111,23 +113,15 @@ ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; 
         first_[k] = n_ < 3 ? 0 : cell_ > 0 ? cell_ - 1 : n_ - 1;                                                       \
         cells_[k] = min(n_, 3);                                                                                        \
     }                                                                                                                  \
-    for (int z_ = 0; z_ < cells_[2]; ++z_) {                                                                           \
+    for (int z_ = 0; z_ < cells_[2]; ++z_)                                                                             \
         for (int y_ = 0; y_ < cells_[1]; ++y_) {                                                                       \
             const int row_ = (wrapped(first_[2] + z_, n_) * n_ + wrapped(first_[1] + y_, n_)) * n_;                    \
             for (int x_ = 0, run_; x_ < cells_[0]; x_ += run_) {                                                       \
                 const int begin_ = wrapped(first_[0] + x_, n_);                                                        \
                 run_ = min(cells_[0] - x_, n_ - begin_);                                                               \
-                const uint end_ = starts[row_ + begin_ + run_];                                                        \
-                for (uint other = starts[row_ + begin_]; other < end_; ++other) {                                      \
-                    if (!(WHERE)) continue;                                                                            \
-                    find_position(coordinates, (e)->stride, other, &there_);                                           \
-                    const ulong squared = squared_distance(&position_, &there_);                                       \
-                    if (squared >= (e)->squared_reach || other == item) continue;                                      \
-                    BODY                                                                                               \
-                }                                                                                                      \
+                FOR_EACH_OF_RUN(e, item, coordinates, starts[row_ + begin_], starts[row_ + begin_ + run_], WHERE, BODY)\
             }                                                                                                          \
-        }                                                                                                              \
-    }
+        }
 
 #endif
 

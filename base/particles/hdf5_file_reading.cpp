@@ -1,5 +1,4 @@
 #include "base/errors/errors.hpp"
-#include "base/particles/hdf5_attributes.hpp"
 #include "base/particles/hdf5_objects.hpp"
 #include "base/particles/snapshot_head.hpp"
 #include "base/points/hdf5_files.hpp"

@@ -60,16 +60,15 @@ bool is_divided(MeshPoint& point, double weight)
 class BinaryOffReader
 {
 public:
-    explicit BinaryOffReader(const MeshBytes& file) : file_(file) {}
+    /// The keyword is that of the first line; numbers follow it.
+    BinaryOffReader(const MeshBytes& file, const OffKeyword& keyword) : file_(file), keyword_(keyword)
+    {
+        LineReader lines(file.bytes);
+        if (lines.next()) left_ = lines.rest();
+    }
 
     PolygonSoup read()
     {
-        LineReader lines(file_.bytes);
-        lines.next();
-        WordReader words(lines.line());
-        words.next();
-        keyword_ = off_keyword(words.word()).value();
-        left_ = lines.rest();
         if (keyword_.has_dimension && integer("the dimension") != 3)
             fail("vertices of nOFF must have three coordinates");
         vertices_ = count("the number of vertices");
@@ -143,16 +142,14 @@ private:
     PolygonSoup soup_;
 };
 
-/// Is the second word of the first line BINARY?
-bool is_binary_off(std::string_view bytes)
+/// The keyword of a binary file, of which the second word of the first line is BINARY; nothing where it is text.
+std::optional<OffKeyword> binary_off_keyword(std::string_view bytes)
 {
-    WordReader words(bytes.substr(0, std::min(bytes.size(), bytes.find('\n'))));
-    if (!words.next() || !off_keyword(words.word()) || !words.next()) return false;
-    return words.word() == "BINARY" || words.word() == "BINARY\r";
+    WordReader words(bytes.substr(0, bytes.find('\n')));
+    const auto keyword = words.next() ? off_keyword(words.word()) : std::nullopt;
+    if (!keyword || !words.next() || (words.word() != "BINARY" && words.word() != "BINARY\r")) return std::nullopt;
+    return keyword;
 }
-
-/// Throws InputError; see read_off().
-PolygonSoup read_binary_off(const MeshBytes& file) { return BinaryOffReader(file).read(); }
 
 class OffTextReader
 {
@@ -271,7 +268,8 @@ private:
 
 PolygonSoup read_off(const MeshBytes& file)
 {
-    return is_binary_off(file.bytes) ? read_binary_off(file) : OffTextReader(file).read();
+    if (const auto keyword = binary_off_keyword(file.bytes)) return BinaryOffReader(file, *keyword).read();
+    return OffTextReader(file).read();
 }
 
 }

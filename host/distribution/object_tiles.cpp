@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "base/programs/cache_folder.hpp"
-#include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 

@@ -1,10 +1,12 @@
-// Steps of a method for a set that processes hold together in slabs, see host/sampling/slabs/slab_division.hpp.
+// Steps of a method, and its beginning, for a set that processes hold together in slabs, see
+// host/sampling/slabs/slab_division.hpp.
 //
 // Before each step, processes send each other the points of the layers of cells around their slabs; then each moves its
 // own, slab by slab, and sends those that have left to where they are. Where points farther away matter, as around
 // empty parts of the torus, all do the step again with more layers.
 #pragma once
 
+#include "host/kinds/distribution_place.hpp"
 #include "host/large_sets/slab_points.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
@@ -51,5 +53,43 @@ private:
     std::size_t kept_ = 0;
     double relative_radius_ = 0;
 };
+
+/// The set that relaxation in slabs begins with. Random points are made by all processes, each a share; any other set
+/// is made by the process that leads, in its memory, and shared out.
+class SlabStart
+{
+public:
+    /// `request` is what the start is asked for.
+    SlabStart(const SamplerChoice& choice, SampleRequest request, const DistributionPlace& place, Crew& crew)
+        : choice_(choice), request_(std::move(request)), place_(place), crew_(crew)
+    {}
+
+    /// Random points can be made from any one on.
+    static bool is_shared(const SamplerChoice& choice) { return choice.spec->name == "random"; }
+
+    /// Makes what one process makes. False where that failed. The number of points is known afterwards.
+    bool make();
+
+    std::uint64_t points() const { return points_; }
+
+    /// Puts the points into slabs, and forgets them. False where a process failed.
+    bool put_into(SlabPoints& slabs);
+
+private:
+    bool shares() const { return is_shared(choice_); }
+    std::vector<double> piece(std::uint64_t first, std::uint64_t end) const;
+
+    const SamplerChoice& choice_;
+    SampleRequest request_;
+    const DistributionPlace& place_;
+    Crew& crew_;
+    std::uint64_t points_ = 0;
+    PointSet set_; ///< of the process that leads, where it has made it
+};
+
+/// Puts the parts of `coarse_points` points into the slabs of a finer set, of which there are `points`, see
+/// split_points(). False where a process failed.
+bool put_parts(const SlabPoints& coarse, std::uint64_t coarse_points, SlabPoints& fine, std::uint64_t points,
+               int dimension, Crew& crew);
 
 }

@@ -1,7 +1,6 @@
 #include "host/tile_construction/chain_relaxation.hpp"
 
 #include "host/tile_construction/chain_paths.hpp"
-#include "host/tile_construction/chains/chain_evening.hpp"
 #include "host/tile_construction/chains/chain_mending.hpp"
 #include "host/tile_construction/joint/stored_points.hpp"
 #include "tiles/poisson/chain_geometry.hpp"

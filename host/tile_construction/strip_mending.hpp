@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/tile_construction/joint/joint_relaxation.hpp"
-#include "host/tile_construction/strip_pieces.hpp"
+#include "host/tile_construction/piece_store.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 #include <compare>

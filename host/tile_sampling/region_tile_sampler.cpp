@@ -6,8 +6,8 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
+#include "host/tile_points/tile_points.hpp"
 #include "host/tile_points/tiled_region.hpp"
-#include "host/tile_points/unit_stream.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
-#include "host/tile_sampling/series_tile_sets.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <fmt/format.h>

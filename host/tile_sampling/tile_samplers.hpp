@@ -6,7 +6,7 @@
 #pragma once
 
 #include "host/sampling/sampler.hpp"
-#include "host/tile_sampling/series_tile_sets.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstddef>

@@ -1,27 +1,28 @@
 #include "host/tile_sampling/tile_set_cache.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "base/programs/cache_folder.hpp"
 #include "code_hashes.hpp"
 #include "host/tile_construction/chain_construction.hpp"
 #include "host/tile_construction/classes/class_construction.hpp"
 #include "host/tile_construction/tile_ranking.hpp"
 #include "host/tile_sampling/built_once.hpp"
-#include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/counts/shared_points.hpp"
 #include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -171,6 +172,78 @@ CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine en
         [&] { return timed_build(parameters, engine, device, on_step); }, store_set);
     auto& [set, build] = once.built;
     return recorded(std::move(set), once.cached, std::move(build), once.waiting_seconds);
+}
+
+std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
+
+SeriesTileSets::SeriesTileSets(const TileSetChoice& choice, const SampleRequest& request, Engine engine,
+                               const DeviceProvider& device)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const double built_before = engine == Engine::opencl ? device().build_seconds() : 0;
+    double waiting_seconds = 0;
+    for (std::uint32_t i = 0; i < choice.sets; ++i) {
+        PoissonTileParameters parameters = choice.first;
+        parameters.seed += i;
+        CachedTileSet cached = cached_tile_set(parameters, engine, device, cache_folder(), request.on_step);
+        sets_.push_back(std::move(cached.set));
+        if (i == 0) record_ = std::move(cached.record);
+        waiting_seconds += cached.waiting_seconds;
+    }
+    const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
+    const double built = engine == Engine::opencl ? device().build_seconds() - built_before : 0;
+    preparation_seconds_ = all.count() - built - waiting_seconds;
+}
+
+SetTraits SeriesTileSets::traits() const
+{
+    SetTraits traits;
+    traits.tile_sets = static_cast<std::uint32_t>(sets_.size());
+    traits.tile_set = record_;
+    traits.tile_set_file = [this] { return encode_tile_set(sets_.front()); };
+    traits.preparation_seconds = preparation_seconds_;
+    return traits;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "poissonlab-tile-set-build";
+
+}
+
+std::filesystem::path build_record_file(const std::filesystem::path& tile_set_file)
+{
+    return tile_set_file.string() + ".json";
+}
+
+void write_build_record(const std::filesystem::path& tile_set_file, const TileSetBuild& build)
+{
+    const Json json = {{"format", format_name},
+                       {"format_version", 1},
+                       {"build_seconds", build.seconds},
+                       {"device", build.device},
+                       {"threads", build.threads}};
+    write_whole_file(build_record_file(tile_set_file), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::optional<TileSetBuild> read_build_record(const std::filesystem::path& tile_set_file)
+{
+    const std::filesystem::path file = build_record_file(tile_set_file);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    try {
+        const Json json = Json::parse(read_whole_file(file));
+        if (json.at("format") != format_name || json.at("format_version") != 1) return std::nullopt;
+        const TileSetBuild build{json.at("build_seconds"), json.at("device"), json.at("threads")};
+        if (!std::isfinite(build.seconds) || build.seconds < 0 || build.threads < 1) return std::nullopt;
+        return build;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 }

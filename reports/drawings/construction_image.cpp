@@ -25,20 +25,27 @@ constexpr std::array<double, stored_point_classes.size()> sphere_parts{0.3, 0.3,
 const std::string body_outline = "#505050";
 const std::string cube_outline = "#a0a0a0";
 
+/// The corners of a panel's window in space.
+std::array<ShapeVector, 8> window_corners(const ScenePanel& panel)
+{
+    std::array<ShapeVector, 8> corners;
+    corners.fill(panel.window.low_corner());
+    for (std::size_t upper = 0; upper < corners.size(); ++upper)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (upper >> k & 1) corners[upper][k] += panel.window.size[k];
+    return corners;
+}
+
 /// The upper left and lower right corner of a projected window.
 std::array<DrawingPoint, 2> extent(const ScenePanel& panel)
 {
-    std::array<DrawingPoint, 2> ends{};
-    for (unsigned upper = 0; upper < 8; ++upper) {
-        ShapeVector corner = panel.window.low_corner();
-        for (std::size_t k = 0; k < 3; ++k)
-            if (upper >> k & 1) corner[k] += panel.window.size[k];
-        const DrawingPoint place = projected(corner);
+    const DrawingPoint first = projected(panel.window.low_corner());
+    std::array<DrawingPoint, 2> ends{first, first};
+    for (const ShapeVector& corner : window_corners(panel))
         for (std::size_t k = 0; k < 2; ++k) {
-            ends[0][k] = upper == 0 ? place[k] : std::min(ends[0][k], place[k]);
-            ends[1][k] = upper == 0 ? place[k] : std::max(ends[1][k], place[k]);
+            ends[0][k] = std::min(ends[0][k], projected(corner)[k]);
+            ends[1][k] = std::max(ends[1][k], projected(corner)[k]);
         }
-    }
     return ends;
 }
 
@@ -181,16 +188,9 @@ private:
     /// The nearness of the farthest and the nearest corner of the window.
     std::array<double, 2> ends_of_sight() const
     {
-        std::array<double, 2> ends{};
-        for (unsigned upper = 0; upper < 8; ++upper) {
-            ShapeVector corner = panel_.window.low_corner();
-            for (std::size_t k = 0; k < 3; ++k)
-                if (upper >> k & 1) corner[k] += panel_.window.size[k];
-            const double near = nearness(corner);
-            ends[0] = upper == 0 ? near : std::min(ends[0], near);
-            ends[1] = upper == 0 ? near : std::max(ends[1], near);
-        }
-        return ends;
+        const auto [farthest, nearest] =
+            std::ranges::minmax(window_corners(panel_), {}, [](const ShapeVector& corner) { return nearness(corner); });
+        return {nearness(farthest), nearness(nearest)};
     }
 
     std::vector<Shape>& shapes_;

@@ -6,7 +6,6 @@
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/drawing_pictures.hpp"
 #include "reports/drawings/tile_image.hpp"
-#include "reports/drawings/tile_regions_image.hpp"
 #include "results/pictures/stored_tiles.hpp"
 
 #include <fmt/format.h>

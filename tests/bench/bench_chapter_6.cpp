@@ -11,10 +11,10 @@
 #include "host/device/device.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
-#include "host/tile_sampling/penrose/penrose_importance.hpp"
 #include "host/tile_sampling/penrose/penrose_relaxation.hpp"
-#include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
-#include "host/tile_sampling/recursive/recursive_kernel.hpp"
+#include "host/tile_sampling/penrose/penrose_sampler.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
+#include "host/tile_sampling/recursive/recursive_sampler.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 

@@ -18,6 +18,23 @@
 
 namespace poissonlab {
 
+// The frequencies of neighbourhoods and pairs of tiles, by the automaton.
+
+/// Frequencies per tile after a few divisions of tiles that had all classes, and all pairs, equally often: of the
+/// classes, then of the pairs. Those that last occur as often as in the long run, within some percent; those that die
+/// out are there still.
+std::vector<double> frequencies_of(const Neighbourhoods& neighbourhoods);
+
+// The order in which the children of a polyomino get points.
+
+/// Greedy farthest points: the first child is the one whose copies keep the largest distance in all tilings, each
+/// further one is the farthest from copies of all before and of its own. Middles of tiles decide, ties go to the lower
+/// number.
+std::vector<std::uint32_t> farthest_children(const Neighbourhoods& neighbourhoods);
+
+/// Reorders the children of neighbourhoods.
+Neighbourhoods with_children_in_order(const Neighbourhoods& neighbourhoods, const std::vector<std::uint32_t>& order);
+
 /// Units of positions, in a cell.
 inline constexpr std::int64_t cell_units = 4096;
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace poissonlab {
@@ -92,5 +93,16 @@ private:
     RecursiveTiles tiles_;
     RecursivePlaces places_;
 };
+
+// Files of recursive Wang tiles: what a cache keeps.
+//
+// Bytes, all numbers with the low byte first: "RECWANG1"; N as 32 bits, seed as 64 bits; for each of the 8 tiles 16
+// bytes, the tiles of its cells, and 16 N links of 16 bits, the cell times 4,096 plus the point; XXH64 of all before.
+
+/// Throws StorageError.
+void write_recursive_tiles(const std::filesystem::path& file, const RecursiveTileSet& tiles);
+
+/// Throws InputError, a line with the file's name, for a file that is damaged or something else.
+RecursiveTileSet read_recursive_tiles(const std::filesystem::path& file);
 
 }

@@ -6,7 +6,6 @@
 #include "host/large_sets/scattered_points.hpp"
 #include "host/large_sets/slab_plan.hpp"
 #include "host/large_sets/slab_relaxation.hpp"
-#include "host/large_sets/slab_start.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 
 #include <fmt/format.h>

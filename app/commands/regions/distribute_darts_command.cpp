@@ -43,31 +43,20 @@ default than --min-distance to points.
   poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv
   poissonlab distribute darts --region "rectangle 0 0 1 1" --min-distance "0.01+0.02*x" --out dots.svg --out dots.npy)help";
 
-struct DartOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    RegionOutputs outs;
-};
-
-void throw_darts(const DartOptions& o)
+void throw_darts(const RegionOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<DartSettings>();
     o.outs.check(o.command(), settings.varies());
-    const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
-    const std::string what = words_of(darts);
-    o.say_note(what);
-    for (const std::string& note : darts.notes()) o.say_note(note);
-    o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in {}",
-                                    shortened(printable(settings.region)), o.seed(), what, units_of(darts)));
-    if (o.prints_json()) print_numbers(dart_numbers(darts));
+    o.finish(throw_region_darts(settings, o.seed(), o.place()),
+             fmt::format("--region {}", shortened(printable(settings.region))));
 }
 
 }
 
 Command distribute_darts_command()
 {
-    const auto o = std::make_shared<DartOptions>(*find_kind("distribution", "darts"));
+    const auto o = std::make_shared<RegionOptions>(*find_kind("distribution", "darts"));
     return kind_command(o, o->outs.options(), distribute_darts_notes, throw_darts);
 }
 

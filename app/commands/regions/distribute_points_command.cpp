@@ -30,32 +30,21 @@ the mean of both, which is proven of all pairs afterwards. With --points it is a
   poissonlab distribute points --region "disk 0 0 1" --method relaxation --points 2000 --min-distance "1+4*(x*x+y*y)" \
       --between mean --out disks.svg --out disks.csv --distances diameters.npy)help";
 
-struct RegionPointOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    RegionOutputs outs;
-};
-
-void make_points_of_region(const RegionPointOptions& o)
+void make_points_of_region(const RegionOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<RegionPointSettings>();
     o.outs.check(o.command(), settings.place.varies());
-    const RegionDarts made = make_region_points(settings, o.seed(), o.place());
-    const std::string what = words_of(made);
-    o.say_note(what);
-    for (const std::string& note : made.notes()) o.say_note(note);
-    o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in {}",
-                                   shortened(printable(settings.place.region)), region_methods[settings.method],
-                                   o.seed(), what, units_of(made)));
-    if (o.prints_json()) print_numbers(dart_numbers(made));
+    o.finish(make_region_points(settings, o.seed(), o.place()),
+             fmt::format("--region {} --method {}", shortened(printable(settings.place.region)),
+                         region_methods[settings.method]));
 }
 
 }
 
 Command distribute_points_command()
 {
-    const auto o = std::make_shared<RegionPointOptions>(*find_kind("distribution", "points"));
+    const auto o = std::make_shared<RegionOptions>(*find_kind("distribution", "points"));
     return kind_command(o, o->outs.options(), distribute_points_notes, make_points_of_region);
 }
 

@@ -8,7 +8,7 @@
 #include "base/regions/region_source.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
-#include "host/distribution/region_runs/varied_results.hpp"
+#include "host/distribution/region_runs/region_results.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +49,23 @@ void write_point_file(const std::filesystem::path& file, const RegionDarts& dart
     write_points(file, points, comment);
 }
 
+/// The units of the coordinates in point files.
+std::string units_of(const RegionDarts& darts)
+{
+    return darts.request.land ? file_units(darts.request.land->whole) : "units of the region";
+}
+
+/// A line that says how many points there are, how far apart they are, and whether a further one fits.
+std::string words_of(const RegionDarts& darts)
+{
+    std::string what = fmt::format("{} {}", darts.points.size(), noun(darts.points.size(), "point"));
+    if (darts.sure_distance > 0 && !darts.varied)
+        what += fmt::format(" at least {}{} apart", darts.sure_distance,
+                            darts.request.land && is_mapped(darts.request.land->whole) ? " m" : "");
+    if (darts.is_saturated) what += ", between which no further one fits";
+    return darts.varied ? what + "; " + words_of_varied(*darts.varied) : what;
+}
+
 }
 
 std::vector<Option> RegionOutputs::options()
@@ -78,19 +95,14 @@ void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) 
     if (!distances.empty()) write_distances(output_name(distances, distance_formats()), *darts.varied);
 }
 
-std::string units_of(const RegionDarts& darts)
+void RegionOptions::finish(const RegionDarts& made, const std::string& asked) const
 {
-    return darts.request.land ? file_units(darts.request.land->whole) : "units of the region";
-}
-
-std::string words_of(const RegionDarts& darts)
-{
-    std::string what = fmt::format("{} {}", darts.points.size(), noun(darts.points.size(), "point"));
-    if (darts.sure_distance > 0 && !darts.varied)
-        what += fmt::format(" at least {}{} apart", darts.sure_distance,
-                            darts.request.land && is_mapped(darts.request.land->whole) ? " m" : "");
-    if (darts.is_saturated) what += ", between which no further one fits";
-    return darts.varied ? what + "; " + words_of_varied(*darts.varied) : what;
+    const std::string what = words_of(made);
+    say_note(what);
+    for (const std::string& note : made.notes()) say_note(note);
+    outs.write(made,
+               fmt::format("poissonlab {} {} --seed {}: {}, in {}", command(), asked, seed(), what, units_of(made)));
+    if (prints_json()) print_numbers(dart_numbers(made));
 }
 
 }

@@ -25,10 +25,15 @@ struct RegionOutputs
     void write(const RegionDarts& darts, const std::string& comment) const;
 };
 
-/// The units of the coordinates in point files.
-std::string units_of(const RegionDarts& darts);
+/// The options of a command that makes points in a region.
+struct RegionOptions : KindOptions
+{
+    using KindOptions::KindOptions;
 
-/// A line that says how many points there are, how far apart they are, and whether a further one fits.
-std::string words_of(const RegionDarts& darts);
+    /// Writes what was made and says what it is; `asked` has the options that files are told of.
+    void finish(const RegionDarts& made, const std::string& asked) const;
+
+    RegionOutputs outs;
+};
 
 }

@@ -2,7 +2,6 @@
 #include "app/commands/kind_options.hpp"
 #include "base/images/png_file.hpp"
 #include "base/text/noun.hpp"
-#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/kinds.hpp"

@@ -51,14 +51,30 @@ Averages are of light. The same tiles lie where the program of runtime/texture_t
 constexpr std::uint32_t not_laid = std::numeric_limits<std::uint32_t>::max(); // --laid is not given
 constexpr int usual_laid_root = 5;
 
-/// The keys of an endless texture that a picture is mapped as.
-void mapped_method_keys(Keys& keys, EndlessRequest& request)
+struct TextureMapSettings
 {
-    request.method = EndlessMethod::repeated;
-    keys.word("method", request.method, endless_methods,
+    EndlessRequest request; ///< the endless texture that a picture is mapped as
+    TextureCamera camera;   ///< of a size and over a tile that are no keys
+    std::uint32_t frames = 1;
+    double advance = 0; ///< tiles
+};
+
+void texture_map_keys(Keys& keys, TextureMapSettings& s)
+{
+    TextureCamera& camera = s.camera;
+    keys.number("above", camera.above, {0.01, 10'000}, "the camera's height over the plane").unit("tiles");
+    keys.number("pitch", camera.pitch, {0, 90}, "how far the camera looks below the horizon").unit("degrees");
+    keys.number("yaw", camera.yaw, {-360, 360}, "how far it looks to the right of north").unit("degrees");
+    keys.number("field", camera.field, {1, 150}, "what it sees from the picture's top to its bottom").unit("degrees");
+    keys.word("filter", camera.filter, texture_filters, "how texels become pixels");
+    keys.integer("samples", camera.samples, 1, 16, "samples of a pixel along each axis");
+    keys.integer("frames", s.frames, 1, 100'000, "pictures of a fly-through");
+    keys.number("advance", s.advance, {-1e6, 1e6}, "how far the camera flies ahead in all of them").unit("tiles");
+    s.request.method = EndlessMethod::repeated;
+    keys.word("method", s.request.method, endless_methods,
               "of a picture: the endless texture that it is the exemplar of");
-    endless_keys(keys, request);
-    check_keys_of_method(keys, request.method, "method");
+    endless_keys(keys, s.request);
+    check_keys_of_method(keys, s.request.method, "method");
 }
 
 struct TextureMapOptions : KindOptions
@@ -66,13 +82,8 @@ struct TextureMapOptions : KindOptions
     using KindOptions::KindOptions;
     std::filesystem::path folder;
     std::vector<std::int64_t> size{1024, 576}, tile{0, 0};
-    double above = 2, pitch = 15, yaw = 0, field = 60;
-    std::uint32_t samples = 1;
-    std::string filter = "anisotropic";
     std::string lookup; // empty: the one that is right for the set
     std::uint32_t laid = not_laid;
-    std::uint32_t frames = 1;
-    double advance = 0;
 };
 
 /// Pixels of a texture without tiles that count as a tile: of the camera's height, of --tile and of --laid.
@@ -82,46 +93,22 @@ constexpr int tile_of_pixels = contract::endless_map::TILE_TEXELS;
 constexpr std::int64_t farthest_endless_tile = std::int64_t{1} << 45;
 
 constexpr std::int64_t most_map_pixels = 16'384;
-constexpr std::uint32_t most_map_samples = 16, most_map_frames = 100'000;
 
-void check_map_number(const char* option, double value, double lowest, double highest)
-{
-    if (!(value >= lowest && value <= highest))
-        throw InputError(
-            fmt::format("texture map: {} {}: must be a number from {} to {}", option, value, lowest, highest));
-}
-
-void check_map_count(const char* option, std::int64_t value, std::int64_t highest)
-{
-    if (value < 1 || value > highest)
-        throw InputError(fmt::format("texture map: {} {}: must be an integer from 1 to {}", option, value, highest));
-}
-
-TextureCamera checked_camera(const TextureMapOptions& o)
+/// The camera at its place, as large as its picture.
+TextureCamera placed_camera(const TextureMapOptions& o, TextureCamera camera)
 {
     if (o.size.size() != 2)
         throw InputError(fmt::format("texture map: --size {}: must be W H", fmt::join(o.size, " ")));
     if (o.tile.size() != 2)
         throw InputError(fmt::format("texture map: --tile {}: must be X Y", fmt::join(o.tile, " ")));
-    for (const std::int64_t pixels : o.size) check_map_count("--size", pixels, most_map_pixels);
-    check_map_number("--above", o.above, 0.01, 10'000);
-    check_map_number("--pitch", o.pitch, 0, 90);
-    check_map_number("--yaw", o.yaw, -360, 360);
-    check_map_number("--field", o.field, 1, 150);
-    check_map_number("--advance", o.advance, -1e6, 1e6);
-    check_map_count("--samples", o.samples, most_map_samples);
-    check_map_count("--frames", o.frames, most_map_frames);
-    TextureCamera camera;
+    for (const std::int64_t pixels : o.size)
+        if (pixels < 1 || pixels > most_map_pixels)
+            throw InputError(
+                fmt::format("texture map: --size {}: must be an integer from 1 to {}", pixels, most_map_pixels));
     camera.width = static_cast<int>(o.size[0]);
     camera.height = static_cast<int>(o.size[1]);
     camera.tile_x = o.tile[0];
     camera.tile_y = o.tile[1];
-    camera.above = o.above;
-    camera.pitch = o.pitch;
-    camera.yaw = o.yaw;
-    camera.field = o.field;
-    camera.samples = static_cast<int>(o.samples);
-    camera.filter = value_of_word("texture map", "--filter", o.filter, texture_filters);
     return camera;
 }
 
@@ -252,21 +239,23 @@ std::filesystem::path frame_file(const std::filesystem::path& out, std::uint32_t
 
 void map_texture_plane(const TextureMapOptions& o)
 {
-    TextureCamera camera = checked_camera(o);
+    const auto settings = o.settings().as<TextureMapSettings>();
+    TextureCamera camera = placed_camera(o, settings.camera);
     if (!o.lookup.empty()) value_of_word("texture map", "--lookup", o.lookup, texture_lookups);
     const int laid_root = checked_laid_root(o);
-    const EndlessRequest request = o.settings().as<EndlessRequest>();
     const DistributionPlace place = o.place();
-    if (o.frames > 1 && names_standard_output(o.out))
+    const std::uint32_t frames = settings.frames;
+    if (frames > 1 && names_standard_output(o.out))
         throw InputError(
-            fmt::format("texture map: --out {}: standard output takes one frame, not {}", o.out.string(), o.frames));
+            fmt::format("texture map: --out {}: standard output takes one frame, not {}", o.out.string(), frames));
     const std::filesystem::path out = checked_output("texture map", "--out", o.out, {{".png"}});
     const MappedPlane plane = [&] {
         try {
             std::error_code unknown;
             if (!std::filesystem::exists(o.folder, unknown)) throw InputError("no such picture, and no such folder");
-            if (std::filesystem::is_regular_file(o.folder, unknown)) return plane_of_picture(o, request, place, camera);
-            return plane_of_set(o, request, place, laid_root);
+            if (std::filesystem::is_regular_file(o.folder, unknown))
+                return plane_of_picture(o, settings.request, place, camera);
+            return plane_of_set(o, settings.request, place, laid_root);
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({o.folder.string()});
@@ -275,16 +264,16 @@ void map_texture_plane(const TextureMapOptions& o)
     if (place.engine == Engine::opencl)
         check_fits(fmt::format("texture map: {}", o.folder.string()), plane.memory(view_of(camera)),
                    place.device().info());
-    for (std::uint32_t frame = 0; frame < o.frames; ++frame) {
-        camera.forward = o.advance * frame / o.frames;
+    for (std::uint32_t frame = 0; frame < frames; ++frame) {
+        camera.forward = settings.advance * frame / frames;
         const PngPixels pixels =
             encoded_pixels(plane.picture(view_of(camera)), camera.width, camera.height, plane.channels);
-        write_png(frame_file(out, frame, o.frames), pixels);
-        if (place.on_step) place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
+        write_png(frame_file(out, frame, frames), pixels);
+        if (place.on_step) place.on_step(fmt::format("frame {} of {}", frame + 1, frames));
     }
     if (!o.prints_json()) return;
-    const nlohmann::ordered_json json{{"file", printable(frame_file(out, 0, o.frames).string())},
-                                      {"frames", o.frames},
+    const nlohmann::ordered_json json{{"file", printable(frame_file(out, 0, frames).string())},
+                                      {"frames", frames},
                                       {"width", camera.width},
                                       {"height", camera.height},
                                       {"channels", plane.channels}};
@@ -296,7 +285,7 @@ void map_texture_plane(const TextureMapOptions& o)
 Command texture_map_command()
 {
     static const Kind mapped =
-        described_command("texture map", "Draw an endless plane of texture tiles in perspective", mapped_method_keys);
+        described_command("texture map", "Draw an endless plane of texture tiles in perspective", texture_map_keys);
     const auto o = std::make_shared<TextureMapOptions>(mapped);
     return {
         "map", mapped.summary,
@@ -304,22 +293,12 @@ Command texture_map_command()
                  allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
                           Integers{1, most_map_pixels}),
                  {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
-                 {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
-                 {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
-                 {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
-                 {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
-                 {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
                  {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
                  {"--laid", &o->laid,
                   "For sets without a hash: tiles along a side of the window, 4, 9, 16, 25, 36, 49 or 64; default: 25. "
                   "For "
                   "pictures: such a window instead of the plane",
                   "N"},
-                 allowing({"--samples", &o->samples, "Samples of a pixel along each axis; default: 1", "N"},
-                          Integers{1, most_map_samples}),
-                 allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
-                          Integers{1, most_map_frames}),
-                 {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
                  {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
                 o->options()}),
         texture_map_notes, action_on(o, map_texture_plane)};

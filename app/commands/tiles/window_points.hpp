@@ -3,8 +3,8 @@
 
 #include "base/densities/density.hpp"
 #include "base/regions/region_source.hpp"
+#include "host/tile_points/tile_points.hpp"
 #include "host/tile_points/tiled_region.hpp"
-#include "host/tile_points/unit_stream.hpp"
 
 #include <array>
 #include <cstdint>

@@ -3,6 +3,7 @@
 // Wei, Multi-class blue noise sampling, SIGGRAPH 2010. See host/sampling/classes/class_darts.hpp.
 #pragma once
 
+#include "base/geometry/point_set.hpp"
 #include "host/distribution/classes/class_means.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/classes/class_darts.hpp"
@@ -16,6 +17,12 @@
 #include <vector>
 
 namespace poissonlab {
+
+// The least distance of points of one set from those of another, on the unit torus.
+
+/// In unit lengths; infinity where a set is empty. Coordinates lie in [0, 1); where they are multiples of 2^-32,
+/// squares are exact, and one rounding follows. Time is O(N log N) for well-spread points.
+double least_distance_between(const PointSet& a, const PointSet& b);
 
 // The settings of [[distribution]] kind = "classes".
 

@@ -6,9 +6,11 @@
 #pragma once
 
 #include "base/densities/density_values.hpp"
+#include "host/device/needed_buffers.hpp"
 #include "host/distribution/objects.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
+#include "kernels/common/fields/instances.h"
 
 #include <array>
 #include <cstdint>
@@ -103,5 +105,36 @@ std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTili
 
 /// The number of instances on average.
 double expected_instances(const InstanceSettings& settings);
+
+// Instances made on a device.
+
+/// Places instances by kernels/instances.cl, bit for bit as the reference does. The tile set is copied to the device
+/// once.
+class InstancePlacer
+{
+public:
+    /// `work_group_size` 0: the default. The tile set must outlive this.
+    InstancePlacer(Device device, const ObjectTileSet& tiles, std::size_t work_group_size = 0);
+
+    static DeviceMemory memory(const ObjectTileSet& tiles);
+
+    /// The instances in the window and the ring, by rows of tiles; on the plane, z is 0. Throws Interrupted.
+    std::vector<Instance> place(const PoissonTiling& tiling, const InstanceSettings& settings);
+
+private:
+    struct Buffers
+    {
+        Buffer<std::uint32_t> words;
+        Buffer<contract::instances::PlacedInstance> instances;
+
+        NeededBuffers needed(const PoissonTileSet& tiles);
+    };
+
+    Device device_;
+    const ObjectTileSet& tiles_;
+    std::size_t work_group_size_;
+    Buffers buffers_;
+    Kernel place_;
+};
 
 }

@@ -3,7 +3,6 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.5, figures 7.5 and 7.6.
 #include "base/files/whole_file.hpp"
 #include "base/random/random.hpp"
-#include "host/distribution/distribution_run.hpp"
 #include "host/distribution/instances/instance_files.hpp"
 #include "host/distribution/instances/instance_view.hpp"
 #include "host/distribution/object_tiles.hpp"

@@ -1,11 +1,9 @@
 // kind = "mask-picture" measures a mask of thresholds of any origin.
 #include "base/images/png_file.hpp"
 #include "base/images/raw_picture.hpp"
-#include "base/text/noun.hpp"
 #include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/masks/mask_picture.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
-#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "base/images/png_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
-#include "host/distribution/distribution_run.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/object_tiles.hpp"
 #include "host/distribution/objects.hpp"

@@ -6,7 +6,6 @@
 #include "base/files/whole_file.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/density_measures.hpp"
-#include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/self_similar_search.hpp"

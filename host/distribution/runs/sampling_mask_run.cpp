@@ -1,5 +1,4 @@
 // kind = "mri-mask": which pixels of a grid are sampled.
-#include "base/errors/errors.hpp"
 #include "host/distribution/masks/mask_measures.hpp"
 #include "host/kinds/kinds.hpp"
 

@@ -5,7 +5,7 @@
 // cubes, whose squares are its quads.
 #pragma once
 
-#include "host/distribution/surfaces/texture_stretch.hpp"
+#include "host/distribution/surfaces/texture_plane.hpp"
 #include "host/settings/distributions/quad_config.hpp"
 #include "host/settings/keys/keys.hpp"
 #include "results/pictures/distribution_result.hpp"

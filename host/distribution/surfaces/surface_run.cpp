@@ -6,7 +6,6 @@
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
-#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/distribution/surfaces/laid_tiles.hpp"
-#include "host/distribution/surfaces/texture_stretch.hpp"
+#include "host/distribution/surfaces/texture_plane.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "host/distribution/surfaces/surface_set.hpp"
-#include "host/distribution/surfaces/texture_stretch.hpp"
+#include "host/distribution/surfaces/texture_plane.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstddef>

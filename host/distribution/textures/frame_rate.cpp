@@ -1,7 +1,6 @@
 #include "host/distribution/textures/frame_rate.hpp"
 
 #include "host/device/device.hpp"
-#include "host/sampling/sampler.hpp"
 #include "results/statistic.hpp"
 #include "results/texture_measures.hpp"
 

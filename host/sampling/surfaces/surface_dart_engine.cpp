@@ -1,9 +1,7 @@
 // Runs kernels/surfaces/surface_darts.cl.
 #include "host/device/needed_buffers.hpp"
-#include "host/sampling/surfaces/surface_buckets.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
 
-#include <algorithm>
 #include <bit>
 
 namespace poissonlab {

@@ -3,7 +3,6 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
-#include "host/sampling/surfaces/surface_buckets.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
 
 #include <algorithm>

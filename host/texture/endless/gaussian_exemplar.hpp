@@ -31,4 +31,10 @@ GaussianExemplar gaussian_exemplar(const PngPixels& exemplar);
 /// The means of a picture's channels; 0 of those that it does not have.
 std::array<double, 3> channel_means(const PngPixels& picture);
 
+// The normal distribution by nothing but sums and products, whose last bits are the same on all machines.
+
+/// The probability of at most `deviations` standard deviations; error below 1e-12 up to four of them, and below the
+/// probability beyond.
+double normal_probability(double deviations);
+
 }

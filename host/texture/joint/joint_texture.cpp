@@ -10,10 +10,10 @@
 //
 // Wang tiles have a common corner in this way, and fit there; the articles' do not.
 #include "host/texture/corner_texture.hpp"
-#include "host/texture/joint/changed_runs.hpp"
-#include "host/texture/joint/dearest_box.hpp"
+#include "host/texture/joint/assembly.hpp"
 #include "host/texture/joint/feature_map.hpp"
 #include "host/texture/joint/joint_patches.hpp"
+#include "host/texture/joint/site_move.hpp"
 #include "host/texture/joint/window_search.hpp"
 
 #include <tbb/parallel_for.h>

@@ -7,7 +7,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -102,5 +105,14 @@ private:
     std::vector<Pair> pairs_;
     int layers_ = 1; ///< tiles that lie over each other
 };
+
+// Where the seams of a site are dearest.
+
+/// North-western pixels of boxes.
+using BoxPlaces = std::set<std::pair<int, int>>;
+
+/// The box of a site whose seams cost most, over all its tiles, but for those that are left out; nothing where none has
+/// seams. Boxes lie around corners and edges, an eighth of T apart along them, and anywhere in tiles.
+std::optional<SiteBox> dearest_box(const Assembly& assembly, const Site& site, int side, const BoxPlaces& left_out);
 
 }

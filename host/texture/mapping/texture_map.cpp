@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/srgb_light.hpp"
-#include "host/texture/mapping/view_parts.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>

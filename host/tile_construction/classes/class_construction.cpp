@@ -4,7 +4,7 @@
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/classes/class_piece_choice.hpp"
 #include "host/tile_construction/fill_stages.hpp"
-#include "host/tile_construction/strip_pieces.hpp"
+#include "host/tile_construction/piece_store.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

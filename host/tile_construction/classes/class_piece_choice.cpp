@@ -1,6 +1,6 @@
 #include "host/tile_construction/classes/class_piece_choice.hpp"
 
-#include "host/tile_construction/piece_balance.hpp"
+#include "host/tile_construction/piece_choice.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 //
 // Departures: M x M tiles of level 0 lie on a torus, by the direct algorithm with one hash function. The tiles of a
 // level get their next points one after the other, in an order in which neighbours are far from each other, rather than
-// all at once: a uniform density of N points has just N. What is here is plain; recursive_kernel.hpp finds the points
+// all at once: a uniform density of N points has just N. What is here is plain; recursive_sampler.hpp finds the points
 // of a torus on a device.
 #pragma once
 

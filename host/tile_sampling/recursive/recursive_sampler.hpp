@@ -5,9 +5,39 @@
 // less than what it takes to move it.
 #pragma once
 
+#include "host/device/needed_buffers.hpp"
+#include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
+#include "host/tile_sampling/recursive/recursive_points.hpp"
+
+#include <cstddef>
+#include <vector>
 
 namespace poissonlab {
+
+// Points of recursive Wang tiles on a device, by kernels/recursive_tiles.cl: those of RecursiveTiling::torus_points(),
+// bit for bit.
+
+/// Makes sets of one tile set and one density, both of which are copied to the device once.
+class RecursiveGenerator : DeviceMethod<struct RecursiveBuffers>
+{
+public:
+    /// `density` must outlive it, and is over a torus: its side, level 0. `work_group_size` 0: the default.
+    RecursiveGenerator(Device device, const RecursiveTileSet& tiles, const RecursiveDensity& density,
+                       std::size_t work_group_size = 0);
+
+    /// The points of the whole torus. No density is so large that tiles are divided more than seven times: the numbers
+    /// of tiles fit 24 bits.
+    PointSet torus_points(const RecursiveTiling& tiling, RecursiveDrawing drawing = RecursiveDrawing::once);
+
+    /// The memory that a generator takes for tiles of so many points, and a density with so many weights.
+    static DeviceMemory memory(std::size_t points_per_tile, std::size_t weights);
+
+private:
+    void place(const RecursiveTiling& tiling, int level, const std::vector<RankedCell>& cells, PointSet& set);
+
+    const RecursiveDensity* density_;
+};
 
 SamplerSpec recursive_wang_tile_sampler();
 

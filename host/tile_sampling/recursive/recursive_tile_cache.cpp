@@ -3,8 +3,8 @@
 #include "code_hashes.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "host/tile_sampling/built_once.hpp"
-#include "host/tile_sampling/tile_set_build.hpp"
-#include "tiles/recursive/recursive_tile_file.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
+#include "tiles/recursive/recursive_tile_set.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

@@ -3,8 +3,8 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/device_sampler.hpp"
-#include "host/tile_sampling/series_tile_sets.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 

@@ -1,4 +1,4 @@
-// The contract of instances.cl and its host code, host/distribution/instances/instance_placer.cpp.
+// The contract of instances.cl and its host code, host/distribution/instances/instances.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// The contract of polyominoes.cl and its host code, host/tile_sampling/polyominoes/polyomino_kernel.cpp.
+// The contract of polyominoes.cl and its host code, host/tile_sampling/polyominoes/polyomino_sampler.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

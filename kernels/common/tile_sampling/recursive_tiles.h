@@ -1,4 +1,4 @@
-// The contract of recursive_tiles.cl and its host code, host/tile_sampling/recursive/recursive_kernel.cpp.
+// The contract of recursive_tiles.cl and its host code, host/tile_sampling/recursive/recursive_sampler.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

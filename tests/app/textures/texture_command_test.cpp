@@ -80,7 +80,7 @@ TEST_F(TextureCommand, MapsThePlane)
     expect_error("map tiles --size 9 --out a.png", "texture map: --size 9: must be W H");
     expect_error(
         small + "--filter trilinear --out a.png",
-        "texture map: --filter trilinear: must be one of \"nearest\", \"bilinear\", \"mipmap\", \"anisotropic\"; "
+        "texture map: --filter trilinear: must be one of \"anisotropic\", \"nearest\", \"bilinear\", \"mipmap\"; "
         "did you mean \"bilinear\"?");
     printed("build wang --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out wang");
     printed("map wang --size 40 30 --out c.png");

@@ -1,8 +1,8 @@
 // Small meshes by hand, one a habit of those who write files, beside their areas; and the same with other ends of
 // lines.
-#include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
+#include "tests/support/corpus.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -10,13 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
-#include <sstream>
 
 namespace poissonlab {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// How large a mesh is; see right.txt.
 struct Extent
@@ -41,32 +37,15 @@ Extent extent_of(const TriangleMesh& mesh)
     return extent;
 }
 
-struct RightMesh
-{
-    std::string file;
-    Extent extent;
-};
+const std::filesystem::path mesh_corpus = std::filesystem::path(source_folder()) / "tests/base/surfaces/meshes";
 
-const fs::path corpus = fs::path(source_folder()) / "tests/base/surfaces/meshes";
+/// By the names of meshes what right.txt says, as Extent has it.
+std::map<std::string, std::vector<double>> right_meshes() { return test::right_numbers(mesh_corpus, 5); }
 
-std::vector<RightMesh> right_meshes()
-{
-    const std::string text = read_whole_file(corpus / "right.txt");
-    std::vector<RightMesh> meshes;
-    for (LineReader lines(text); lines.next();) {
-        if (lines.line().starts_with('#')) continue;
-        std::istringstream words{std::string(lines.line())};
-        RightMesh& mesh = meshes.emplace_back();
-        Extent& e = mesh.extent;
-        words >> mesh.file >> e.triangles >> e.vertices >> e.area >> e.shadow >> e.volume;
-        EXPECT_TRUE(words) << lines.line();
-    }
-    return meshes;
-}
-
-void expect_extent(const TriangleMesh& mesh, const Extent& right)
+void expect_extent(const TriangleMesh& mesh, const std::vector<double>& numbers)
 {
     const Extent found = extent_of(mesh);
+    const Extent right{numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3), numbers.at(4)};
     EXPECT_EQ(found.triangles, right.triangles);
     EXPECT_EQ(found.vertices, right.vertices);
     EXPECT_NEAR(found.area, right.area, 1e-13 * right.area);
@@ -76,21 +55,13 @@ void expect_extent(const TriangleMesh& mesh, const Extent& right)
 
 TEST(MeshCorpus, HasItsRightSizes)
 {
-    for (const RightMesh& right : right_meshes()) {
-        SCOPED_TRACE(right.file);
-        expect_extent(read_triangle_mesh(corpus / right.file), right.extent);
+    for (const auto& [file, numbers] : right_meshes()) {
+        SCOPED_TRACE(file);
+        expect_extent(read_triangle_mesh(mesh_corpus / file), numbers);
     }
 }
 
-TEST(MeshCorpus, IsKnown)
-{
-    std::set<std::string> known, found;
-    for (const RightMesh& right : right_meshes()) known.insert(right.file);
-    for (const auto& file : fs::recursive_directory_iterator(corpus))
-        if (file.is_regular_file() && file.path().filename() != "right.txt")
-            found.insert(fs::relative(file.path(), corpus).string());
-    EXPECT_EQ(found, known);
-}
+TEST(MeshCorpus, IsKnown) { test::expect_numbers_of_all(mesh_corpus, right_meshes()); }
 
 std::string replaced(const std::string& text, const std::string& from, const std::string& to)
 {
@@ -105,16 +76,16 @@ std::string replaced(const std::string& text, const std::string& from, const std
 TEST(MeshCorpus, IsTheSameFromOtherSystems)
 {
     const TemporaryFolder folder;
-    for (const RightMesh& right : right_meshes()) {
-        const std::string text = read_whole_file(corpus / right.file);
-        const TriangleMesh mesh = read_triangle_mesh(corpus / right.file);
+    for (const auto& [name, numbers] : right_meshes()) {
+        const std::string text = read_whole_file(mesh_corpus / name);
+        const TriangleMesh mesh = read_triangle_mesh(mesh_corpus / name);
         std::vector<std::string> others{replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text,
                                         text.substr(0, text.size() - 1)};
-        if (!right.file.ends_with("continued.obj")) others.push_back(replaced(text, "\n", " \t\n"));
-        if (!right.file.ends_with(".ply")) others.push_back(replaced(text, " ", "\t"));
+        if (!name.ends_with("continued.obj")) others.push_back(replaced(text, "\n", " \t\n"));
+        if (!name.ends_with(".ply")) others.push_back(replaced(text, " ", "\t"));
         for (std::size_t i = 0; i < others.size(); ++i) {
-            SCOPED_TRACE(right.file + ", " + std::to_string(i));
-            const fs::path file = folder.path() / fs::path(right.file).filename();
+            SCOPED_TRACE(name + ", " + std::to_string(i));
+            const std::filesystem::path file = folder.path() / std::filesystem::path(name).filename();
             write_whole_file(file, others[i]);
             const TriangleMesh other = read_triangle_mesh(file);
             EXPECT_EQ(other.vertices, mesh.vertices);
@@ -126,7 +97,7 @@ TEST(MeshCorpus, IsTheSameFromOtherSystems)
 /// A note says what is left out.
 TEST(MeshCorpus, IsLeftOutWithAWord)
 {
-    const auto notes = [](const char* file) { return read_triangle_mesh(corpus / file).notes; };
+    const auto notes = [](const char* file) { return read_triangle_mesh(mesh_corpus / file).notes; };
     using testing::ElementsAre;
     EXPECT_THAT(notes("obj/triangles.obj"), ElementsAre());
     EXPECT_THAT(notes("obj/lines.obj"),
@@ -143,7 +114,7 @@ TEST(MeshCorpus, IsLeftOutWithAWord)
                 ElementsAre("scene 2 of 2 was read, which is the one that the file shows"));
     EXPECT_THAT(notes("gltf/unnamed-scene.gltf"),
                 ElementsAre("scene 1 of 2 was read, which is the first: the file names none"));
-    EXPECT_EQ(read_triangle_mesh(corpus / "obj/numbers.obj").dropped, 2U);
+    EXPECT_EQ(read_triangle_mesh(mesh_corpus / "obj/numbers.obj").dropped, 2U);
 }
 
 }

@@ -43,11 +43,22 @@ private:
     std::chrono::steady_clock::time_point now_;
 };
 
-TEST(Progress, InAPipeIsOneLineASeries)
+/// What is printed while `work` tells of its progress, by a clock that it sets.
+template <typename Work>
+std::string printed(Progress::Style style, const Work& work)
 {
+    FakeTime time;
     testing::internal::CaptureStdout();
     {
-        Progress progress(Progress::Style::plain);
+        Progress progress(style, time.clock());
+        work(progress, time);
+    }
+    return testing::internal::GetCapturedStdout();
+}
+
+TEST(Progress, InAPipeIsOneLineASeries)
+{
+    const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime&) {
         progress.start({2, 2, 2});
         progress.sampled(10, 0.1);
         progress.analysed();
@@ -55,16 +66,13 @@ TEST(Progress, InAPipeIsOneLineASeries)
         progress.analysed();
         progress.finish_series("A: done");
         progress.step("report");
-    }
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "A: done\n");
+    });
+    EXPECT_EQ(text, "A: done\n");
 }
 
 TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
 {
-    FakeTime time;
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::plain, time.clock());
+    const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime& time) {
         progress.start({8, 8, 8});
         for (int i = 0; i < 4; ++i) {
             time.wait(6);
@@ -73,21 +81,18 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
         }
         time.wait(11);
         progress.step("tile 3 of 16");
-    }
+    });
     // The time before the first realization, which samples for 0.1 s, is not expected again: six seconds each are left.
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "2/8 realizations, 1 k points/s, 36.0 s left\n"
-                                                      "4/8 realizations, 1 k points/s, 24.0 s left\n"
-                                                      "tile 3 of 16\n");
+    EXPECT_EQ(text, "2/8 realizations, 1 k points/s, 36.0 s left\n"
+                    "4/8 realizations, 1 k points/s, 24.0 s left\n"
+                    "tile 3 of 16\n");
 }
 
 TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
 {
     // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once. When two
     // are made and one is analysed, 89 s are left.
-    FakeTime time;
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::plain, time.clock());
+    const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime& time) {
         progress.start({10, 10, 10});
         time.wait(31);
         progress.sampled(100, 1);
@@ -97,63 +102,51 @@ TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
         progress.sampled(100, 1);
         time.wait(9);
         progress.analysed();
-    }
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "1/10 realizations, 100 points/s, 19.0 s left\n"
-                                                      "2/10 realizations, 100 points/s, 1 min 29 s left\n");
+    });
+    EXPECT_EQ(text, "1/10 realizations, 100 points/s, 19.0 s left\n"
+                    "2/10 realizations, 100 points/s, 1 min 29 s left\n");
 }
 
 TEST(Progress, WhatIsStoredCountsAsDone)
 {
-    FakeTime time;
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::plain, time.clock());
+    const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime& time) {
         progress.start({10, 4, 5});
         time.wait(12);
         progress.elsewhere(2, 1);
-    }
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "6 of 10 realizations are there already\n"
-                                                      "8/10 realizations, 24.0 s left\n");
+    });
+    EXPECT_EQ(text, "6 of 10 realizations are there already\n"
+                    "8/10 realizations, 24.0 s left\n");
 }
 
 TEST(Progress, QuietIsQuiet)
 {
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::quiet);
+    const std::string text = printed(Progress::Style::quiet, [](Progress& progress, FakeTime&) {
         progress.start({2, 1, 1});
         progress.sampled(10, 0.1);
         progress.finish_series("A: done");
         progress.start_run(1, 2, "title");
         progress.message("text");
         progress.report("out/index.html");
-    }
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "out/index.html\n");
+    });
+    EXPECT_EQ(text, "out/index.html\n");
 }
 
 TEST(Progress, OnATerminalOneLineUpdatesItself)
 {
-    FakeTime time;
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::terminal, time.clock());
+    const std::string text = printed(Progress::Style::terminal, [](Progress& progress, FakeTime& time) {
         progress.start({2, 2, 2});
         time.wait(1);
         progress.sampled(100, 0.1);
         progress.analysed(); // too soon after the last
         progress.step("half-way");
-    }
-    EXPECT_EQ(testing::internal::GetCapturedStdout(),
-              "\r\033[K[######------------------] 1/2 realizations, 1 k points/s, 0.3 s left"
-              "\r\033[Khalf-way\r\033[K");
+    });
+    EXPECT_EQ(text, "\r\033[K[######------------------] 1/2 realizations, 1 k points/s, 0.3 s left"
+                    "\r\033[Khalf-way\r\033[K");
 }
 
 TEST(Progress, EventsAreObjectsALine)
 {
-    FakeTime time;
-    testing::internal::CaptureStdout();
-    {
-        Progress progress(Progress::Style::json, time.clock());
+    const std::string text = printed(Progress::Style::json, [](Progress& progress, FakeTime& time) {
         progress.start({4, 2, 4});
         time.wait(2);
         progress.sampled(100, 0.1);
@@ -163,8 +156,8 @@ TEST(Progress, EventsAreObjectsALine)
         time.wait(2);
         progress.step("s");
         progress.report("out/index.html");
-    }
-    std::istringstream lines(testing::internal::GetCapturedStdout());
+    });
+    std::istringstream lines(text);
     std::vector<nlohmann::json> events;
     for (std::string line; std::getline(lines, line);) events.push_back(nlohmann::json::parse(line));
     ASSERT_EQ(events.size(), 7U);

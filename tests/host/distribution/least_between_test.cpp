@@ -1,5 +1,5 @@
 // Least distances of one set from another, against all pairs.
-#include "host/distribution/classes/least_between.hpp"
+#include "host/distribution/classes/class_points.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "base/files/file_lock.hpp"
 #include "base/programs/cache_folder.hpp"
-#include "host/tile_sampling/tile_set_build.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

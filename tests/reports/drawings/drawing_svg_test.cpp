@@ -2,7 +2,7 @@
 #include "reports/drawings/drawing.hpp"
 
 #include "reports/drawings/cube_tile_image.hpp"
-#include "reports/drawings/tile_regions_image.hpp"
+#include "reports/drawings/tile_image.hpp"
 #include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/reports/support/tile_grids.hpp"

@@ -1,5 +1,5 @@
 // Pictures of Poisson disk tile regions: every region at its place, in its colour, as large as it should be.
-#include "reports/drawings/tile_regions_image.hpp"
+#include "reports/drawings/tile_image.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tests/reports/drawings/colors.hpp"

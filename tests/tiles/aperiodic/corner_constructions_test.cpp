@@ -3,9 +3,8 @@
 
 #include "tests/tiles/aperiodic/brute_force_tilings.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
-#include "tiles/aperiodic/printed_tables.hpp"
+#include "tiles/aperiodic/table_comparison.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace poissonlab {

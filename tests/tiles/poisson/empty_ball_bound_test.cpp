@@ -1,5 +1,5 @@
 // The largest empty circle around centres in a tile against the same by looking everywhere.
-#include "tiles/poisson/proof/empty_ball_bound.hpp"
+#include "tiles/poisson/proof/closure_measures.hpp"
 
 #include <gtest/gtest.h>
 

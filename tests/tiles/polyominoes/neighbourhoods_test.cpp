@@ -1,7 +1,7 @@
 // The automaton of neighbourhoods, against tilings whose tiles are compared one with every other.
 #include "tiles/polyominoes/neighbourhoods.hpp"
 
-#include "tiles/polyominoes/frequencies.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
 
 #include <gmock/gmock.h>
 

@@ -6,9 +6,8 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/polyomino_tables.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tiles/polyominoes/child_order.hpp"
-#include "tiles/polyominoes/farther_pairs.hpp"
-#include "tiles/polyominoes/frequencies.hpp"
+#include "tiles/polyominoes/point_pairs.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
 #include "tiles/polyominoes/polyomino_table_file.hpp"
 #include "tiles/polyominoes/table_relaxation.hpp"
 

@@ -5,7 +5,6 @@
 #include "host/tile_construction/recursive/self_similarity.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tiles/recursive/recursive_tile_file.hpp"
 
 #include <gmock/gmock.h>
 

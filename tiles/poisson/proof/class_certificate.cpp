@@ -1,7 +1,6 @@
 #include "tiles/poisson/proof/class_certificate.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/proof/piece_extents.hpp"
 #include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 #include "tiles/poisson/chain_geometry.hpp"
 #include "tiles/poisson/chain_pieces.hpp"
 #include "tiles/poisson/proof/closure_measures.hpp"
-#include "tiles/poisson/proof/piece_extents.hpp"
 #include "tiles/poisson/proof/shared_pieces.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Instances by window: parts and the whole are the same, and numbers are those of their distributions.
 #include "host/distribution/instances/instance_files.hpp"
-#include "host/distribution/instances/instance_placer.hpp"
 #include "host/distribution/instances/instance_view.hpp"
+#include "host/distribution/instances/instances.hpp"
 
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"

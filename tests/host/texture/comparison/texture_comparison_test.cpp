@@ -2,7 +2,6 @@
 // where it must; a texture that cannot be told from its exemplar has the exemplar's own spread.
 #include "host/texture/comparison/texture_comparison.hpp"
 
-#include "host/texture/comparison/correlation_peak.hpp"
 #include "host/texture/comparison/steerable_pyramid.hpp"
 
 #include <gmock/gmock.h>

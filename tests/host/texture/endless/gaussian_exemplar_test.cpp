@@ -3,13 +3,11 @@
 #include "host/texture/endless/gaussian_exemplar.hpp"
 
 #include "host/texture/endless/endless_texture.hpp"
-#include "host/texture/endless/normal_distribution.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace poissonlab {
 namespace {

@@ -1,7 +1,7 @@
 // Quilted pictures: copies of the exemplar, cut where windows agree, without a lattice.
 #include "host/texture/endless/quilting.hpp"
 
-#include "host/texture/comparison/correlation_peak.hpp"
+#include "host/texture/comparison/texture_comparison.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Sets that are chosen together: pixels that tiles share, costs that do not rise, tiles that fit.
-#include "host/texture/joint/changed_runs.hpp"
+#include "host/texture/joint/assembly.hpp"
 #include "host/texture/joint/feature_map.hpp"
 #include "host/texture/joint/site_move.hpp"
 #include "host/texture/texture_build.hpp"

@@ -4,7 +4,6 @@
 
 #include "base/images/srgb_light.hpp"
 #include "host/device/device.hpp"
-#include "host/texture/mapping/exemplar_levels.hpp"
 #include "tests/host/texture/mapped_noise.hpp"
 #include "tests/host/texture/random_picture.hpp"
 

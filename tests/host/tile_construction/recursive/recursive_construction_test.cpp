@@ -4,7 +4,6 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
-#include "host/tile_construction/recursive/forced_darts.hpp"
 #include "host/tile_construction/recursive/ranked_points.hpp"
 #include "host/tile_construction/recursive/self_similarity.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "analysis/spectra/spectrum.hpp"
 #include "base/densities/density_formula.hpp"
-#include "host/tile_sampling/penrose/penrose_importance.hpp"
+#include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_walk.hpp"
 
 #include <gtest/gtest.h>

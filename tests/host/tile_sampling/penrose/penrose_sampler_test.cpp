@@ -2,7 +2,6 @@
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 
 #include "host/device/device.hpp"
-#include "host/tile_sampling/penrose/penrose_table_cache.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,9 +1,8 @@
 // Tables of Penrose points: how good the built one is, its file, and the cache.
-#include "host/tile_sampling/penrose/penrose_table_cache.hpp"
+#include "host/tile_sampling/penrose/penrose_sampler.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "host/tile_sampling/penrose/penrose_importance.hpp"
 #include "host/tile_sampling/penrose/penrose_relaxation.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,10 +1,7 @@
 // The sampler of polyominoes: its sets, its cache, and what it refuses.
-#include "base/densities/density_formula.hpp"
 #include "experiment/config/plan.hpp"
 #include "host/settings/sampler_registry.hpp"
-#include "host/tile_sampling/polyominoes/polyomino_kernel.hpp"
-#include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
-#include "tests/support/brute_force.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
