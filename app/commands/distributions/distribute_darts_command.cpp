@@ -59,8 +59,7 @@ void throw_darts(const DartOptions& o)
     const std::string what = words_of(darts);
     o.say_note(what);
     for (const std::string& note : darts.notes()) o.say_note(note);
-    o.outs.write(darts, fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in {}",
-                                    shortened(printable(settings.region)), o.seed(), what, units_of(darts)));
+    o.outs.write(darts, o.command_comment(fmt::format("{}, in {}", what, units_of(darts))));
     if (o.prints_json()) print_numbers(dart_numbers(darts));
 }
 

@@ -46,9 +46,7 @@ void make_points_of_region(const RegionPointOptions& o)
     const std::string what = words_of(made);
     o.say_note(what);
     for (const std::string& note : made.notes()) o.say_note(note);
-    o.outs.write(made, fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in {}",
-                                   shortened(printable(settings.place.region)), region_methods[settings.method],
-                                   o.seed(), what, units_of(made)));
+    o.outs.write(made, o.command_comment(fmt::format("{}, in {}", what, units_of(made))));
     if (o.prints_json()) print_numbers(dart_numbers(made));
 }
 
