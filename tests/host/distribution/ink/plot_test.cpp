@@ -116,7 +116,7 @@ TEST(Plots, TurnStrokesRound)
 TEST(Plots, GoToTheNearestMark)
 {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> side(0, 64);
+    std::uniform_real_distribution<double> side(0.5, 63.5); // whole disks lie in the picture
     MarkGroup marks;
     for (int i = 0; i < 700; ++i) marks.disks.push_back({side(random), side(random), 0.5});
     const Plot plot = plot_of(marks, 64, 64, {});
