@@ -152,7 +152,7 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
         if (!option.alone.empty()) // words that come twice are refused by the command
             added->expected(0, 1)->default_str(option.alone)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
-    if (has_place || option.is_required) added->required();
+    if ((has_place && !option.may_be_left_out) || option.is_required) added->required();
     if (!option.value_name.empty()) added->option_text(option.value_name);
     return added;
 }

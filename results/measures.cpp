@@ -131,6 +131,18 @@ auto from(std::optional<Member> Measures::*member, double Member::*value, Error 
     };
 }
 
+/// A row of an exponent, of series whose power goes with one.
+Measure of_power_laws(Measure row)
+{
+    row.get = [get = row.get](const Series& series) -> Value {
+        const Value exponent = get(series);
+        if (!exponent || !is_power_law(series, exponent->value, exponent->standard_error.value_or(0)))
+            return std::nullopt;
+        return exponent;
+    };
+    return row;
+}
+
 /// The share of Voronoi cells with so many neighbours.
 Measure cells(const char* key, const char* name, std::size_t neighbours)
 {
@@ -202,8 +214,8 @@ std::vector<Measure> sizes_and_distances()
                    "The smallest relative radius of the first half, quarter and eighth of the points, each of as many "
                    "points: of methods whose points come in an order in which every first part is a good set. The "
                    "mean over the K sets, with its standard error.")),
-        row("min_distance", "minimum distance", "of the torus' side", Better::higher, MeasureKind::per_set,
-            significant(4),
+        row("min_distance", "minimum distance", "of the torus' side; of the root of a region's area", Better::higher,
+            MeasureKind::per_set, significant(4),
             "The same distance as it is: twice the radius of the {disks|spheres}. It compares between sets of the "
             "same number of points.",
             [](const Series& series) { return value_of(series.min_distance); }),
@@ -230,10 +242,10 @@ std::vector<Measure> spectral_measures()
                significant(3),
                "The frequency up to which the mean power stays below 0.1, with its standard error: what lies below it "
                "is sampled almost without noise."),
-        detail(row("low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate,
-                   decimals(3),
-                   "b in power ~ frequency^b: 0 for random points, above 0 errors of integrals fall faster.",
-                   from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error))),
+        of_power_laws(detail(
+            row("low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate,
+                decimals(3), "b in power ~ frequency^b: 0 for random points, above 0 errors of integrals fall faster.",
+                from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error)))),
         detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::lower, MeasureKind::estimate,
                    decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
                    from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),
@@ -241,7 +253,7 @@ std::vector<Measure> spectral_measures()
                       significant(2),
                       "Over the frequencies up to {√N|∛N} / 4, with its standard error: 1 for random points; stealthy "
                       "sets have 0.001 or less.")),
-        number(
+        of_power_laws(number(
             "hyperuniformity_exponent", "hyperuniformity exponent", "", Better::higher, MeasureKind::estimate,
             decimals(2),
             "b where power goes as frequency^b towards frequency 0, by maximum likelihood over the frequencies up to "
@@ -249,7 +261,8 @@ std::vector<Measure> spectral_measures()
             "random points; the higher, the more even the points are at large scales. Curves that bend within the "
             "range change it: displaced grids, whose power goes as frequency² in the end, have 1.85 to 2. Stealthy "
             "sets have no "
-            "exponent: it says how deep they fall, or is 0 where all that is left is rounding."),
+            "exponent: it says how deep they fall, or is 0 where all that is left is rounding. Sets whose power rises "
+            "towards frequency 0, as long waves of a start do, have none.")),
         number(
             "hyperuniformity_p_value", "p-value of hyperuniformity", "", Better::neither, MeasureKind::estimate,
             significant(2),
@@ -391,6 +404,12 @@ std::string Measure::title() const
     std::string text = name;
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     return symbol.empty() ? text : text + " " + symbol;
+}
+
+bool is_power_law(const Series& series, double exponent, double standard_error)
+{
+    constexpr double errors_below = 3;
+    return !series.region && exponent >= -errors_below * standard_error;
 }
 
 const std::vector<Measure>& measures()

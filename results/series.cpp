@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace poissonlab {
@@ -29,6 +30,24 @@ std::string border_advice(int dimension)
                        dimension == 2 ? "square" : "cube",
                        dimension == 2 ? "region = \"rectangle 0 0 1 1\" in the [[method]]"
                                       : "window = true under [analysis]");
+}
+
+/// The distance from a random point to the nearest other one has a standard deviation of 0.523 of its mean (Clark and
+/// Evans 1954; 0.363 in space), and its mean over N points one of 0.523 / root N, or a little more as points share
+/// distances. Methods that keep points apart vary less. A few percent are nothing to warn of, however large sets are.
+std::string mixture_words(const Series& series)
+{
+    constexpr double random_deviation = 0.523, times_random = 4, least_told = 0.03;
+    const auto found = series.measures.numbers.find("mean_nearest_distance");
+    if (series.sampler != "file" || found == series.measures.numbers.end() || !found->second.standard_error) return {};
+    const double deviation = *found->second.standard_error * std::sqrt(series.realizations) / found->second.value;
+    const double random = random_deviation / std::sqrt(static_cast<double>(series.points));
+    if (!(deviation > std::max(times_random * random, least_told))) return {};
+    return fmt::format("The sets differ from each other more than sets of one method do: the standard deviation of "
+                       "their mean nearest distances is {:.2g} %, that of sets of random points {:.2g} %. If they are "
+                       "of several methods, analyze each alone, or make each a [[method]] of a config (sampler = "
+                       "\"file\"): the report compares them then.",
+                       100 * deviation, 100 * random);
 }
 
 double BoxResult::unit_length() const { return root_of_volume(sides); }

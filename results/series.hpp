@@ -49,6 +49,10 @@ std::string border_words(const Series& series);
 /// The way to measure such sets, in the words of the command line, of configs and of Python.
 std::string border_advice(int dimension);
 
+/// A sentence or two for readers of a series from files whose sets differ from each other more than sets of one method
+/// do, by the mean distance to the nearest point; empty for others.
+std::string mixture_words(const Series& series);
+
 class JsonMembers;
 
 /// The sampling test: the picture of the first realization, and errors over all.
@@ -90,6 +94,7 @@ struct RegionResult
     double area = 0;        ///< in squares of its units
     double unit_length = 1; ///< of the results' lengths, in its units: the root of the area
     std::size_t polygons = 0, corners = 0;
+    bool is_in_metres = false;      ///< longitude and latitude were mapped to a plane, whose units are metres
     bool has_density = false;       ///< K and g are those of points that follow a density
     std::size_t envelope = 0;       ///< random sets of the envelopes
     std::size_t tapers = 0;         ///< that spectra are means over; 0: of the points less the region's

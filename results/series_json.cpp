@@ -51,6 +51,7 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     m.member("unit_length", region.unit_length);
     m.member("polygons", region.polygons, 1);
     m.member("corners", region.corners, 3);
+    m.if_any("is_in_metres", region.is_in_metres);
     m.if_any("has_density", region.has_density);
     m.if_any("envelope", region.envelope);
     m.if_any("tapers", region.tapers);

@@ -40,6 +40,7 @@ struct Option
     std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     std::vector<std::string> words{}; ///< that shells complete; empty: names of files
     std::string alone{};              ///< the word that the option means without one; empty: it needs one
+    bool may_be_left_out = false;     ///< of an argument that is known by its place
 };
 
 /// The option with the words for what its command takes, which alone refuses other values of the type.

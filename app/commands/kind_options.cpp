@@ -76,6 +76,7 @@ Option KindOptions::option_of(Typed& typed) const
     const std::string help = key_help(spec);
     if (is_flag(spec)) return {typed.name, &typed.is_set, help};
     Option option{typed.name, &typed.words, help, value_name_of(spec)}; // what is needed is said by whoever reads it
+    option.may_be_left_out = spec.value.otherwise.has_value();
     option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.is_file ? 1 : spec.count); // files: once for each
     if (spec.value.kind == ValueKind::choice) option.words = spec.value.choices;
     if (spec.value.kind == ValueKind::boolean) {
@@ -112,6 +113,9 @@ KindSettings KindOptions::settings() const
     work_.engine(kind_.command); // throws for one that there is not
     ConfigTable table;
     for (const Typed& typed : typed_) {
+        const ParameterSpec& value = typed.spec.value;
+        if (value.key == placed_ && typed.words.empty() && value.otherwise)
+            say_note(fmt::format("{} is {}, the default", typed.name, to_string(*value.otherwise)));
         if (!typed.is_set && typed.words.empty()) continue;
         if (typed.words.size() > std::max<std::size_t>(typed.spec.count, typed.spec.is_spread ? 2 : 1))
             throw typed.spec.value.key == placed_
@@ -121,6 +125,20 @@ KindSettings KindOptions::settings() const
         table.push_back({typed.spec.value.key, node_of(typed)});
     }
     return read_kind(kind_, table, {kind_.command, 0, true}, kind_.command);
+}
+
+std::string KindOptions::command_comment(const std::string& what) const
+{
+    std::vector<std::string> words;
+    for (const Typed& typed : typed_) {
+        const bool is_placed = typed.spec.value.key == placed_;
+        if (typed.is_set) words.push_back(typed.name);
+        for (std::size_t i = 0; i < typed.words.size(); ++i) {
+            if (!is_placed && (i == 0 || typed.spec.is_file)) words.push_back(typed.name);
+            words.push_back(typed.words[i]);
+        }
+    }
+    return poissonlab::command_comment(kind_.command, words, seed(), what);
 }
 
 void KindOptions::say_note(const std::string& note) const

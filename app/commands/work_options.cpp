@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/programs/shell_words.hpp"
 #include "experiment/run/progress.hpp"
 #include "host/device/device.hpp"
 #include "host/settings/nearest_key.hpp"
@@ -57,6 +58,15 @@ DistributionPlace WorkOptions::place(const std::string& command, bool is_silent)
                 stop_if_interrupted();
                 progress->step(what);
             }};
+}
+
+std::string command_comment(const std::string& command, const std::vector<std::string>& words, std::uint64_t seed,
+                            const std::string& what)
+{
+    constexpr std::size_t longest = 800; // programs that read PLY take no lines of more than 1,023 characters
+    std::string text = "poissonlab " + command;
+    for (const std::string& word : words) text += " " + shell_word(word);
+    return fmt::format("{} --seed {} --out FILE # {}", shortened(printable(text), longest), seed, what);
 }
 
 std::vector<Option> joined(std::vector<std::vector<Option>> lists)

@@ -59,6 +59,11 @@ private:
     bool quiet_ = false;
 };
 
+/// Returns the comment of a file of points: the command of these words that makes them again, quoted as a shell needs
+/// it, and behind it `what` they are, as a comment of the shell.
+std::string command_comment(const std::string& command, const std::vector<std::string>& words, std::uint64_t seed,
+                            const std::string& what);
+
 /// Joins several lists of options into one.
 std::vector<Option> joined(std::vector<std::vector<Option>> lists);
 

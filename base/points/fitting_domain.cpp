@@ -51,6 +51,41 @@ double round_number_below(double value, double high, double near, double far)
 
 double length_of(const CoordinateRange& range) { return range.high - range.low; }
 
+std::string fitting_rectangle(const Extent& extent, const PointOptions& options)
+{
+    const CoordinateRange x = fitting_range(extent.along(0), extent.points(), 2);
+    const CoordinateRange y = fitting_range(extent.along(1), extent.points(), 2);
+    return fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
+}
+
+/// Returns true for places on the globe that are ten times as far from 0 as from each other.
+bool are_small_and_far(const Extent& extent)
+{
+    constexpr double far_away = 10;
+    double nearest = 0, longest = 0;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const CoordinateRange& range = extent.along(axis);
+        nearest = std::max({nearest, range.low, -range.high});
+        longest = std::max(longest, length_of(range));
+    }
+    return fits_globe(extent) && longest > 0 && nearest > far_away * longest;
+}
+
+}
+
+bool fits_globe(const Extent& extent)
+{
+    const CoordinateRange &x = extent.along(0), &y = extent.along(1);
+    return extent.dimension() >= 2 && x.low >= -180 && x.high <= 180 && y.low >= -90 && y.high <= 90;
+}
+
+std::string degrees_words(const Extent& extent, const PointOptions& options)
+{
+    std::string words = "are longitude and latitude, whose degrees are no lengths: ";
+    if (*options.region != '\0' && extent.dimension() == 2)
+        words += fmt::format("a region of the globe maps them to metres, such as {} with {}, or a file of GeoJSON; ",
+                             fitting_rectangle(extent, options), options.crs);
+    return words + "columns of lengths are named x and y";
 }
 
 std::size_t Extent::dimension() const
@@ -79,7 +114,8 @@ CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t poin
     return {round_number_below(numbers.low, high, near, far), high};
 }
 
-std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options)
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options,
+                          bool may_be_degrees)
 {
     const CoordinateRange all = extent.of_all();
     const std::size_t dimension = extent.dimension();
@@ -95,12 +131,13 @@ std::string fitting_words(const Extent& extent, const CoordinateRange& range, co
     std::string would_fit;
     if (!is_rectangle || least > 0.5 * length_of(cube))
         would_fit = fmt::format(fmt::runtime(options.domain), cube.low, cube.high);
-    if (is_rectangle) {
-        const CoordinateRange x = fitting(extent.along(0)), y = fitting(extent.along(1));
-        would_fit +=
-            (would_fit.empty() ? "" : " or ") + fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
-    }
-    return fmt::format("; the numbers go from {:.6g} to {:.6g}: {} would fit", all.low, all.high, would_fit);
+    if (is_rectangle) would_fit += (would_fit.empty() ? "" : " or ") + fitting_rectangle(extent, options);
+    const bool has_remedy = dimension == 2 && *options.crs != '\0';
+    const bool are_degrees = has_remedy && (may_be_degrees ? fits_globe(extent) : are_small_and_far(extent));
+    return fmt::format("; the numbers go from {:.6g} to {:.6g}: {} would fit{}", all.low, all.high, would_fit,
+                       are_degrees ? fmt::format("; if they are longitude and latitude, {} with {}",
+                                                 fitting_rectangle(extent, options), options.crs)
+                                   : "");
 }
 
 }

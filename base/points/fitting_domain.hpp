@@ -42,7 +42,15 @@ private:
 CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t points, std::size_t dimension);
 
 /// The end of a message about numbers that are not all in `range`: where they lie, and the option that would fit. Empty
-/// where they are, or where no option is there.
-std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options);
+/// where they are, or where no option is there. `may_be_degrees`: it says what longitude and latitude need, as it does
+/// of numbers that are small and far from 0.
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options,
+                          bool may_be_degrees = false);
+
+/// Could the numbers be longitudes and latitudes?
+bool fits_globe(const Extent& extent);
+
+/// What is wrong with columns of longitude and latitude, and the options that map these to lengths.
+std::string degrees_words(const Extent& extent, const PointOptions& options);
 
 }

@@ -132,7 +132,7 @@ namespace {
 
 PointFileContent content_of(const std::filesystem::path& path, std::string_view bytes, const PointReading& how)
 {
-    return {path.string(), bytes, {}, how.told, how.options};
+    return {path.string(), bytes, {}, how.told, how.options, how.degrees_sentence};
 }
 
 /// The sets of a file as they are there; `domain` becomes that of their coordinates.

@@ -77,6 +77,7 @@ struct PointOptions
 {
     const char* domain = "";    ///< of the range's two ends
     const char* region = "";    ///< of the rectangle's two corners
+    const char* crs = "";       ///< of coordinates that are longitude and latitude
     const char* particles = ""; ///< of the type of particles
 };
 
@@ -95,6 +96,10 @@ struct PointReading
     std::function<void(const std::string& sentence)> told{};
 
     PointOptions options{};
+
+    /// The sentence that is told of columns of longitude and latitude; empty: none. With a domain that has ends they
+    /// are refused, because degrees are no lengths.
+    std::string degrees_sentence{};
 };
 
 /// Reads the point sets of a file, one a realization.

@@ -24,6 +24,7 @@ struct PointFileContent
     PointDomain domain = {};
     std::function<void(const std::string& sentence)> told = {};
     PointOptions options = {};
+    std::string degrees_sentence = {};
 
     void tell(const std::string& sentence) const
     {

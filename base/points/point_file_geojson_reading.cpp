@@ -20,7 +20,7 @@ public:
         const nlohmann::json json = parsed_geojson(file_.bytes, file_.name);
         add(json);
         if (set_.dimension == 0) fail_in_point_file(file_, 0, "GeoJSON", "must have a Point or a MultiPoint");
-        unit_.finish();
+        unit_.finish(!json.contains("crs"));
         if (left_out_ > 0)
             file_.tell(fmt::format("only its points are read; {} {} left out", left_out_,
                                    left_out_ == 1 ? "line or polygon is" : "lines and polygons are"));

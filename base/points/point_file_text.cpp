@@ -1,5 +1,6 @@
 // Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or tables.
 #include "base/files/text_lines.hpp"
+#include "base/points/fitting_domain.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/points/text_table.hpp"
 #include "base/points/unit_coordinates.hpp"
@@ -35,6 +36,7 @@ public:
     {
         hand_on(file_.bytes.data() + file_.bytes.size(), 0);
         if (handed_on_ == 0) fail_without_points();
+        check_degrees();
         units_.finish();
         const std::string points = std::to_string(handed_on_ / static_cast<std::size_t>(dimension_));
         if (!announced_.empty() && announced_ != points)
@@ -55,6 +57,7 @@ public:
     std::vector<PointSet> finish()
     {
         if (!current_.empty()) store();
+        check_degrees();
         units_.finish();
         check_announced_number();
         if (sets_.empty()) fail_without_points();
@@ -67,6 +70,16 @@ private:
         fail_in_point_file(file_, 0, "no points",
                            fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})",
                                        file_.domain[0].low, file_.domain[0].high));
+    }
+
+    /// Numbers that keep their units may be mapped to a plane later.
+    void check_degrees() const
+    {
+        if (table_.degrees_line() == 0 || !fits_globe(units_.extent())) return;
+        if (file_.domain[0].high != any_coordinates.high)
+            fail_in_point_file(file_, table_.degrees_line(), table_.names_in_words(),
+                               degrees_words(units_.extent(), file_.options));
+        if (!file_.degrees_sentence.empty()) file_.tell(file_.degrees_sentence);
     }
 
     void add_point(std::string_view text, int line, std::string_view rest)

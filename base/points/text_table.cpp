@@ -204,6 +204,7 @@ void TextTable::take_names(int number)
         fail_in_point_file(file_, number, names_in_words(),
                            "is no point, nor names of columns: among these must be x and y, of points in space z, or "
                            "longitude and latitude");
+    if (of_globe) degrees_line_ = number;
     for (const auto& column : found)
         if (column) columns_.push_back(*column);
     if (!others.empty())

@@ -29,6 +29,10 @@ public:
     /// The words of a point's coordinates, until the next line. Throws InputError.
     std::span<const std::string_view> coordinates(std::string_view line, int number);
 
+    /// The number of the line that names the columns longitude and latitude; 0: none does.
+    int degrees_line() const { return degrees_line_; }
+    std::string names_in_words() const;
+
 private:
     enum class Separator : char
     {
@@ -44,7 +48,6 @@ private:
     void split(std::string_view line, int number);
     bool are_names(int number, std::string_view rest) const;
     void take_names(int number);
-    std::string names_in_words() const;
     /// Decimal commas are read where no comma separates numbers.
     bool has_decimal_commas() const { return separator_ == Separator::semicolon || separator_ == Separator::tab; }
     void check_fields(std::string_view line, int number);
@@ -57,6 +60,7 @@ private:
     std::vector<std::size_t> columns_; ///< of the coordinates; empty: all
     bool has_row_names_ = false;       ///< a column in front that has no name
     bool is_first_point_ = true;
+    int degrees_line_ = 0;
     int comma_line_ = 0, point_line_ = 0; ///< the first numbers with decimal commas, and with points
 
     std::vector<std::string_view> fields_, words_;

@@ -36,10 +36,12 @@ void UnitCoordinates::fail(const Found& found, const std::string& more) const
                        allowed_coordinate(found.value, file_.domain[found.axis]) + more);
 }
 
-void UnitCoordinates::finish() const
+void UnitCoordinates::finish(bool may_be_degrees) const
 {
     if (outside_)
-        fail(*outside_, file_.domain.dimension() > 0 ? "" : fitting_words(extent_, file_.domain[0], file_.options));
+        fail(*outside_, file_.domain.dimension() > 0
+                            ? ""
+                            : fitting_words(extent_, file_.domain[0], file_.options, may_be_degrees));
     if (rounded_ == 0) return;
     if (rounded_ > most_by_rounding(numbers_))
         fail(*first_rounded_,

@@ -47,8 +47,10 @@ public:
     bool are_refused() const { return outside_.has_value(); }
 
     /// Throws InputError where numbers lie outside of the range, or more of them on its end than rounding explains.
-    /// Else tells of those that were rounded.
-    void finish() const;
+    /// Else tells of those that were rounded. The message knows where the file's format has degrees by its standard.
+    void finish(bool may_be_degrees = false) const;
+
+    const Extent& extent() const { return extent_; } ///< of all numbers so far
 
 private:
     struct Found

@@ -40,6 +40,13 @@ PointSet as_in_plane(const PlaneRegion& region, PointSet points)
     return points;
 }
 
+std::string degrees_sentence(const PlaneRegion& region)
+{
+    return is_mapped(region) ? ""
+                             : "its columns of longitude and latitude are taken for lengths, as the region's "
+                               "coordinates are; where these are degrees, crs EPSG:4326 maps both to metres";
+}
+
 std::string file_units(const PlaneRegion& region)
 {
     return is_mapped(region) ? "longitude and latitude, distances in metres" : "units of the region";

@@ -64,6 +64,10 @@ PointSet as_in_files(const PlaneRegion& region, PointSet points);
 /// Points of files in the region's plane.
 PointSet as_in_plane(const PlaneRegion& region, PointSet points);
 
+/// The sentence about points in columns of longitude and latitude, which are lengths in this region; empty where they
+/// are mapped to its plane.
+std::string degrees_sentence(const PlaneRegion& region);
+
 /// The words for coordinates of its files: "units of the region", or longitude and latitude.
 std::string file_units(const PlaneRegion& region);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace poissonlab {
@@ -45,10 +46,22 @@ bool mixes_separators(std::string_view text, std::size_t count, std::size_t grou
 std::string decimal_comma_words(std::string_view text)
 {
     const std::string_view found = decimal_comma_in(text);
-    if (found.empty()) return {};
+    if (found.empty()) return unit_words(text);
     std::string number(found);
     std::ranges::replace(number, ',', '.');
     return fmt::format("; the comma of \"{}\" is no decimal point: must be {}", found, number);
+}
+
+std::string unit_words(std::string_view text)
+{
+    constexpr std::array<std::string_view, 14> units{"mm", "cm", "km",     "m",      "in",     "ft",  "yd",
+                                                     "mi", "px", "pixels", "metres", "meters", "deg", "%"};
+    const std::string_view all = trimmed(text);
+    const std::size_t end = all.find_last_of("0123456789.");
+    double value = 0;
+    if (end == all.npos || !parse_number(all.substr(0, end + 1), value)) return {};
+    if (std::ranges::find(units, trimmed(all.substr(end + 1))) == units.end()) return {};
+    return fmt::format("; numbers have no unit: must be {}", all.substr(0, end + 1));
 }
 
 }

@@ -15,8 +15,12 @@ std::string_view decimal_comma_in(std::string_view text);
 /// differ, as in "0,0 1,5". Otherwise such a comma may stand for a decimal point, as in "0 0 1,5 2".
 bool mixes_separators(std::string_view text, std::size_t count, std::size_t group);
 
-/// The end of a message about a text with such a comma, `; the comma of "0,5" is no decimal point: must be 0.5`; empty
-/// where it has none.
+/// The end of a message about a text with such a comma, `; the comma of "0,5" is no decimal point: must be 0.5`, or
+/// unit_words(); empty where it has neither.
 std::string decimal_comma_words(std::string_view text);
+
+/// The end of a message about a text that is a number with a unit, `; numbers have no unit: must be 4` of "4m"; empty for
+/// others.
+std::string unit_words(std::string_view text);
 
 }

@@ -11,6 +11,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/side_by_side.hpp"
+#include "base/regions/region_source.hpp"
 #include "experiment/measuring/region_picture.hpp"
 #include "results/file_names.hpp"
 
@@ -187,6 +188,7 @@ RegionResult SeriesAnalysis::region_result() const
     result.unit_length = region.unit_length() * region.side();
     result.polygons = region.polygons().polygons.size();
     result.corners = corner_count(region.polygons());
+    result.is_in_metres = is_mapped(region.own_polygons());
     result.has_density = options_.region->density != nullptr;
     if (tapered_) result.tapers = tapers();
     if (!region_picture_.empty()) result.picture_file = file_names::region_picture;

@@ -195,6 +195,8 @@ void Progress::message(const std::string& text)
         print(text);
 }
 
+void Progress::note(const std::string& text) { message(style_ == Style::json ? text : "poissonlab: note: " + text); }
+
 void Progress::report(const std::string& path)
 {
     clear();

@@ -61,6 +61,9 @@ public:
     /// Something that the user must know.
     void message(const std::string& text);
 
+    /// Something that the user should know of an input or a result; a line that begins as all notes do.
+    void note(const std::string& text);
+
     /// Removes the updating line.
     void finish() { clear(); }
 

@@ -192,8 +192,10 @@ private:
             const Series result = series.result();
             progress_.finish_series(summary(series.task(), result));
             if (const std::string border = border_words(result); !border.empty())
-                progress_.message(fmt::format("{}: {} {}", series.task().label, border,
-                                              border_advice(runs_[job.run].experiment.dimension)));
+                progress_.note(fmt::format("{}: {} {}", series.task().label, border,
+                                           border_advice(runs_[job.run].experiment.dimension)));
+            if (const std::string mixture = mixture_words(result); !mixture.empty())
+                progress_.note(fmt::format("{}: {}", series.task().label, mixture));
         }
         if (jobs_left_.empty()) return; // a share
         --jobs_left_.at(job.run);

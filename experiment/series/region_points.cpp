@@ -31,6 +31,7 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& files,
     std::vector<std::string> paths, notes;
     PointReading how = asked;
     how.domain = any_coordinates;
+    how.degrees_sentence = degrees_sentence(region.own_polygons());
     how.told = [&](const std::string& sentence) { notes.push_back(sentence); };
     for (const auto& file : files)
         if (std::filesystem::is_directory(file))

@@ -3,8 +3,8 @@
 // Ahmed, Ren, Wonka, Gaussian blue noise, 2022, see host/sampling/optimized/gaussian_blue_noise.hpp: warping puts as
 // many points as the density asks for into each row and each part of it, but stretches their distances; points that
 // then repel each other by Gaussians, which the density holds against, get even at every tone and keep the density. The
-// torus of that method is the square around the picture; beyond the picture it has no density, so that no point goes
-// there.
+// torus of that method is the square around the picture. Along the shorter side of a picture that is not square, the
+// density and the points are continued by their mirror images.
 #pragma once
 
 #include "host/kinds/distribution_place.hpp"

@@ -6,6 +6,7 @@
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/ink/line_directions.hpp"
+#include "host/distribution/ink/plot.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/self_similar_tile.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
@@ -257,12 +258,17 @@ void write_coverage(const std::filesystem::path& file, const Coverage& coverage)
 MarkPicture mark_picture(const InkPicture& picture, const Stippling& stippling)
 {
     constexpr double units_a_mark = 20, most_units = 16'384;
+    const double margin = overhang_of(stippling.marks, picture.ink.width, picture.ink.height);
     MarkPicture marks;
-    marks.width = picture.ink.width;
-    marks.height = picture.ink.height;
+    marks.width = picture.ink.width + 2 * margin;
+    marks.height = picture.ink.height + 2 * margin;
     const double units = marks.width * std::max(1.0, units_a_mark / stippling.mark_width);
     marks.pixels = static_cast<int>(std::ceil(std::max(1.0, std::min(units, most_units))));
-    marks.groups.push_back(stippling.marks);
+    MarkGroup& group = marks.groups.emplace_back(stippling.marks);
+    for (auto& disk : group.disks)
+        for (std::size_t k = 0; k < 2; ++k) disk[k] += margin;
+    for (auto& stroke : group.strokes)
+        for (std::size_t k = 0; k < 4; ++k) stroke[k] += margin;
     return marks;
 }
 

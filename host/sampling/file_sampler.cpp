@@ -5,6 +5,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/points/point_file.hpp"
+#include "base/regions/region_source.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ constexpr const char* particles_key = "particles";
 /// How messages about files call the keys.
 constexpr PointOptions key_words{.domain = "a line `# domain {}:{}` before the points of a text",
                                  .region = "region = \"rectangle {} {} {} {}\"",
+                                 .crs = "crs = \"EPSG:4326\"",
                                  .particles = "particles = {}"};
 
 InputError path_error(const Parameters& parameters, const std::string& path, const std::string& allowed)
@@ -78,7 +80,10 @@ std::vector<PointSet> sets_of(const std::filesystem::path& file, const Parameter
                               const FramedRegion* region, const Told& told)
 {
     PointReading how = reading_of(parameters, {});
-    if (region) how.domain = any_coordinates;
+    if (region) {
+        how.domain = any_coordinates;
+        how.degrees_sentence = degrees_sentence(region->own_polygons());
+    }
     how.told = told;
     std::vector<PointSet> sets = read_points(file, how);
     if (!region) return sets;

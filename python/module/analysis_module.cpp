@@ -125,6 +125,8 @@ private:
 
     void measure(SeriesAnalysis& analysis)
     {
+        if (const std::string mixture = mixture_words(series_); !mixture.empty())
+            warnings_.push_back(fmt::format("{}: {}", series_.label, mixture));
         if (analysis.has_spectrum()) {
             spectra_.push_back(analysis.mean_spectrum());
             radial_ = analysis.radial_curve(spectra_.front());

@@ -92,8 +92,10 @@ PointSet point_set_of(const AnyArray& array, const std::string& name, bool has_o
                       const PointOptions& words = {});
 
 /// Messages about coordinates call the arguments so.
-inline constexpr PointOptions argument_words{
-    .domain = "domain=({}, {})", .region = "region=\"rectangle {} {} {} {}\"", .particles = "particles={}"};
+inline constexpr PointOptions argument_words{.domain = "domain=({}, {})",
+                                             .region = "region=\"rectangle {} {} {} {}\"",
+                                             .crs = "crs=\"EPSG:4326\"",
+                                             .particles = "particles={}"};
 
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape)

@@ -131,7 +131,14 @@ std::optional<ClaimOutcome> has_low_anisotropy(const std::vector<const ReportSer
     const auto excess = [](const ReportSeries& series) {
         return series.stored->deterministic ? std::nullopt : std::optional(mean_excess_anisotropy(series));
     };
-    return over(all, excess, within(-0.5, 0.5), 2, " dB from it");
+    const auto sets_of = [](const ReportSeries* series) { return series->curve.periodograms; };
+    const bool have_one_number =
+        !all.empty() && std::ranges::all_of(all, [&](const auto* one) { return sets_of(one) == sets_of(all.front()); });
+    const std::string chance =
+        have_one_number ? fmt::format(" dB above the {} dB that chance gives K = {} sets",
+                                      format_fixed(all.front()->curve.background_db, 1), sets_of(all.front()))
+                        : std::string(" dB above the −10 log₁₀ K dB that chance gives K sets");
+    return over(all, excess, within(-0.5, 0.5), 2, chance);
 }
 
 Finding compared_plates(double error, double other_error)

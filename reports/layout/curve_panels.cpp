@@ -3,8 +3,10 @@
 #include "analysis/measures/hyperuniformity.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "reports/layout/series_panels.hpp"
+#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/curve_tables.hpp"
+#include "results/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -42,12 +44,10 @@ Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots&
             .thumbnail = Thumbnail{"radial", "Radial power"}};
 }
 
-/// The power law of the lowest frequencies; of results without it, that of all low ones; none in a region, whose
-/// boundary decides these.
-std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
+/// The fit to the lowest frequencies; of results without it, that to all low ones.
+std::optional<LowFrequencyPower> lowest_fit(const ReportSeries& series)
 {
     const Measures& measures = series.stored->measures;
-    if (series.stored->region) return std::nullopt;
     const auto found = measures.numbers.find("hyperuniformity_exponent");
     if (found == measures.numbers.end()) return measures.low_frequency_power;
     const int tiles = measures.lattice_peaks ? measures.lattice_peaks->tiles : 0;
@@ -60,16 +60,26 @@ std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
     return law;
 }
 
+/// The fit where it is a power law.
+std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
+{
+    const auto fit = lowest_fit(series);
+    if (fit && is_power_law(*series.stored, fit->exponent, fit->exponent_standard_error)) return fit;
+    return std::nullopt;
+}
+
 std::string slope_caption(const ReportSeries& series)
 {
     if (series.stored->region)
         return "The region's boundary decides the lowest frequencies: they have no slope of the set's own.";
     const auto law = lowest_power_law(series);
-    if (!law) return "Too little power, or too few rings at low frequencies, for a slope.";
+    if (!law && !lowest_fit(series)) return "Too little power, or too few rings at low frequencies, for a slope.";
     auto text =
-        fmt::format("Dashed: from frequency {} to {} the power is proportional to the frequency to the power of {}.",
-                    format_exact(law->begin), format_exact(law->end),
-                    format_estimate(law->exponent, law->exponent_standard_error, 3).text());
+        law ? fmt::format("Dashed: from frequency {} to {} the power is proportional to the frequency to the power of "
+                          "{}.",
+                          format_exact(law->begin), format_exact(law->end),
+                          format_estimate(law->exponent, law->exponent_standard_error, 3).text())
+            : "The power rises towards frequency 0: no exponent describes it.";
     const auto& numbers = series.stored->measures.numbers;
     if (const auto p = numbers.find("hyperuniformity_p_value"); p != numbers.end())
         text += fmt::format(" Test for hyperuniformity: p = {}.", format_significant(p->second.value, 2));
@@ -116,6 +126,9 @@ Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, cons
     const auto& bins = series.pair_correlation;
     const auto peak = *std::ranges::max_element(bins, {}, &PairCorrelationBin::value);
     const double unit = max_min_distance(series.stored->points, series.run->dimension);
+    const auto own = own_unit(*series.stored);
+    const std::string largest =
+        own ? format_significant(unit * own->lengths, 4) + " " + own->name : format_significant(unit, 4);
     return {
         .stem = "pair-correlation",
         .picture = pair_correlation_alone(
@@ -123,8 +136,7 @@ Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, cons
             series.stored->relative_radius ? std::optional(series.stored->relative_radius->mean) : std::nullopt),
         .title = "Pair correlation",
         .caption = fmt::format("Highest {} at {} of the largest possible minimum distance, {}.",
-                               format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
-                               format_significant(unit, 4)),
+                               format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2), largest),
         .guide =
             "The number of points at each distance from a point, divided by the number that random points would have "
             "there (dashed). It is 0 up to the minimum distance (dotted). A peak marks a distance at which many points "

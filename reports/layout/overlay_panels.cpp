@@ -41,8 +41,8 @@ void add_frequency_panels(const SeriesList& series, std::vector<Panel>& panels)
              "The same power where power laws are straight lines. A curve that goes on falling to the left "
              "is hyperuniform, one that falls off a cliff is stealthy, one that levels out keeps noise at "
              "all scales."});
-        panels.push_back({"anisotropy-all", together(anisotropy_plot(curves, unit)), "Anisotropy", over,
-                          "A curve on its dashed line looks the same in every direction, as far as <i>K</i> sets can "
+        panels.push_back({"anisotropy-all", together(anisotropy_comparison(curves, unit)), "Anisotropy", over,
+                          "A curve on the dashed line looks the same in every direction, as far as <i>K</i> sets can "
                           "tell. Where it climbs above the line, directions differ: the mark of a grid or of repeated "
                           "tiles."});
     }
@@ -137,7 +137,9 @@ std::vector<Panel> gallery_panels(const SeriesList& series, const std::vector<co
     return {{"radial-gallery", together(power_plot(curves, unit)), "Radially averaged power", beside, guide},
             {"structure-factor-gallery", together(structure_factor_plot(curves, unit)), "Structure factor",
              beside + ", both axes logarithmic", guide},
-            {"anisotropy-gallery", together(anisotropy_plot(curves, unit)), "Anisotropy", beside, guide}};
+            {"anisotropy-gallery", together(anisotropy_comparison(curves, unit)), "Anisotropy", beside,
+             std::string(guide) + " The mean of <i>K</i> spectra has −10 log₁₀ <i>K</i> dB by chance alone: where "
+                                  "<i>K</i> differs, curves are shown above that."}};
 }
 
 std::vector<Panel> integration_panels(const SeriesList& series)

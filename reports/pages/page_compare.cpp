@@ -99,7 +99,7 @@ std::vector<ChosenPlot> chosen_plots(const Site& site)
     for (auto& curve : pairs) curve.unit = 1;
     std::vector<ChosenPlot> plots = {
         {"Radially averaged power", "frequencies", power_plot(frequencies, LengthUnit::absolute)},
-        {"Anisotropy", "frequencies", anisotropy_plot(frequencies, LengthUnit::absolute)},
+        {"Anisotropy", "frequencies", anisotropy_comparison(frequencies, LengthUnit::absolute)},
         {"Pair correlation", "distances", pair_correlation_plot(pairs, distance_words(LengthUnit::absolute))}};
     std::erase_if(plots, [](const ChosenPlot& chosen) { return chosen.plot.curves.empty(); });
     return plots;
@@ -110,10 +110,11 @@ std::string plots_json(const std::vector<ChosenPlot>& plots)
 {
     std::vector<std::string> parts;
     for (const auto& [title, abscissa, plot] : plots) {
-        const bool has_reference = plot.key != "anisotropy"; // whose line differs from series to series
+        const bool has_reference = plot.references.size() == 1;
         parts.push_back(fmt::format("\"{}\":{{\"abscissa\":\"{}\",\"label\":{},\"reference\":{},\"most\":{},"
                                     "\"floor\":{}}}",
-                                    plot.key, abscissa, script_text(plot.y.label), has_reference ? "1" : "null",
+                                    plot.key, abscissa, script_text(plot.y.label),
+                                    has_reference ? short_number(plot.references.front().height) : "null",
                                     short_number(plot.y.most), short_number(plot.y.floor)));
     }
     return fmt::format("{{{}}}", fmt::join(parts, ","));

@@ -33,8 +33,9 @@ PageData region_data(const Series& series)
     if (!series.region) return false;
     PageData data;
     data.set("name", series.region->name);
-    data.set("area", format_significant(series.region->area, 5));
-    data.set("unit", format_significant(series.region->unit_length, 5));
+    const bool is_in_metres = series.region->is_in_metres;
+    data.set("area", format_significant(series.region->area, 5) + (is_in_metres ? " m²" : " in its own units"));
+    data.set("unit", format_significant(series.region->unit_length, 5) + (is_in_metres ? " m" : " units"));
     data.set("notes", optional_text(fmt::format("{}", fmt::join(series.region->notes, "; "))));
     return data;
 }
@@ -72,6 +73,13 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     const std::size_t repeated = series.stored->repeated.size();
     data.set("repeated", repeated > 0 ? PageData(format_count(repeated)) : PageData(false));
     return data;
+}
+
+std::string radius_words(const Series& series, int digits)
+{
+    if (!series.relative_radius) return {};
+    return fmt::format("{}ρ = {}", series.realizations > 1 ? "mean " : "",
+                       format_significant(series.relative_radius->mean, digits));
 }
 
 PageData shown_mean(const std::optional<Statistic>& value, int digits)

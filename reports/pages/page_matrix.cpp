@@ -75,7 +75,7 @@ std::string value_of(const ReportSeries& series)
         return "peaks " + format_significant(stored.measures.lattice_peaks->mean_ratio, 3);
     if (stored.zone_plate && stored.zone_plate->resolved_rms_error)
         return "error " + format_significant(stored.zone_plate->resolved_rms_error->mean, 3);
-    if (stored.relative_radius) return "ρ = " + format_significant(stored.relative_radius->mean, 3);
+    if (stored.relative_radius) return radius_words(stored, 3);
     return {};
 }
 

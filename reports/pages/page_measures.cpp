@@ -7,12 +7,29 @@
 
 namespace poissonlab {
 
+namespace {
+
+/// The minimum distance of sets that lie in a region or a box, in its units, as people know them.
+void change_to_own_unit(Measure& measure, MeasuredValue& value, const OwnUnit& own)
+{
+    measure.unit = own.name;
+    value.value *= own.lengths;
+    if (value.standard_error) *value.standard_error *= own.lengths;
+    for (double& each : value.each) each *= own.lengths;
+    if (value.range)
+        for (double& end : *value.range) end *= own.lengths;
+}
+
+}
+
 PageData measures_list(const ReportSeries& series)
 {
     PageData list{PageData::type::list};
-    for (const Measure& measure : measures()) {
-        const auto value = measure.meaning.empty() ? std::nullopt : measure.get(*series.stored);
+    for (Measure measure : measures()) {
+        auto value = measure.meaning.empty() ? std::nullopt : measure.get(*series.stored);
         if (!value) continue;
+        if (const auto own = own_unit(*series.stored); own && measure.key == "min_distance")
+            change_to_own_unit(measure, *value, *own);
         const MeasureWords words = words_of(measure, *value);
         PageData data;
         data.set("key", measure.key);

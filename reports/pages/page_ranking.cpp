@@ -206,10 +206,11 @@ std::string remark_of(const ReportSeries& series)
     return {};
 }
 
-PageData row_data(const Site& site, const ReportRun& run, const ReportSeries& series,
+/// `index` is the number of the series among all of the site, whose colour it has on the compare page.
+PageData row_data(const Site& site, const ReportRun& run, const ReportSeries& series, std::size_t index,
                   const std::vector<RankingColumn>& columns, const Provenances& from)
 {
-    auto row = series_identity(series, static_cast<std::size_t>(&series - run.series.data()));
+    auto row = series_identity(series, index);
     row.set("link", relative_link(site.out, page_of(series)));
     row.set("run", run.stored->title);
     row.set("remark", optional_text(remark_of(series)));
@@ -304,7 +305,8 @@ void set_ranking(PageData& page, const Site& site)
     PageData rows{PageData::type::list};
     for (const ReportSeries* entry : ranking_order(series)) {
         const auto is_of = [&](const ReportRun& run) { return run.stored == entry->run; };
-        rows << row_data(site, *std::ranges::find_if(site.runs, is_of), *entry, columns, from);
+        const auto index = static_cast<std::size_t>(std::ranges::find(series, entry) - series.begin());
+        rows << row_data(site, *std::ranges::find_if(site.runs, is_of), *entry, index, columns, from);
     }
     page.set("best_lines", best_lines(site));
     page.set("columns", columns_data(site, columns, from));

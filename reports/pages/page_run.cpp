@@ -23,8 +23,7 @@ PageData card(const ReportSeries& series, std::size_t index, const std::filesyst
     data.set("image_class", picture.image_class);
     data.set("alt", fmt::format("{}: {}", series.label, picture.name));
     std::string value = fmt::format("N = {}", format_count(series.stored->points));
-    if (const auto& radius = series.stored->relative_radius)
-        value += fmt::format(", ρ = {}", format_significant(radius->mean, 3));
+    if (series.stored->relative_radius) value += ", " + radius_words(*series.stored, 3);
     data.set("value", value);
     return data;
 }

@@ -4,6 +4,7 @@
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/pages/verdicts.hpp"
+#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,17 @@ PageData point_files(const ReportSeries& series)
     data.set("group", "Point sets");
     data.set("links", links);
     data.set("more", optional_text(hidden > 0 ? fmt::format("and {} more", format_count(hidden)) : ""));
+    return data;
+}
+
+/// The mean of the sets' minimum distances, in the unit that the sets were given in.
+PageData min_distance(const Series& series)
+{
+    std::optional<Statistic> distance = series.min_distance;
+    const auto own = own_unit(series);
+    if (distance && own) distance->mean *= own->lengths;
+    PageData data = shown_mean(distance, 4);
+    if (distance) data.set("unit", optional_text(own ? own->name : ""));
     return data;
 }
 
@@ -64,10 +76,11 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     data.set("endless",
              optional_text(has_endless_page(series) ? relative_link(series.pictures, endless_page_of(series)) : ""));
     data.set("tone_scale", series.stored->spectrum_file.empty() ? PageData(false) : tone_scale());
-    data.set("relative_radius", shown_mean(series.stored->relative_radius, 4));
-    data.set("min_distance", shown_mean(series.stored->min_distance, 4));
+    data.set("relative_radius", optional_text(radius_words(*series.stored, 4)));
+    data.set("min_distance", min_distance(*series.stored));
     data.set("measures", measures_list(series));
     data.set("border", optional_text(border_notice(series)));
+    data.set("mixture", optional_text(mixture_words(*series.stored)));
     data.set("file_groups", files);
     set_provenance(data, *run.stored);
     return render_in_frame(site, {page_of(series), series.label + " · " + site.title, {}}, "series", data);

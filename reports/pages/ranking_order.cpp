@@ -16,7 +16,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::array choice_columns{
-    ChoiceColumn{"relative_radius", "Relative radius ρ", "a lattice: 1"},
+    ChoiceColumn{"relative_radius", "Mean relative radius ρ", "a lattice: 1"},
     ChoiceColumn{"mean_nearest_distance", "Mean nearest distance", "a lattice: 1"},
     ChoiceColumn{"low_frequency_mean", "Power at low frequencies", "random: 1"},
     ChoiceColumn{"effective_nyquist", "Effective Nyquist frequency", "{√N|∛N} / 2"},
@@ -37,7 +37,7 @@ struct Wish
 };
 
 constexpr std::array wishes{
-    Wish{"points far apart", "relative_radius", "ρ = ", ""},
+    Wish{"points far apart", "relative_radius", "mean ρ = ", ""},
     Wish{"little noise at low frequencies", "low_frequency_mean", "power ", ""},
     Wish{"the widest range almost without noise", "effective_nyquist", "Nyquist ", ""},
     Wish{"integrals across edges", "integration_disk", "squared error ", " of random points'"},

@@ -17,6 +17,7 @@ namespace {
 /// The limits of the sentence.
 constexpr double far_apart = 0.65, near_each_other = 0.4;                   ///< relative radius
 constexpr double quiet = 0.02, noisy = 0.5, like_random = 0.9, worse = 1.1; ///< mean power at low frequencies
+constexpr double no_waves = 1e-3;    ///< mean power at low frequencies, below which long waves do not show
 constexpr double strong_peaks = 1.5; ///< lattice peaks over the power around them
 constexpr double deep_seams = 0.2;   ///< deviation of the density at seams
 
@@ -43,8 +44,10 @@ void judge_distances(const ReportSeries& series, Opinion& opinion)
 {
     const auto& stored = series.stored->relative_radius;
     if (!stored) return;
-    const double radius = is_not_periodic(series) ? series.stored->border->relative_radius : stored->min;
-    const std::string words = "ρ = " + format_significant(radius, 3);
+    const bool is_inside = is_not_periodic(series);
+    const double radius = is_inside ? series.stored->border->relative_radius : stored->min;
+    const char* name = series.stored->realizations == 1 ? "" : is_inside ? "mean " : "least ";
+    const std::string words = fmt::format("{}ρ = {}", name, format_significant(radius, 3));
     if (radius >= far_apart)
         opinion.good.push_back(fmt::format("all points keep apart ({})", words));
     else if (radius >= near_each_other)
@@ -68,6 +71,17 @@ void judge_noise(const ReportSeries& series, Opinion& opinion)
         opinion.bad.emplace_back("as noisy at low frequencies as random points");
     else
         opinion.bad.push_back("more noise at low frequencies than random points have, " + share);
+}
+
+/// Long waves are a rise of the power towards frequency 0: relaxation from a random start takes them away last.
+void judge_long_waves(const ReportSeries& series, Opinion& opinion)
+{
+    const auto& numbers = series.stored->measures.numbers;
+    const auto exponent = numbers.find("hyperuniformity_exponent");
+    if (exponent == numbers.end() || value_of(series, "low_frequency_mean").value_or(0) < no_waves) return;
+    if (!series.stored->region &&
+        !is_power_law(*series.stored, exponent->second.value, exponent->second.standard_error.value_or(0)))
+        opinion.bad.emplace_back("long waves, as the power rises towards frequency 0");
 }
 
 void judge_directions(const ReportSeries& series, Opinion& opinion)
@@ -124,6 +138,7 @@ std::string sentence_about(const ReportSeries& series)
     judge_distances(series, opinion);
     if (!is_not_periodic(series)) { // whose spectrum has the border in it
         judge_noise(series, opinion);
+        judge_long_waves(series, opinion);
         judge_directions(series, opinion);
     }
     std::vector<std::string> parts;

@@ -168,6 +168,18 @@ Plot anisotropy_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit)
     return plot;
 }
 
+Plot anisotropy_comparison(const std::vector<NumberedCurve>& curves, LengthUnit unit)
+{
+    Plot plot = anisotropy_plot(curves, unit);
+    if (plot.references.size() < 2) return plot;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        for (double& db : plot.curves[i].y) db -= curves[i].curve->background_db;
+    plot.references = {{0, "", 0}};
+    const double high = std::clamp(5 * std::ceil(highest(plot.curves, 0) / 5), 10.0, most_db_shown);
+    plot.y = {.label = "anisotropy above chance (dB)", .low = -5, .high = high, .step = 5, .most = most_db_shown};
+    return plot;
+}
+
 Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit)
 {
     Plot plot = power_plot(curves, unit);

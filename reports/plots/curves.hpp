@@ -55,6 +55,10 @@ struct NumberedCurve
 Plot power_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 Plot anisotropy_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 
+/// The plot of anisotropy for series side by side: where these have different numbers K of realizations, each curve is
+/// drawn above the −10 log10 K dB that chance gives its mean of K spectra.
+Plot anisotropy_comparison(const std::vector<NumberedCurve>& curves, LengthUnit unit);
+
 /// Plots the power of power_plot() over the same frequencies with both axes logarithmic, where power laws are straight
 /// lines: the structure factor as it is drawn for hyperuniform systems. Rings without power lie below the axis.
 Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);

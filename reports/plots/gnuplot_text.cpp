@@ -100,7 +100,7 @@ std::string slope_mark(const SlopeMark& slope)
                        slope.left, slope.left_height, slope.right, slope.right_height, mark_color, slope.name,
                        slope.name_on_the_left ? slope.left : slope.right,
                        slope.name_on_the_left ? slope.left_height : slope.right_height,
-                       slope.name_on_the_left ? "left offset 0.8,0.5" : "right offset 0,0.8");
+                       slope.name_on_the_left ? "left offset 0.8,0.5" : "left offset 0.4,-0.7");
 }
 
 std::string frame(const Plot& plot)

@@ -121,7 +121,7 @@ class Chart {
       draw(svg, "text", { x: left - 8, y: y.at(tick) + 4, "text-anchor": "end" }, String(tick).replace("-", "−"));
     }
     const { reference, label } = this.plot;
-    if (reference && reference >= y.low && reference <= y.high)
+    if (reference !== null && reference >= y.low && reference <= y.high)
       draw(svg, "line", { class: "reference", x1: left, x2: right, y1: y.at(reference), y2: y.at(reference) });
     draw(svg, "path", { class: "frame", d: `M${left} ${top}V${bottom}H${right}` });
     draw(svg, "text", { class: "title", x: (left + right) / 2, y: this.size.height - 12, "text-anchor": "middle" }, this.settings.xLabel);

@@ -205,6 +205,11 @@ function windowPoints([i, j, width, height]) {
   });
 }
 
+/** The same with places from the window's lower left corner, as the command has them: small numbers wherever it is. */
+function filePoints(view) {
+  return windowPoints(view).map((point) => ({ ...point, position: point.position.map((v, a) => v - view[a]) }));
+}
+
 /** False, with a word to the user, where the tiles in view are too many for a file or a picture over them. */
 function canHold(kind) {
   const [, , width, height] = seenWindow();
@@ -254,6 +259,13 @@ function densityWords(view) {
   return [" --density density.png", note];
 }
 
+/** The numbers beside the sliders, and the place of the middle, unless one is being typed. */
+function showNumbers() {
+  for (const slider of ["density", "brush", "brush-size"]) byId(`${slider}-number`).textContent = byId(slider).value;
+  if (document.activeElement !== byId("place"))
+    byId("place").value = state.tile.map((t, a) => (t + state.at[a]).toFixed(2)).join(", ");
+}
+
 function showTexts() {
   const view = seenWindow();
   const [i, j, width, height] = view;
@@ -284,6 +296,7 @@ function redraw() {
   }, 120);
 }
 function drawPicture() {
+  showNumbers();
   drawView();
   if (isShown("beside")) drawChunks();
 }

@@ -65,6 +65,17 @@ byId("jump").addEventListener("click", () => {
   state.tile[0] += state.tile[0] + 1e9 > farthest ? -2e9 : 1e9;
   redraw();
 });
+byId("place").addEventListener("change", (event) => {
+  const place = event.target.value.split(/[\s,;]+/).filter((word) => word !== "").map(Number);
+  if (place.length !== 2 || !place.every(Number.isFinite)) {
+    byId("status").textContent = `${event.target.value}: must be two numbers, x and y, in tiles`;
+    return;
+  }
+  state.tile = place.map((v) => wholeTile(Math.floor(v)));
+  state.at = place.map((v) => v - Math.floor(v));
+  redraw();
+});
+for (const slider of ["brush", "brush-size"]) byId(slider).addEventListener("input", showNumbers);
 byId("clear").addEventListener("click", () => {
   painted.clear();
   byId("picture").value = "";
@@ -133,7 +144,7 @@ for (const button of document.querySelectorAll("[data-save]"))
     const kind = button.dataset.save;
     if (!canHold(kind)) return;
     if (kind === "png") return painted.pictureOf(seenWindow()).toBlob((blob) => save(blob, "density.png"));
-    const text = fileOf(kind, windowPoints(seenWindow()), byId("command").textContent, pointRadius(minDistance, 1));
+    const text = fileOf(kind, filePoints(seenWindow()), byId("command").textContent, pointRadius(minDistance, 1));
     save(new Blob([text], { type: "text/plain" }), `points.${kind}`);
   });
 for (const button of document.querySelectorAll("[data-copy]"))

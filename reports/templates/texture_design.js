@@ -253,6 +253,9 @@ function listen() {
     show(allNumbers);
   });
   byId("radius").max = drawing.mostRadius;
+  const showRadius = () => (byId("radius-number").textContent = byId("radius").value);
+  byId("radius").addEventListener("input", showRadius);
+  showRadius();
   for (const id of ["seed", "borders"]) byId(id).addEventListener("change", () => show([]));
   byId("save-set").addEventListener("click", () =>
     textureSet().then((bytes) => save(bytes, `${nameOfSet()}.zip`, "application/zip")).then(() => say(null), say));

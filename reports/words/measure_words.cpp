@@ -44,4 +44,12 @@ MeasureWords words_of(const Measure& measure, const MeasuredValue& value)
     return words;
 }
 
+std::optional<OwnUnit> own_unit(const Series& series)
+{
+    if (series.region)
+        return OwnUnit{series.region->unit_length, series.region->is_in_metres ? "m" : "units of the region"};
+    if (series.box) return OwnUnit{series.box->unit_length(), "units of the box"};
+    return std::nullopt;
+}
+
 }

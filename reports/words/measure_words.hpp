@@ -20,4 +20,13 @@ std::optional<double> standard_error_of(const Measure& measure, const MeasuredVa
 
 MeasureWords words_of(const Measure& measure, const MeasuredValue& value);
 
+/// The unit that a series in a region or a box was given in, and how many of them are one length of the results;
+/// nothing on the unit torus.
+struct OwnUnit
+{
+    double lengths = 1;
+    std::string name; ///< "m"
+};
+std::optional<OwnUnit> own_unit(const Series& series);
+
 }

@@ -70,9 +70,8 @@ TEST_F(AperiodicCommand, ReadsAndWritesFilesOfTiles)
     folder_.write("own.txt", "a 0 b 0\n");
     const Outcome outcome = run("convert own.txt --construction diagonal");
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.error,
-              "poissonlab: warning: own.txt:1: no tile fits on the north of this one: it cannot occur in "
-              "a tiling\n");
+    EXPECT_EQ(outcome.error, "poissonlab: note: own.txt:1: no tile fits on the north of this one: it cannot occur in "
+                             "a tiling\n");
     EXPECT_THAT(outcome.out, StartsWith("1: 0 corner tiles over 1 colours; "));
 }
 

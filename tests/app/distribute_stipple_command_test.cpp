@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <regex>
 
 #include <nlohmann/json.hpp>
 
@@ -133,13 +134,18 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
     const PointSet points = read_points(folder_.path() / "dots.npy").at(0);
     EXPECT_EQ(points.size(), 200U);
     for (const double coordinate : points.coordinates) EXPECT_LE(coordinate, 0.5);
-    // The file for plotters has a circle for each; the area of 2 pixels, 2 mm wide, has a radius of 1.596 mm.
+    // The file for plotters has a circle for each, all of them on the sheet. The area of 2 pixels, 2 mm wide, has a
+    // radius of 1.596 mm; dots that reach beyond the picture make the sheet larger, by two radii at most.
     const std::string svg = content_of(folder_.path() / "dots.svg");
     EXPECT_THAT(svg, HasSubstr("width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\""));
     std::size_t circles = 0;
-    for (std::size_t at = svg.find("<circle "); at != std::string::npos; at = svg.find("<circle ", at + 1)) {
-        ++circles;
-        EXPECT_EQ(svg.find("r=\"1.596\"/>", at), svg.find("r=\"", at));
+    const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"([0-9.]+)\"/>");
+    for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at, ++circles) {
+        const double x = std::stod((*at)[1]), y = std::stod((*at)[2]), r = std::stod((*at)[3]);
+        EXPECT_LE(r, 1.596);
+        EXPECT_GT(r, 1.596 * 80 / (80 + 2 * 1.596) - 0.001);
+        EXPECT_GE(std::min(x, y), r - 0.002); // numbers are rounded to 0.001
+        EXPECT_LE(std::max(x, y), 80 - r + 0.002);
     }
     EXPECT_EQ(circles, 200U);
     EXPECT_THAT(outcome.error, HasSubstr("80 x 80 mm; the pen's way between marks is "));

@@ -123,5 +123,36 @@ TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
     EXPECT_EQ(read("a.geojson").size(), features.size());
 }
 
+/// Columns of degrees are measured as degrees by no command: as points of a region they are in metres.
+TEST_F(GlobeRegionFiles, AreMeasuredInMetres)
+{
+    ASSERT_EQ(run({"distribute", "darts", "--region", "rectangle 4.70 50.86 4.71 50.87", "--crs", "EPSG:4326",
+                   "--min-distance", "40", "--out", "a.csv", "--quiet"})
+                  .status,
+              0);
+    const Outcome refused = run({"analyze", "a.csv"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.error,
+                HasSubstr("a.csv:1: longitude, latitude: are longitude and latitude, whose degrees are no "
+                          "lengths: a region of the globe maps them to metres, such as --region "
+                          "'rectangle 4.7 50.86 4.71 50.87' with --set analysis.crs=EPSG:4326"));
+    const Outcome measured = run({"analyze", "a.csv", "--region", "rectangle 4.70 50.86 4.71 50.87", "--set",
+                                  "analysis.crs=EPSG:4326", "--set", "analysis.envelope=0", "--quiet"});
+    ASSERT_EQ(measured.status, 0) << measured.error;
+    const json series = json::parse(content_of(folder_.path() / "out/a/results.json"))["series"][0];
+    EXPECT_EQ(series["region"]["is_in_metres"], true);
+    const PointSet points = read("a.csv");
+    EXPECT_NEAR(series["min_distance"]["min"].get<double>() * series["region"]["unit_length"].get<double>(),
+                least_metres(points, points), 0.01);
+    const std::string page = content_of(folder_.path() / "out/a/a/index.html");
+    EXPECT_THAT(page, HasSubstr("Minimum distance (m)"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("of the torus' side")));
+    const Outcome as_lengths = run({"analyze", "a.csv", "--region", "rectangle 4.70 50.86 4.71 50.87", "--set",
+                                    "analysis.envelope=0", "--out", "b"});
+    EXPECT_THAT(as_lengths.out,
+                HasSubstr("poissonlab: note: a.csv: its columns of longitude and latitude are taken for "
+                          "lengths"));
+}
+
 }
 }

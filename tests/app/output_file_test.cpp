@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <regex>
 #include <span>
 
 #include <sys/stat.h>
@@ -235,6 +236,29 @@ TEST_F(OutputFiles, OfFoldersOfOthersAreRefused)
     EXPECT_EQ(shell("report ours --quiet").status, 0);
     EXPECT_EQ(shell("diff ours ours --out difference").status, 0);
     EXPECT_EQ(shell("diff ours ours --out difference").status, 0);
+}
+
+/// The comment of a file of points is the command that makes the same bytes again, but for --out.
+TEST(OutputFileComments, HasTheCommandThatMakesItAgain)
+{
+    const TemporaryFolder folder;
+    const std::string tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+    for (const std::string line :
+         {"distribute darts --region 'disk 0 0 9' --min-distance 1 --obstacles 'POINT (1 1)' --boundary disks",
+          "distribute points --region 'rectangle 0 0 9 4' --method lloyd --points 40 --iterations 3 --buffer 0.5",
+          "distribute classes --points 5 20 --seed 4", "distribute warp --density 'x*x' --points 50 --method random",
+          "distribute rank --density '1-x*x' --points 50", "distribute stipple --image 0.3 --dot 90 --by warping",
+          "points lloyd --points 100 --iterations 2", "tiles points TILES --window -1 2 3 2 --density '0.2+0.1*x'",
+          "tiles points TILES --region 'disk 0 0 9' --points 70 --seed 3"}) {
+        const std::string command = std::regex_replace(line, std::regex("TILES"), tiles);
+        const Outcome first = run_program_line(folder.path(), command + " --quiet --out a.ply");
+        ASSERT_EQ(first.status, 0) << first.error;
+        const std::string made = content_of(folder.path() / "a.ply");
+        std::smatch found;
+        ASSERT_TRUE(std::regex_search(made, found, std::regex("comment poissonlab ([^\n]*) --out FILE # "))) << made;
+        ASSERT_EQ(run_program_line(folder.path(), found[1].str() + " --quiet --out b.ply").status, 0) << found[1];
+        EXPECT_EQ(content_of(folder.path() / "b.ply"), made) << found[1];
+    }
 }
 
 }

@@ -129,6 +129,8 @@ protected:
         folder_.write("commas.txt", "0,5 0,25\n0,75 0,5\n");
         folder_.write("commas.csv", "x,y\n0,5;0,25\n");
         folder_.write("names.csv", "east,north\n7.1,50.2\n");
+        folder_.write("degrees.csv", "lon,lat\n4.35,50.85\n4.36,50.84\n");
+        folder_.write("far.csv", "x,y\n4.35,50.85\n4.36,50.84\n");
         folder_.write("fields.csv", "id,x,y\n1,0.5\n");
         folder_.write("mixed.csv", "x;y\n0,5;0.25\n");
         folder_.write("wide.csv", "x,y\n120.5,8\n511.7,300\n12,64.5\n88,500.5\n");

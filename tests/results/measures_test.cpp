@@ -34,6 +34,39 @@ TEST(Catalogue, SaysWhatWasNotMeasured)
         EXPECT_EQ(row.get(nothing).has_value(), row.key == "points" || row.key == "realizations") << row.key;
 }
 
+TEST(Catalogue, NamesExponentsOfPowerLawsOnly)
+{
+    const auto said = [](double exponent, double error, bool in_region) {
+        Series series;
+        series.measures.numbers["hyperuniformity_exponent"] = {exponent, error};
+        series.measures.low_frequency_power = LowFrequencyPower{.exponent = exponent, .exponent_standard_error = error};
+        if (in_region) series.region.emplace();
+        const bool is_said = measure("hyperuniformity_exponent").get(series).has_value();
+        EXPECT_EQ(measure("low_frequency_exponent").get(series).has_value(), is_said) << exponent;
+        return is_said;
+    };
+    EXPECT_TRUE(said(1.9, 0.02, false));
+    EXPECT_TRUE(said(-0.05, 0.02, false)); // level, as random points have it
+    EXPECT_FALSE(said(-1.84, 0.02, false));
+    EXPECT_FALSE(said(1.9, 0.02, true));
+}
+
+/// Of 1,000 random points, sets differ by 1.65 % of their mean nearest distance.
+TEST(Mixture, IsToldOfWhereSetsDifferFarMoreThanRandomOnes)
+{
+    const auto said = [](double deviation, const char* sampler) {
+        Series series;
+        series.sampler = sampler;
+        series.points = 1000;
+        series.realizations = 4;
+        series.measures.numbers["mean_nearest_distance"] = {0.8, 0.8 * deviation / 2};
+        return mixture_words(series);
+    };
+    EXPECT_EQ(said(0.06, "file"), "");
+    EXPECT_THAT(said(0.07, "file"), HasSubstr("mean nearest distances is 7 %, that of sets of random points 1.7 %"));
+    EXPECT_EQ(said(0.09, "dart-throwing"), "");
+}
+
 TEST(Catalogue, KnowsAllNumbersThatAreStored)
 {
     Measures unknown;

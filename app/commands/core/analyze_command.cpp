@@ -66,8 +66,10 @@ struct AnalyzeOptions
 };
 
 /// How messages about files call the options.
-constexpr PointOptions option_words{
-    .domain = "--domain {}:{}", .region = "--region 'rectangle {} {} {} {}'", .particles = "--particles {}"};
+constexpr PointOptions option_words{.domain = "--domain {}:{}",
+                                    .region = "--region 'rectangle {} {} {} {}'",
+                                    .crs = "--set analysis.crs=EPSG:4326",
+                                    .particles = "--particles {}"};
 
 /// An option as the key of [analysis] that it stands for.
 ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::value) value, const std::string& text)
@@ -233,8 +235,8 @@ void analyze(const AnalyzeOptions& options)
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
-    for (const std::string& note : experiment.notes) progress.message(note);
-    for (const std::string& note : region_notes(experiment)) progress.message(note);
+    for (const std::string& note : experiment.notes) progress.note(note);
+    for (const std::string& note : region_notes(experiment)) progress.note(note);
     run_experiment(experiment, out, progress);
     finish_report({out}, out, progress, PrintPictures::none, options.gallery ? Gallery::laid_behind : Gallery::offered);
 }

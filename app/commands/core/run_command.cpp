@@ -176,9 +176,9 @@ void run(const RunOptions& options)
 
     Progress progress(style_of(options, *crew));
     for (const PlannedRun& run : plan.runs) {
-        for (const std::string& word : run.experiment.left_out) progress.message(word);
-        for (const std::string& note : run.experiment.notes) progress.message(note);
-        for (const std::string& note : region_notes(run.experiment)) progress.message(note);
+        for (const std::string& word : run.experiment.left_out) progress.note(word);
+        for (const std::string& note : run.experiment.notes) progress.note(note);
+        for (const std::string& note : region_notes(run.experiment)) progress.note(note);
     }
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;

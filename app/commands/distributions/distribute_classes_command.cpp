@@ -67,7 +67,7 @@ void throw_class_points(const ClassOptions& o)
                     set.points.is_full.size(), noun(set.points.is_full.size(), "class", "classes"),
                     fmt::join(set.points.counts(), ", "));
     o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
-    const std::string comment = fmt::format("poissonlab distribute classes --seed {}: {}", o.seed(), what);
+    const std::string comment = o.command_comment(what);
     for (const std::filesystem::path& out : o.outs.files()) write_class_output(out, set, comment);
     if (!spectra.empty()) write_whole_file(spectra, spectra_csv(averaged_spectra(settings, o.seed(), o.place(), set)));
     if (o.prints_json()) print_numbers(class_numbers(set));

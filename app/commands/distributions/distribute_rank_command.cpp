@@ -30,11 +30,10 @@ void rank(const KindOptions& o)
         ranked_points(self_similar_points({settings.tile.x, settings.tile.y}, settings.tile.points), first);
     const PixelPlaces places = places_of(subdivided_points(ranked, density, static_cast<double>(settings.points)));
     for (const std::filesystem::path& out : o.outs.files())
-        write_places(out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
-                     fmt::format("poissonlab distribute rank --density {} --points {} --seed {}: {} points in units of "
-                                 "the longest side of {} x {} pixels, y upwards",
-                                 printable(settings.density.text), settings.points, o.seed(), places.size() / 2,
-                                 density.width, density.height));
+        write_places(
+            out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
+            o.command_comment(fmt::format("{} points in units of the longest side of {} x {} pixels, y upwards",
+                                          places.size() / 2, density.width, density.height)));
     if (o.prints_json()) print_numbers(rank_numbers(settings, density, places));
 }
 

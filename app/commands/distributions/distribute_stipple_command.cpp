@@ -93,18 +93,16 @@ void write_marks(const KindOptions& o, const StippleSettings& settings, const In
         else if (file.extension() == ".svg")
             write_whole_file(file, drawing_svg(draw_marks(mark_picture(picture, stippling), {})));
         else if (file.extension() == ".dxf")
-            write_whole_file(
-                file, plot_dxf(*plot, fmt::format("poissonlab {} --image {}", o.command(), printable(settings.image))));
+            write_whole_file(file, plot_dxf(*plot, o.command_comment("marks")));
         else if (file.extension() == ".png")
             write_coverage(file,
                            coverage_of(stippling.marks, wide, high, static_cast<double>(wide) / picture.ink.width));
         else
             write_places(file, stippling.places,
                          static_cast<std::uint32_t>(std::max(picture.ink.width, picture.ink.height)),
-                         fmt::format("poissonlab {} --image {}: {} middles of marks in units of the longest side of {} "
-                                     "x {} pixels, y upwards",
-                                     o.command(), printable(settings.image), stippling.places.size() / 2,
-                                     picture.ink.width, picture.ink.height));
+                         o.command_comment(fmt::format(
+                             "{} middles of marks in units of the longest side of {} x {} pixels, y upwards",
+                             stippling.places.size() / 2, picture.ink.width, picture.ink.height)));
     }
 }
 
@@ -143,7 +141,6 @@ Command mark_command(const char* word, const char* notes)
     return kind_command(*find_kind("distribution", word), {{{".svg", ".png", ".dxf"}, true}}, notes, stipple_picture,
                         "", {max_drawing_pixels, "the picture's"});
 }
-
 }
 
 Command distribute_stipple_command() { return mark_command("stippling", distribute_stipple_notes); }

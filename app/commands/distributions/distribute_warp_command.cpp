@@ -55,11 +55,10 @@ void warp(const WarpOptions& o)
     const PixelPlaces places = warp_points(density, points, o.place());
     if (!lights.empty()) write_whole_file(lights, lights_text(sky_lights(*map, places, settings.seen_from)));
     for (const std::filesystem::path& out : o.outs.files())
-        write_places(out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
-                     fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of "
-                                 "the longest side of {} x {} pixels, y upwards",
-                                 printable(settings.density.text), settings.points, o.seed(), places.size() / 2,
-                                 density.width, density.height));
+        write_places(
+            out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
+            o.command_comment(fmt::format("{} points in units of the longest side of {} x {} pixels, y upwards",
+                                          places.size() / 2, density.width, density.height)));
     if (o.prints_json()) print_numbers(warp_numbers(map, density, places, points));
 }
 

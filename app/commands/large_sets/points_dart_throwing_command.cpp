@@ -96,10 +96,10 @@ void large_dart_keys(Keys& keys, AskedDarts& asked)
     check_distance(keys, asked);
 }
 
-std::string comment_of(std::uint64_t seed, const LargeDarts& set)
+std::string comment_of(const KindOptions& o, const LargeDarts& set)
 {
-    return fmt::format("poissonlab points dart-throwing --seed {}: minimum distance {}, in the order of darts{}", seed,
-                       set.darts.min_distance, set.darts.points ? "" : ", between which no further one fits");
+    return o.command_comment(fmt::format("minimum distance {}, in the order of darts{}", set.darts.min_distance,
+                                         set.darts.points ? "" : ", between which no further one fits"));
 }
 
 void throw_large_darts(const KindOptions& o)
@@ -116,7 +116,7 @@ void throw_large_darts(const KindOptions& o)
         set = set_of(asked, o.seed());
         head.dimension = set.darts.dimension;
         head.points = set.expected_points;
-        head.comment = comment_of(o.seed(), set);
+        head.comment = comment_of(o, set);
         check_head(o.out, head);
         place.emplace(o.place(!crew->leads()));
         std::optional<DeviceInfo> device;

@@ -167,8 +167,8 @@ private:
 
     std::string comment() const
     {
-        return fmt::format("{} --seed {}: iterate {}, relative radius {:.6g}, coordinates in [0, 1)",
-                           "poissonlab " + options_.command(), options_.seed(), made_.iteration, made_.relative_radius);
+        return options_.command_comment(fmt::format("iterate {}, relative radius {:.6g}, coordinates in [0, 1)",
+                                                    made_.iteration, made_.relative_radius));
     }
 
     /// The plain program makes the set as a whole, in the process that leads.

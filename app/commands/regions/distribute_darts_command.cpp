@@ -5,8 +5,6 @@
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/kinds/kinds.hpp"
 
-#include <fmt/format.h>
-
 namespace poissonlab {
 namespace {
 
@@ -48,8 +46,7 @@ void throw_darts(const RegionOptions& o)
     const KindSettings read = o.settings();
     const auto& settings = read.as<DartSettings>();
     o.outs.check(o.command(), settings.varies());
-    o.finish(throw_region_darts(settings, o.seed(), o.place()),
-             fmt::format("--region {}", shortened(printable(settings.region))));
+    o.finish(throw_region_darts(settings, o.seed(), o.place()));
 }
 
 }

@@ -5,8 +5,6 @@
 #include "host/distribution/regions/region_points.hpp"
 #include "host/kinds/kinds.hpp"
 
-#include <fmt/format.h>
-
 namespace poissonlab {
 namespace {
 
@@ -35,9 +33,7 @@ void make_points_of_region(const RegionOptions& o)
     const KindSettings read = o.settings();
     const auto& settings = read.as<RegionPointSettings>();
     o.outs.check(o.command(), settings.place.varies());
-    o.finish(make_region_points(settings, o.seed(), o.place()),
-             fmt::format("--region {} --method {}", shortened(printable(settings.place.region)),
-                         region_methods[settings.method]));
+    o.finish(make_region_points(settings, o.seed(), o.place()));
 }
 
 }

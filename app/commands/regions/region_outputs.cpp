@@ -95,13 +95,12 @@ void RegionOutputs::write(const RegionDarts& darts, const std::string& comment) 
     if (!distances.empty()) write_distances(output_name(distances, distance_formats()), *darts.varied);
 }
 
-void RegionOptions::finish(const RegionDarts& made, const std::string& asked) const
+void RegionOptions::finish(const RegionDarts& made) const
 {
     const std::string what = words_of(made);
     say_note(what);
     for (const std::string& note : made.notes()) say_note(note);
-    outs.write(made,
-               fmt::format("poissonlab {} {} --seed {}: {}, in {}", command(), asked, seed(), what, units_of(made)));
+    outs.write(made, command_comment(fmt::format("{}, in {}", what, units_of(made))));
     if (prints_json()) print_numbers(dart_numbers(made));
 }
 

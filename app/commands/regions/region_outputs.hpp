@@ -30,8 +30,8 @@ struct RegionOptions : KindOptions
 {
     using KindOptions::KindOptions;
 
-    /// Writes what was made and says what it is; `asked` has the options that files are told of.
-    void finish(const RegionDarts& made, const std::string& asked) const;
+    /// Writes what was made and says what it is.
+    void finish(const RegionDarts& made) const;
 
     RegionOutputs outs;
 };

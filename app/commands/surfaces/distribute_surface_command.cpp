@@ -53,8 +53,7 @@ void place_on_surface(const KindOptions& o)
             fmt::format("; {}at least {} apart", set.angle < 180 ? "those that see each other " : "", set.min_distance);
     o.say_note(what);
     for (const std::filesystem::path& out : o.outs.files())
-        write_surface_output(out, set, static_cast<int>(o.pixels),
-                             fmt::format("poissonlab distribute surface --seed {}: {}", o.seed(), what));
+        write_surface_output(out, set, static_cast<int>(o.pixels), o.command_comment(what));
     if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
 }
 

@@ -111,15 +111,28 @@ void check_class_target(const std::filesystem::path& out)
 /// The comment of the file.
 std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region, const std::string& units = "")
 {
-    const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
-    const std::string begin = fmt::format("poissonlab tiles points {} ", options.file.filename().string());
-    if (region)
-        return fmt::format("{}--region {} --seed {}{}: in {}; a tile is {} wide", begin,
-                           shortened(printable(options.region)), options.seed, density, units, region->tile_width());
-    const std::string place = options.torus > 0 ? fmt::format("--torus {}", options.torus)
-                                                : fmt::format("--window {}", fmt::join(options.window, " "));
-    return fmt::format("{}{} --seed {}{}: coordinates in tiles, from the lowest corner of the {}", begin, place,
-                       options.seed, density, options.torus > 0 ? "torus" : "window");
+    std::vector<std::string> words{options.file.string()};
+    const auto add = [&](bool is_given, const char* option, const std::string& value) {
+        if (!is_given) return;
+        words.emplace_back(option);
+        if (!value.empty()) words.push_back(value);
+    };
+    add(!options.window.empty(), "--window", "");
+    for (const std::int64_t number : options.window) words.push_back(std::to_string(number));
+    add(options.torus > 0, "--torus", std::to_string(options.torus));
+    add(region != nullptr, "--region", options.region);
+    add(options.reading.is_planar, "--planar", "");
+    add(!options.reading.crs.empty(), "--crs", options.reading.crs);
+    add(!options.overlap.empty(), "--overlap", options.overlap);
+    add(options.reading.buffer > 0, "--buffer", fmt::format("{}", options.reading.buffer));
+    add(options.min_distance > 0, "--min-distance", fmt::format("{}", options.min_distance));
+    add(options.points > 0, "--points", std::to_string(options.points));
+    add(options.density != "1", "--density", options.density);
+    add(options.density_from != "light", "--density-from", options.density_from);
+    return command_comment("tiles points", words, options.seed,
+                           region ? fmt::format("in {}; a tile is {} wide", units, region->tile_width())
+                                  : fmt::format("coordinates in tiles, from the lowest corner of the {}",
+                                                options.torus > 0 ? "torus" : "window"));
 }
 
 }

@@ -247,12 +247,13 @@ void print_summary(const Verification& v)
         line(fmt::format("{:.0f} % of the points", 100 * prefix.density),
              fmt::format("relative radius {:.4f}, power at low frequencies {:.4f}, {:.3f} of a random part's",
                          prefix.relative_radius, prefix.power, prefix.power / prefix.random_power));
-    fmt::print("\n{:<22}{:>8}{:>10}{:>8}{:>10}\n", "points of a tile near", "min", "mean", "max", "density");
+    const bool has_density = p.border == TileBorder::strip; // chains have no area of their own
+    fmt::print("\n{:<22}{:>8}{:>10}{:>8}{}\n", "points of a tile near", "min", "mean", "max",
+               has_density ? "   density" : "");
     for (int i = 0; i <= p.dimension; ++i) {
         const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
-        const bool has_chains = p.border == TileBorder::chain; // which have no area of their own
-        fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{:>10}\n", region_name(i, p), r.min, r.mean, r.max,
-                   has_chains ? "" : fmt::format("{:.4f}", r.density));
+        fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{}\n", region_name(i, p), r.min, r.mean, r.max,
+                   has_density ? fmt::format("{:>10.4f}", r.density) : "");
     }
     if (!p.classes.is_empty()) print_classes(v);
 }

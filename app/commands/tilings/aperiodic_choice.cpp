@@ -39,7 +39,7 @@ ChosenTiles chosen_set(const std::string& command, const std::string& name)
     std::error_code unknown;
     if (!std::filesystem::exists(name, unknown)) throw unknown_set(command, name);
     ReadTiles read = read_tile_list(name);
-    for (const std::string& warning : read.warnings) fmt::print(stderr, "poissonlab: warning: {}\n", warning);
+    for (const std::string& warning : read.warnings) fmt::print(stderr, "poissonlab: note: {}\n", warning);
     ChosenTiles chosen{name, std::move(read.wang)};
     if (read.are_corners()) chosen.corners = std::move(read.corners);
     return chosen;

@@ -110,7 +110,7 @@ PeriodSearch searched(const WangList& list, const AperiodicVerifyOptions& option
         });
     } catch (const InputError& error) {
         if (!known.period) throw;
-        fmt::print(stderr, "poissonlab: warning: heights end before circumference {}: {}\n", circumference + 1,
+        fmt::print(stderr, "poissonlab: note: heights end before circumference {}: {}\n", circumference + 1,
                    error.what());
         return known;
     }

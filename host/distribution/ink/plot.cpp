@@ -86,13 +86,15 @@ Stroke with_pen(Stroke mark, double pen)
 }
 
 /// All marks on the sheet as strokes; those of dots have no length.
-std::vector<Stroke> strokes_on(const MarkGroup& marks, double height, double scale)
+std::vector<Stroke> strokes_on(const MarkGroup& marks, double height, double margin, double scale)
 {
     std::vector<Stroke> strokes;
+    const auto across = [&](double x) { return (margin + x) * scale; };
+    const auto down = [&](double y) { return (margin + height - y) * scale; };
     for (const auto& [x, y, radius] : marks.disks)
-        strokes.push_back({x * scale, (height - y) * scale, x * scale, (height - y) * scale, 2 * radius * scale});
+        strokes.push_back({across(x), down(y), across(x), down(y), 2 * radius * scale});
     for (const auto& [x0, y0, x1, y1, wide] : marks.strokes)
-        strokes.push_back({x0 * scale, (height - y0) * scale, x1 * scale, (height - y1) * scale, wide * scale});
+        strokes.push_back({across(x0), down(y0), across(x1), down(y1), wide * scale});
     return strokes;
 }
 
@@ -122,6 +124,20 @@ std::string group_begin(const Plot& plot, double mark_width)
 
 }
 
+double overhang_of(const MarkGroup& marks, double width, double height)
+{
+    double most = 0;
+    const auto add = [&](double x, double y, double radius) {
+        most = std::max({most, radius - x, radius - y, x + radius - width, y + radius - height});
+    };
+    for (const auto& [x, y, radius] : marks.disks) add(x, y, radius);
+    for (const auto& [x0, y0, x1, y1, wide] : marks.strokes) {
+        add(x0, y0, wide / 2);
+        add(x1, y1, wide / 2);
+    }
+    return most;
+}
+
 std::optional<double> millimetres_of(std::string_view text)
 {
     constexpr double millimetres_an_inch = 25.4;
@@ -136,9 +152,10 @@ std::optional<double> millimetres_of(std::string_view text)
 
 Plot plot_of(const MarkGroup& marks, double width, double height, const PlotSheet& sheet)
 {
-    const double scale = sheet.width > 0 ? sheet.width / width : 1;
-    Plot plot{width * scale, height * scale, sheet, {}};
-    std::vector<Stroke> strokes = strokes_on(marks, height, scale);
+    const double margin = overhang_of(marks, width, height);
+    const double scale = sheet.width > 0 ? sheet.width / (width + 2 * margin) : 1;
+    Plot plot{(width + 2 * margin) * scale, (height + 2 * margin) * scale, sheet, {}};
+    std::vector<Stroke> strokes = strokes_on(marks, height, margin, scale);
     plot.way_as_made = way_of(strokes);
     if (sheet.travel == PenTravel::nearest) strokes = nearest_first(strokes);
     plot.way = way_of(strokes);

@@ -14,6 +14,9 @@
 
 namespace poissonlab {
 
+/// How far the marks reach beyond a picture of this size, at most; 0: none does.
+double overhang_of(const MarkGroup& marks, double width, double height);
+
 /// A length on paper as it was typed: "200mm", "20 cm", "8in". Nothing for other texts.
 std::optional<double> millimetres_of(std::string_view text);
 
@@ -29,7 +32,8 @@ struct Plot
     std::size_t narrow = 0; ///< how many marks are narrower than the pen
 };
 
-/// The plot of marks in a picture of this size in pixels, y upwards. Throws Interrupted.
+/// The plot of marks in a picture of this size in pixels, y upwards. The sheet has room for all of what lies beyond the
+/// picture. Throws Interrupted.
 Plot plot_of(const MarkGroup& marks, double width, double height, const PlotSheet& sheet);
 
 /// Tells a person at the plotter the size of the sheet and the way of the pen between marks.

@@ -11,7 +11,6 @@
 #include "base/text/noun.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
 #include "host/distribution/region_runs/region_results.hpp"
-#include "host/distribution/region_runs/region_results.hpp"
 #include "host/distribution/regions/line_points.hpp"
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_points.hpp"

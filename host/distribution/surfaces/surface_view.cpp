@@ -53,6 +53,7 @@ public:
             }
         scale_ = filled_part * side / std::max({high[0] - low[0], high[1] - low[1], 1.0});
         middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0};
+        needed_ = scale_ * (high[1] - low[1]) + (1 - filled_part) * side;
     }
 
     void draw_triangles()
@@ -73,6 +74,7 @@ public:
     }
 
     double scale() const { return scale_; }
+    double needed_rows() const { return needed_; } ///< around the middle one
     float grey(int column, int row) const { return grey_[at(column, row)]; }
 
 private:
@@ -141,7 +143,7 @@ private:
     const FixedSurface& surface_;
     Camera camera_;
     int side_;
-    double scale_ = 1;
+    double scale_ = 1, needed_ = 0;
     MeshPoint middle_{};
     std::vector<float> depth_, grey_;
 };
@@ -162,20 +164,25 @@ PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoi
                        int pixels)
 {
     const int side = std::max(1, pixels / 2);
-    PngPixels view{2 * side, side, 1, {}};
-    view.values.resize(view.at(0, side, 0));
-    const Camera cameras[2] = {camera_at(-0.5, 0.5), camera_at(2.64, 0.5)};
-    for (int number = 0; number < 2; ++number) {
-        const SurfaceCanvas canvas = drawn(surface, points, dots, cameras[number], side * view_samples);
-        for (int row = 0; row < side; ++row)
+    std::vector<SurfaceCanvas> canvases;
+    double needed = 1;
+    for (const Camera& camera : {camera_at(-0.5, 0.5), camera_at(2.64, 0.5)}) {
+        canvases.push_back(drawn(surface, points, dots, camera, side * view_samples));
+        needed = std::max(needed, canvases.back().needed_rows() / view_samples);
+    }
+    const int height = std::min(side, static_cast<int>(std::ceil(needed))), top = (side - height) / 2;
+    PngPixels view{2 * side, height, 1, {}};
+    view.values.resize(view.at(0, height, 0));
+    for (int number = 0; number < 2; ++number)
+        for (int row = 0; row < height; ++row)
             for (int column = 0; column < side; ++column) {
                 float sum = 0;
                 for (int i = 0; i < view_samples * view_samples; ++i)
-                    sum += canvas.grey(view_samples * column + i % view_samples, view_samples * row + i / view_samples);
+                    sum += canvases[static_cast<std::size_t>(number)].grey(
+                        view_samples * column + i % view_samples, view_samples * (row + top) + i / view_samples);
                 view.values[view.at(number * side + column, row, 0)] =
                     static_cast<std::uint8_t>(std::lround(sum / (view_samples * view_samples)));
             }
-    }
     return view;
 }
 

@@ -21,7 +21,7 @@ struct SurfaceDots
 };
 
 /// Draws both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface
-/// does not hide them. z points upwards.
+/// does not hide them. z points upwards. The picture is as high as the views need, and no higher than half its width.
 PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                        int pixels = default_view_pixels);
 

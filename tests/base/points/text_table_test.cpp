@@ -130,6 +130,18 @@ TEST(TextTable, MustHaveXAndY)
     EXPECT_EQ(input_error_of("a.csv", "x,y,X\n0.1,0.2,0.3\n"), "a.csv:1: X: two columns have this name");
 }
 
+/// Degrees are no lengths, also where they could be numbers of the domain.
+TEST(TextTable, RefusesColumnsOfDegreesWhereLengthsAreMeasured)
+{
+    for (const char* names : {"lon,lat", "Longitude,Latitude", "lng,lat"})
+        for (const char* numbers : {"4.35,50.85\n4.36,50.84\n", "0.35,0.85\n0.36,0.84\n"})
+            EXPECT_THAT(input_error_of("a.csv", std::string(names) + "\n" + numbers),
+                        HasSubstr("are longitude and latitude, whose degrees are no lengths"))
+                << names;
+    EXPECT_THAT(input_error_of("a.csv", "lon,lat\n104300,50850\n4,5\n"), HasSubstr("must be a number in [0, 1)"))
+        << "no place on the globe";
+}
+
 TEST(TextTable, NamesTheFieldThatIsWrong)
 {
     EXPECT_EQ(input_error_of("a.csv", "id,x,y\n1,0.5,0.5\n2,,0.5\n"),

@@ -43,7 +43,9 @@ TEST(ImportedPoints, UnequalSizesNameBothPlaces)
     EXPECT_EQ(message_of([&] {
                   import_points({a, b}, "");
               }),
-              b + ": realization 2: has 1 points where " + a + " has 2: realizations must have the same number");
+              b + ": realization 2: has 1 points where " + a +
+                  " has 2: realizations must have the same number; sets of several methods are "
+                  "analysed one at a time, or as [[method]] tables of a config");
 }
 
 TEST(ImportedPoints, AllSetsHaveTheDimensionOfTheFirst)

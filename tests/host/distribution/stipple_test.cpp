@@ -235,6 +235,32 @@ TEST(Stippling, KeepsGaussiansInThePicture)
         HasSubstr("8388608 x 1 pixels are part of a square of 70368744177664 pixels; must be at most 67108864"));
 }
 
+/// Bands of a quarter of a mean distance along the border have as many points as the ink asks for: no row of points
+/// lies there. Counts of five sets vary by less than those of random points, of which four standard deviations are
+/// allowed.
+TEST(Stippling, HasNoRowsAlongTheBorder)
+{
+    const EvenMethod method = read_tile_set(dots_of("0", 1).method.tiles);
+    constexpr std::size_t points = 4000, bands = 6;
+    for (const auto& [width, height] : {std::pair{90, 60}, {60, 90}}) {
+        const Density even{width, height, std::vector<std::uint64_t>(5400, full_weight)};
+        const double distance = std::sqrt(5400.0 / points);
+        std::array<double, bands> counts{};
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            const DistributionPlace place = stippled_on(Engine::opencl);
+            const PixelPlaces places = relaxed_places(
+                even, warp_points(even, even_points(method, points, width, height, seed, place), place), 100, place);
+            for (std::size_t i = width > height ? 1 : 0; i < places.size(); i += 2) {
+                const double at = std::ldexp(static_cast<double>(places[i]), -32);
+                const auto band = static_cast<std::size_t>(4 * std::min(at, 60 - at) / distance);
+                if (band < bands) ++counts.at(band);
+            }
+        }
+        const double expected = 5 * 2 * points * distance / 4 / 60;
+        for (std::size_t i = 0; i < bands; ++i) EXPECT_NEAR(counts.at(i), expected, 4 * std::sqrt(expected)) << i;
+    }
+}
+
 /// Ranked tiles keep their proven distance whatever the density does: no ink lies on other ink as long as the darkest
 /// tone is below 0.9069 rho^2, and numbers in the steps of a wedge are in proportion.
 TEST(Stippling, NeverOverlapsByRanksOfTiles)

@@ -207,7 +207,7 @@ TEST(SurfaceViews, ShowDotsOnTheNearSide)
         }
         const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 800);
         std::array<int, 2> counts{};
-        for (int row = 0; row < 400; ++row)
+        for (int row = 0; row < view.height; ++row)
             for (int column = 0; column < 800; ++column)
                 counts[column / 400] += view.values[view.at(column, row, 0)] < 60;
         return counts;

@@ -428,9 +428,35 @@ TEST_F(EndlessPage, ComputesSpectraByTheirDefinition)
               1e-12);
 }
 
+TEST_F(EndlessPage, GoesToAPlace)
+{
+    open();
+    const auto go_to = [](const char* place) {
+        evaluate(fmt::format("byId('place').value = '{}', byId('place').dispatchEvent(new Event('change')), drawNow()",
+                             place));
+        return evaluate("[state.tile, state.at, byId('place').value]");
+    };
+    EXPECT_EQ(go_to("-1000000.25, 7.5"), (nlohmann::json{{-1000001, 7}, {0.75, 0.5}, "-1000000.25, 7.50"}));
+    EXPECT_EQ(go_to("here")[0], (nlohmann::json{-1000001, 7}));
+    EXPECT_THAT(evaluate("byId('place').value = '1 2 3', byId('place').dispatchEvent(new Event('change')), "
+                         "byId('status').textContent")
+                    .get<std::string>(),
+                HasSubstr("1 2 3: must be two numbers"));
+    EXPECT_EQ(evaluate("byId('density-number').textContent"), "1");
+}
+
+/// Files have places from the window's corner, as the command that the page shows has them.
 TEST_F(EndlessPage, WritesFiles)
 {
     open();
+    for (const char* window : {"0, 0, 2, 1", "2000000000, -3, 2, 1"}) {
+        const auto all = shown(window), files = evaluate(fmt::format("filePoints([{}]).map(p => p.position)", window));
+        ASSERT_EQ(files.size(), all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            EXPECT_EQ(files[i][0].get<double>(), all[i][0].get<double>() - (window[0] == '0' ? 0 : 2e9));
+            EXPECT_EQ(files[i][1].get<double>(), all[i][1].get<double>() + (window[0] == '0' ? 0 : 3));
+        }
+    }
     const std::string csv = evaluate("fileOf('csv', windowPoints([0, 0, 2, 1]), 'x', 0.1)");
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), expected(1, {0, 0}, 2, 1).size() + 1);
     EXPECT_THAT(csv, testing::StartsWith("x,y,level,id\n"));

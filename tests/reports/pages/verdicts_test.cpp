@@ -35,12 +35,12 @@ std::string sentence(double radius, double noise, double directions)
 
 TEST(Verdicts, FollowFromTheNumbers)
 {
-    EXPECT_EQ(sentence(0.75, 0.062, 0), "Strengths: all points keep apart (ρ = 0.749); no preferred directions. "
+    EXPECT_EQ(sentence(0.75, 0.062, 0), "Strengths: all points keep apart (least ρ = 0.749); no preferred directions. "
                                         "Weaknesses: noise at low frequencies, 6.2 % of that of random points.");
     EXPECT_EQ(
         sentence(0.45, 0.002, 12.34),
         "Strengths: little noise at low frequencies, 0.20 % of that of random points. Weaknesses: some points are "
-        "near each other (ρ = 0.449); directions or peaks, 12.3 dB above chance.");
+        "near each other (least ρ = 0.449); directions or peaks, 12.3 dB above chance.");
 }
 
 TEST(Verdicts, OfNoiseNeverContradictTheNumber)
@@ -50,6 +50,20 @@ TEST(Verdicts, OfNoiseNeverContradictTheNumber)
     EXPECT_THAT(sentence(0.7, 0.6, 0), HasSubstr("much noise at low frequencies, 60 %"));
     EXPECT_THAT(sentence(0.7, 1.02, 0), HasSubstr("as noisy at low frequencies as random points"));
     EXPECT_THAT(sentence(0.7, 1.6, 0), HasSubstr("more noise at low frequencies than random points have, 160 %"));
+}
+
+/// The mean at low frequencies may be small where the lowest ones are not; powers below a thousandth do not show.
+TEST(Verdicts, TellOfLongWaves)
+{
+    const auto of_exponent = [](double noise, double exponent) {
+        test::MadeUpReport report;
+        ReportSeries& series = add_series(report, "a", 0.75, noise, 0);
+        test::stored_of(series).measures.numbers["hyperuniformity_exponent"] = {exponent, 0.1};
+        return sentence_about(series);
+    };
+    EXPECT_THAT(of_exponent(0.016, -1.7), HasSubstr("Weaknesses: long waves, as the power rises towards frequency 0."));
+    for (const std::string& said : {of_exponent(0.016, -0.25), of_exponent(0.016, 2), of_exponent(1e-5, -1.8)})
+        EXPECT_THAT(said, Not(HasSubstr("long waves")));
 }
 
 TEST(Verdicts, SayNothingOfEvennessWhereSetsFollowADensity)
@@ -70,11 +84,12 @@ TEST(Verdicts, JudgeSetsThatAreNotPeriodicWithinTheirSquare)
     test::MadeUpReport report;
     ReportSeries& series = add_series(report, "a", 0.146, 0.1, 9);
     test::stored_of(series).border = BorderResult{33, 1e-40, 0.721, 0.8};
-    EXPECT_EQ(sentence_about(series), border_words(*series.stored) + " Strengths: all points keep apart (ρ = 0.721).");
+    EXPECT_EQ(sentence_about(series),
+              border_words(*series.stored) + " Strengths: all points keep apart (mean ρ = 0.721).");
     EXPECT_THAT(border_notice(series), HasSubstr("--periodic no"));
     test::stored_of(series).border->chance = 0.2;
     EXPECT_EQ(border_notice(series), "");
-    EXPECT_THAT(sentence_about(series), HasSubstr("points nearly meet (ρ = 0.145)"));
+    EXPECT_THAT(sentence_about(series), HasSubstr("points nearly meet (least ρ = 0.145)"));
 }
 
 TEST(Verdicts, OfOlderResultsFollowFromTheCurve)

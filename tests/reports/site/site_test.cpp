@@ -252,7 +252,8 @@ TEST_F(SiteTest, TheRankingIsSortedAndMarksTheBest)
     EXPECT_THAT(table, HasSubstr("<small>follows a density: not ranked</small>"));
     EXPECT_THAT(table, HasSubstr("data-key=\"relative_radius\" data-better=\"higher\" aria-sort=\"descending\""));
     EXPECT_THAT(table, HasSubstr("<td data-key=\"relative_radius\" class=\"best\"><data value=\"0.7\">"));
-    EXPECT_THAT(text, HasSubstr("for points far apart: <a href=\"jittered/index.html\">Series 1</a> (ρ = 0.6000);"));
+    EXPECT_THAT(text,
+                HasSubstr("for points far apart: <a href=\"jittered/index.html\">Series 1</a> (mean ρ = 0.6000);"));
     EXPECT_THAT(text, HasSubstr("Left out here for their preferred directions: Series 2."));
     EXPECT_LT(text.find("<section id=\"overview\">"), text.find("<section id=\"series\">"))
         << "the ranking comes before the pictures";

@@ -63,6 +63,20 @@ TEST(Plots, AreCirclesInTheOrderOfAShortWay)
                 ElementsAre(ElementsAre(10, 10, 1), ElementsAre(90, 10, 1), ElementsAre(12, 10, 1)));
 }
 
+/// A dot of radius 1 half a pixel from the border reaches half a pixel beyond it: the sheet has 101 x 51 pixels.
+TEST(Plots, HaveRoomForAllOfTheirMarks)
+{
+    MarkGroup marks = three_dots();
+    marks.disks.push_back({0.5, 40, 1});
+    EXPECT_EQ(overhang_of(marks, 100, 50), 0.5);
+    const Plot plot = plot_of(marks, 100, 50, {.width = 202, .travel = PenTravel::as_made});
+    EXPECT_DOUBLE_EQ(plot.width, 202);
+    EXPECT_DOUBLE_EQ(plot.height, 102);
+    EXPECT_THAT(elements_of(plot_svg(plot), "circle").back(), ElementsAre(2, 21, 2));
+    marks.strokes.push_back({99, 49, 100, 50, 3}); // round ends
+    EXPECT_EQ(overhang_of(marks, 100, 50), 1.5);
+}
+
 /// The outer edge of the pen's line is that of the dot: 4 mm across, so that the line's middle has a radius of 1.75.
 TEST(Plots, AllowForThePen)
 {
@@ -102,7 +116,7 @@ TEST(Plots, TurnStrokesRound)
 TEST(Plots, GoToTheNearestMark)
 {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> side(0, 64);
+    std::uniform_real_distribution<double> side(0.5, 63.5); // whole disks lie in the picture
     MarkGroup marks;
     for (int i = 0; i < 700; ++i) marks.disks.push_back({side(random), side(random), 0.5});
     const Plot plot = plot_of(marks, 64, 64, {});
