@@ -53,6 +53,34 @@ const std::vector<Measure>& texture_measures()
         texture_row("longest_run", "longest straight run", "pixels", lower, three,
                     "Conspicuous steps side by side along a straight line inside of a tile: eyes find straight lines "
                     "first."),
+        texture_row("mean_seam_line", "seams over a line", "", neither, three,
+                    "The part of the pairs over a line between two columns or rows of a tile that are seams, mean over "
+                    "lines."),
+        texture_row("largest_seam_line", "seams over the worst line", "", lower, three,
+                    "That of the line that has the most: far above the mean where cuts end at a border that all tiles "
+                    "have."),
+        texture_row("longest_seam_line", "longest straight seam", "pixels", lower, three,
+                    "Seam pairs side by side along a straight line inside of a tile, conspicuous or not."),
+        texture_row(
+            "novelty", "new patches", "", lower, three,
+            "The part of the patches of 27 x 27 pixels of a tiling that are less like all of the exemplar than "
+            "90 % of the patches of one of its halves are like the other half: fused and broken shapes, which "
+            "cuts do not look for. Another picture by the same law has about 0.1, plain repetition almost none."),
+        texture_row("novelty_small", "new small patches", "", lower, three,
+                    "The same of patches as large as what the exemplar shows, of 7 to 13 pixels."),
+        texture_row("novelty_large", "new large patches", "", lower, three,
+                    "The same of patches three times as large as what the exemplar shows, of 41 to 81 pixels."),
+        texture_row("feature_side", "size of features", "pixels", neither, whole,
+                    "The side of the smallest squares of the exemplar whose means have at most half of the variance of "
+                    "its pixels."),
+        texture_row("fragments", "fragments a tile", "", lower, three,
+                    "Parts of a tiling that are whole in the exemplar and smaller than a square of that size."),
+        texture_row(
+            "slow_power", "uneven light", "of the power", neither, three,
+            "The part of a tiling's power at frequencies below one over two tiles: light and colour that change "
+            "over more than a tile, and show as camouflage where it is more than the exemplar's."),
+        texture_row("exemplar_slow_power", "uneven light of the exemplar", "of the power", neither, three,
+                    "The same of the exemplar itself."),
         texture_row(
             "border_joints", "joints a border", "pairs of pixels", lower, three,
             "Over the border of two tiles that fit, pixels whose sources are no neighbours, as the shared colours "

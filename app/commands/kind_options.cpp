@@ -31,6 +31,14 @@ std::string in_capitals(std::string text)
     return text;
 }
 
+/// What a boolean is typed as: "on", "off" and its other words.
+std::vector<std::string> switch_words(const KeySpec& spec)
+{
+    std::vector<std::string> words{"on", "off"};
+    std::ranges::copy(spec.value.choices, std::back_inserter(words));
+    return words;
+}
+
 std::string value_name_of(const KeySpec& spec)
 {
     if (!spec.parts.empty()) {
@@ -43,7 +51,7 @@ std::string value_name_of(const KeySpec& spec)
     case ValueKind::integer:
         return "N";
     case ValueKind::boolean:
-        return "[on|off]";
+        return spec.value.choices.empty() ? "[on|off]" : fmt::format("[on|off|{}]", fmt::join(spec.value.choices, "|"));
     case ValueKind::sampler:
         return "NAME|TABLE";
     default:
@@ -80,7 +88,7 @@ Option KindOptions::option_of(Typed& typed) const
     option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.is_file ? 1 : spec.count); // files: once for each
     if (spec.value.kind == ValueKind::choice) option.words = spec.value.choices;
     if (spec.value.kind == ValueKind::boolean) {
-        option.words = {"on", "off"};
+        option.words = switch_words(spec);
         option.alone = "on";
     }
     if (!spec.excludes.empty()) option.excludes = option_name(spec.excludes);
@@ -93,8 +101,11 @@ ConfigNode KindOptions::node_of(const Typed& typed) const
     if (typed.is_set) return {true, where, "true"};
     const auto node = [&](const std::string& word) {
         if (typed.spec.value.kind == ValueKind::boolean) {
-            if (word != "on" && word != "off") throw unknown_word(kind_.command, typed.name, word, {"on", "off"});
-            return ConfigNode{word == "on", where, word};
+            const std::vector<std::string> words = switch_words(typed.spec);
+            if (std::ranges::find(words, word) == words.end())
+                throw unknown_word(kind_.command, typed.name, word, words);
+            if (word == "on" || word == "off") return ConfigNode{word == "on", where, word};
+            return ConfigNode{word, where, word};
         }
         ConfigNode parsed = is_plain_text(typed.spec) ? ConfigNode{word, where, word} : read_toml_value(word, where);
         parsed.text = shortened(printable(word)); // without the quotes that a file would have

@@ -87,7 +87,7 @@ _poissonlab()
         'texture build' 'corner wang omega --colors --vertical-colors --tiles --size --ring --diversity --stages --candidates --attempts --weight --cut --overlap --core --smooth --joint --rounds --exemplar --marked-exemplar --also --straighten --seed --engine --device --quiet --json --out --help'
         'texture build --cut' 'min-cut path'
         'texture build --engine' 'opencl reference'
-        'texture build --joint' 'on off'
+        'texture build --joint' 'on off auto'
         'texture build --tiles' 'complete compact random-marks 16 4 8 16b 32'
         'texture build --weight' 'plain gradient'
         'texture cells' '--window --seed --engine --device --quiet --json --out --help'

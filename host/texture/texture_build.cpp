@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/random/random.hpp"
 #include "host/texture/corner_texture.hpp"
+#include "host/texture/judged_texture.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>
@@ -227,12 +228,10 @@ void smooth(const PngPixels& exemplar, const TextureSources& made, const Harmoni
     add_to_tiles(domain, tiles);
 }
 
-}
-
-BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
-                           const HarmonicSolver& solve)
+/// Makes the set in the way that is asked for.
+BuiltTexture texture_in_one_way(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                                const HarmonicSolver& solve)
 {
-    check(request);
     const int width = narrowest_columns(exemplar, request.split);
     if (width < request.size || exemplar.height < request.size)
         throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", request.size, width,
@@ -260,11 +259,32 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     built.windows = std::move(made.windows);
     built.patches = made.patches;
     built.notes = std::move(made.notes);
+    built.is_joint = request.joint;
     set.sources = std::move(made.sources);
     std::vector<PngPixels> tiles = tiles_of_sources(exemplar, set);
     if (request.smooth) smooth(exemplar, made, solve, tiles);
     for (const PngPixels& tile : tiles) set.values.insert(set.values.end(), tile.values.begin(), tile.values.end());
     return built;
+}
+
+}
+
+BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                           const HarmonicSolver& solve)
+{
+    check(request);
+    BuiltTexture together = texture_in_one_way(request, exemplar, progress, solve);
+    if (!request.joint || !request.is_judged) return together;
+    TextureRequest one_by_one = request;
+    one_by_one.joint = false;
+    BuiltTexture apart = texture_in_one_way(one_by_one, exemplar, progress, solve);
+    const TilingJudge judge(exemplar, request.size, false);
+    const TextureChoice choice =
+        better_texture(judge.judge(together.set, request.seed), judge.judge(apart.set, request.seed),
+                       2 * request.ring_pixels(), request.size);
+    BuiltTexture& kept = choice.is_together ? together : apart;
+    kept.choice = choice.words;
+    return std::move(kept);
 }
 
 }

@@ -15,14 +15,16 @@ struct BuiltTexture
     std::vector<ExemplarWindow> windows; ///< all patches or samples, then pieces that are shown
     std::size_t patches = 0;             ///< how many of them are patches or samples
     std::vector<std::string> notes;      ///< lines that a person should read
+    std::string choice{};                ///< of a set that was judged: which construction is kept, and why
+    bool is_joint = false;               ///< patches and cuts were chosen together
 };
 
 /// Makes the functions of a domain harmonic, on a device or not: the same bits.
 using HarmonicSolver = std::function<void(GradientDomain& domain)>;
 
-/// Makes the set. The same request and exemplar make the same bytes on any number of threads. Throws InputError as
-/// check() does, for exemplars that are smaller than a tile, and for a diversity that does not fit; Interrupted from
-/// `progress`.
+/// Makes the set; where the request says so in both ways, of which the better one is kept. The same request and
+/// exemplar make the same bytes on any number of threads. Throws InputError as check() does, for exemplars that are
+/// smaller than a tile, and for a diversity that does not fit; Interrupted from `progress`.
 BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
                            const HarmonicSolver& solve = relax_reference);
 

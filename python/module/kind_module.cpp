@@ -31,6 +31,7 @@ namespace {
 /// Returns the name of the kind of values that a key has, for hints of types.
 const char* kind_of_key(const KeySpec& spec)
 {
+    if (spec.value.kind == ParameterSpec::Kind::boolean && !spec.own.empty()) return "switch";
     if (!spec.own.empty() || spec.is_spread) return "own";
     if (!spec.parts.empty()) return "list";
     if (spec.is_region) return "region";

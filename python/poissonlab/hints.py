@@ -12,6 +12,7 @@ class Hint(str):
 
 #: The types of parameters of methods and of keys of kinds.
 OF_KINDS = {"number": "float", "integer": "int", "boolean": "bool", "text": "str", "choice": "str", "own": "Any",
+            "switch": "bool | str",
             "list": "Sequence[float]", "file": "str | os.PathLike[str]",
             "region": "str | os.PathLike[str] | dict[str, Any]",
             "paths": "str | os.PathLike[str] | Sequence[str | os.PathLike[str]]", "command": "str | Sequence[str]",

@@ -108,9 +108,9 @@ PageData texture_ranking(const ReportRun& run, const std::vector<std::size_t>& p
 }
 
 /// The numbers that stand under a tiling.
-constexpr std::array tiling_measures = {"seam_mismatch",    "longest_run", "border_exceptions", "lattice_power",
-                                        "exemplar_power",   "repetition",  "color_distance",    "contrast",
-                                        "structure_spread", "peak_times"};
+constexpr std::array tiling_measures = {"seam_mismatch", "novelty",          "longest_run", "border_exceptions",
+                                        "lattice_power", "exemplar_power",   "repetition",  "color_distance",
+                                        "contrast",      "structure_spread", "peak_times"};
 
 /// Tables with more textures would be wider than pages: the others go into tables of their own.
 constexpr std::size_t textures_in_a_table = 6;

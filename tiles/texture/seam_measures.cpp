@@ -69,6 +69,7 @@ public:
 
     SeamMeasures measure()
     {
+        line_pairs_.assign(2 * static_cast<std::size_t>(set_.size), 0);
         for (std::size_t tile = 0; tile < set_.tiles.size(); ++tile)
             for (std::size_t direction = 0; direction < 2; ++direction) add_tile(tile, direction);
         const auto mean = [](double sum, std::int64_t count) {
@@ -80,6 +81,9 @@ public:
                 mean(static_cast<double>(conspicuous_), pairs_),
                 (natural_[0].larger + natural_[1].larger) / 2,
                 longest_run_,
+                line_share(pairs_) / (2 * (set_.size - 1)),
+                line_share(*std::ranges::max_element(line_pairs_)),
+                longest_line_,
                 coverage()};
     }
 
@@ -93,19 +97,34 @@ private:
             return sources[static_cast<std::size_t>(y * set_.size + x)];
         };
         for (int across = 0; across + 1 < set_.size; ++across) {
-            int run = 0;
+            int run = 0, line = 0;
             for (int along = 0; along < set_.size; ++along) {
-                run = is_conspicuous_seam(source(across, along), source(across + 1, along), direction) ? run + 1 : 0;
+                const SourcePixel p = source(across, along), q = source(across + 1, along);
+                line = is_seam(p, q, direction) ? line + 1 : 0;
+                run = line > 0 && is_conspicuous(p, q, direction) ? run + 1 : 0;
+                if (line > 0)
+                    ++line_pairs_[direction * static_cast<std::size_t>(set_.size) + static_cast<std::size_t>(across)];
                 longest_run_ = std::max(longest_run_, run);
+                longest_line_ = std::max(longest_line_, line);
             }
         }
     }
 
-    /// Adds a pair where it is a seam.
-    bool is_conspicuous_seam(SourcePixel p, SourcePixel q, std::size_t direction)
+    static bool is_seam(SourcePixel p, SourcePixel q, std::size_t direction)
+    {
+        return q.x - p.x != steps[direction].x || q.y - p.y != steps[direction].y;
+    }
+
+    /// The share of the pairs over a line that so many are.
+    double line_share(std::int64_t pairs) const
+    {
+        return static_cast<double>(pairs) / (static_cast<double>(set_.tiles.size()) * set_.size);
+    }
+
+    /// Adds a seam pair.
+    bool is_conspicuous(SourcePixel p, SourcePixel q, std::size_t direction)
     {
         const Step step = steps[direction];
-        if (q.x - p.x == step.x && q.y - p.y == step.y) return false;
         ++pairs_;
         const NaturalSteps& natural = natural_[direction];
         const int seam = difference(set_.exemplar, p, q);
@@ -141,7 +160,8 @@ private:
     std::array<NaturalSteps, 2> natural_;
     std::int64_t pairs_ = 0, complete_pairs_ = 0, conspicuous_ = 0;
     double mismatch_ = 0, excess_ = 0;
-    int longest_run_ = 0;
+    int longest_run_ = 0, longest_line_ = 0;
+    std::vector<std::int64_t> line_pairs_; ///< seams over each line of both directions
 };
 
 }

@@ -17,6 +17,9 @@ struct SeamMeasures
     double conspicuous = 0;  ///< share of steps |A(p) - B(q)| above the 95 % quantile of the exemplar's own
     double natural = 0;      ///< share of the exemplar's own steps above it: at most 0.05, less where many are equal
     int longest_run = 0;     ///< of conspicuous steps side by side along a straight line, in pixels
+    double mean_line = 0;    ///< share of the pairs over a line between two columns, or rows, of a tile that are seams
+    double largest_line = 0; ///< of the line with the largest share
+    int longest_line = 0;    ///< of seam pairs side by side along a straight line, in pixels
     double coverage = 0;     ///< part of the exemplar's pixels that some tile shows
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -59,6 +61,50 @@ PngPixels part_of(const PngPixels& picture, int left, int top, int width, int he
         part.values.insert(part.values.end(), first, first + static_cast<std::ptrdiff_t>(width) * picture.channels);
     }
     return part;
+}
+
+/// Factors e^(-2 pi i k x / length) of all x.
+std::vector<std::complex<double>> fourier_factors(int k, int length)
+{
+    std::vector<std::complex<double>> factors;
+    for (int x = 0; x < length; ++x)
+        factors.push_back(std::polar(1.0, -2 * std::numbers::pi * (static_cast<double>(k) * x) / length));
+    return factors;
+}
+
+double channel_variance(const PngPixels& picture, int channel)
+{
+    double sum = 0, squares = 0;
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for (std::size_t i = static_cast<std::size_t>(channel); i < picture.values.size(); i += channels) {
+        sum += picture.values[i];
+        squares += static_cast<double>(picture.values[i]) * picture.values[i];
+    }
+    const double pixels = static_cast<double>(picture.width) * picture.height, mean = sum / pixels;
+    return squares / pixels - mean * mean;
+}
+
+/// The power of a channel at u cycles along rows, and as many along columns as make a frequency below 1 / period.
+double slow_power_at(const PngPixels& picture, int channel, int u, int period)
+{
+    const std::vector<std::complex<double>> along = fourier_factors(u, picture.width);
+    std::vector<std::complex<double>> rows(static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            rows[static_cast<std::size_t>(y)] +=
+                static_cast<double>(picture.values[picture.at(x, y, channel)]) * along[static_cast<std::size_t>(x)];
+    const double fx = static_cast<double>(u) / picture.width,
+                 pixels = static_cast<double>(picture.width) * picture.height;
+    double power = 0;
+    for (int v = -(picture.height / period); v <= picture.height / period; ++v) {
+        const double fy = static_cast<double>(v) / picture.height;
+        if (fx * fx + fy * fy >= 1.0 / (static_cast<double>(period) * period) || (u == 0 && v == 0)) continue;
+        const std::vector<std::complex<double>> across = fourier_factors(v, picture.height);
+        std::complex<double> sum = 0;
+        for (std::size_t y = 0; y < rows.size(); ++y) sum += rows[y] * across[y];
+        power += std::norm(sum) / (pixels * pixels);
+    }
+    return u == 0 ? power : 2 * power; // that of -u is as large
 }
 
 std::array<double, 256> cumulative(const PngPixels& picture, int channel)
@@ -123,6 +169,24 @@ std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& e
         for (int x = 0; x + width <= tiling.width; x += width, ++count)
             sum += lattice_power(part_of(tiling, x, y, width, height), size);
     return Repetition{own, sum / count / own};
+}
+
+double slow_power(const PngPixels& picture, int period)
+{
+    double slow = 0, all = 0;
+    for (int c = 0; c < picture.channels; ++c) {
+        all += channel_variance(picture, c);
+        for (int u = 0; u <= picture.width / period; ++u) slow += slow_power_at(picture, c, u, period);
+    }
+    return all > 0 ? slow / all : 0;
+}
+
+std::optional<SlowPower> slow_powers(const PngPixels& tiling, const PngPixels& exemplar, int size)
+{
+    if (std::max(exemplar.width, exemplar.height) <= 2 * size) return std::nullopt;
+    const double own = slow_power(exemplar, 2 * size);
+    if (own == 0) return std::nullopt;
+    return SlowPower{own, slow_power(tiling, 2 * size)};
 }
 
 double color_distance(const PngPixels& one, const PngPixels& other)

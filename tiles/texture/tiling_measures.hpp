@@ -37,6 +37,20 @@ struct Repetition
 };
 std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& exemplar, int size);
 
+/// The part of a picture's power, without its mean, at frequencies below one over `period` pixels, in any direction: of
+/// its periodogram, summed over channels.
+double slow_power(const PngPixels& picture, int period);
+
+/// Says how much of the power is light and colour that change over more than a tile: slow_power() with a period of two
+/// tiles, of the exemplar and of a tiling, which may be larger. Nothing where the exemplar has no such frequency, or no
+/// power there.
+struct SlowPower
+{
+    double exemplar = 0;
+    double tiling = 0;
+};
+std::optional<SlowPower> slow_powers(const PngPixels& tiling, const PngPixels& exemplar, int size);
+
 /// The mean over channels of the area between the cumulative distributions of two pictures' values: by how many levels
 /// out of 255 pixels of one must change on average to have the other's colours.
 double color_distance(const PngPixels& one, const PngPixels& other);

@@ -69,6 +69,8 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                                     {"joints", proof.joints},
                                     {"exceptions", proof.exceptions},
                                     {"seconds", seconds}};
+        json["joint"] = built.is_joint;
+        if (!built.choice.empty()) json["choice"] = built.choice;
         for (const CompanionMap& map : set.companions) json["companions"].push_back(printable(map.atlas_file));
         if (repeated) {
             json["exemplar_power"] = repeated->exemplar_power;
@@ -79,6 +81,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
     }
     fmt::print("{}: {} tiles of {} x {} pixels from {} windows, {}\n", printable(options.out.string()),
                set.tiles.size(), set.size, set.size, built.windows.size(), duration_text(seconds));
+    if (!built.choice.empty()) fmt::print("{}\n", built.choice);
     fmt::print("{} pairs of tiles fit: {:.2f} joints a pair across their borders{}\n", proof.tile_pairs,
                static_cast<double>(proof.joints) / static_cast<double>(proof.tile_pairs),
                proof.exceptions == 0

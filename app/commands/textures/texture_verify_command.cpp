@@ -4,6 +4,7 @@
 #include "tiles/texture/companion_maps.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
+#include "tiles/texture/tiling_judge.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,11 @@ all rings with the same colours are the same, and all pixels those of their plac
 of exemplars with more than 8 bits, bit for bit. Exit status 2 if anything is not so.
 Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
-larger than their own; conspicuous steps are larger than 95 % of those of the exemplar.)";
+larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line is that between two columns
+or rows of a tile.
+A tiling by seed 1 is compared with the exemplar, by what cuts do not look at: patches are new where they are less like all
+of the exemplar than 90 % of the patches of one of its halves are like the other half; fragments are parts of the exemplar
+that are smaller than what it shows.)";
 
 struct TextureVerifyOptions
 {
@@ -35,6 +40,36 @@ TextureCertificate proof_of(const std::filesystem::path& folder, const TextureSe
     }
 }
 
+/// Values of a judgement by their keys in the catalogue of measures, as far as the exemplar is large enough.
+nlohmann::ordered_json judgement_json(const TilingJudge& judge, const TilingJudgement& found)
+{
+    nlohmann::ordered_json json{{"feature_side", found.feature}, {"fragments", found.fragments}};
+    for (std::size_t i = 0; i < judged_keys.size(); ++i)
+        if (found.novelty[i]) {
+            json[judged_keys[i]] = *found.novelty[i];
+            json[std::string(judged_keys[i]) + "_patch"] = judge.sides()[i];
+        }
+    if (found.slow) {
+        json["slow_power"] = found.slow->tiling;
+        json["exemplar_slow_power"] = found.slow->exemplar;
+    }
+    return json;
+}
+
+void print_judgement(const TilingJudge& judge, const TilingJudgement& found)
+{
+    for (std::size_t i = 0; i < judged_keys.size(); ++i)
+        if (found.novelty[i])
+            fmt::print("{:.1f} % of the patches of {} x {} pixels of a tiling are new\n", 100 * *found.novelty[i],
+                       judge.sides()[i], judge.sides()[i]);
+    fmt::print("{:.1f} fragments a tile are smaller than a feature of {} x {} pixels\n", found.fragments, found.feature,
+               found.feature);
+    if (found.slow)
+        fmt::print("{:.1f} % of a tiling's power is light that changes over more than a tile, {:.1f} % of the "
+                   "exemplar's\n",
+                   100 * found.slow->tiling, 100 * found.slow->exemplar);
+}
+
 void verify_texture(const TextureVerifyOptions& options)
 {
     const TextureSet set = read_texture_set(options.folder);
@@ -43,6 +78,8 @@ void verify_texture(const TextureVerifyOptions& options)
     for (const CompanionMap& map : set.companions)
         companions.emplace_back(map.atlas_file, certify_companion(options.folder, set, map));
     const SeamMeasures seams = seam_measures(set);
+    const TilingJudge judge(set.exemplar, set.size);
+    const TilingJudgement found = judge.judge(set, 1);
     if (options.json) {
         nlohmann::ordered_json json{{"folder", options.folder.string()},
                                     {"kind", texture_kinds[set.kind]},
@@ -59,7 +96,11 @@ void verify_texture(const TextureVerifyOptions& options)
                                     {"conspicuous_seams", seams.conspicuous},
                                     {"conspicuous_exemplar", seams.natural},
                                     {"longest_run", seams.longest_run},
+                                    {"mean_seam_line", seams.mean_line},
+                                    {"largest_seam_line", seams.largest_line},
+                                    {"longest_seam_line", seams.longest_line},
                                     {"coverage", seams.coverage}};
+        json.update(judgement_json(judge, found));
         for (const auto& [file, pixels] : companions) json["companions"][file] = pixels;
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
         return;
@@ -75,6 +116,9 @@ void verify_texture(const TextureVerifyOptions& options)
         "exemplar is shown\n",
         seams.pairs_a_tile, set.is_smoothed ? " before smoothing" : "", seams.mismatch, seams.excess,
         100 * seams.conspicuous, 100 * seams.natural, seams.longest_run, 100 * seams.coverage);
+    fmt::print("Over a line of a tile {:.1f} % of the pairs are seams, {:.1f} % at most; longest straight seam {}\n",
+               100 * seams.mean_line, 100 * seams.largest_line, seams.longest_line);
+    print_judgement(judge, found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);
 }

@@ -36,17 +36,23 @@ std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
     return names;
 }
 
-/// Sets are chosen together unless they are large, or something is asked for that cannot be combined with it.
+/// Sets are chosen together, or made both ways and judged, unless they are large, or something is asked for that cannot
+/// be combined with it.
 void joint_keys(Keys& keys, TextureRequest& r)
 {
-    r.joint =
-        keys.is_read() && is_joint_by_default(r) && !keys.is_given("overlap") && !keys.is_given("marked_exemplar");
-    keys.flag("joint", r.joint,
+    std::optional<bool> asked;
+    keys.flag("joint", asked,
               "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
               "fit by it")
-        .otherwise(fmt::format("true for at most {} tiles and {} pixels, but not with other stages, weight or cut than "
-                               "the default, nor with overlap, smooth or marked_exemplar",
+        .otherwise(fmt::format("auto, which makes tiles with corners both ways, judges them and keeps the better set, "
+                               "and Wang tiles together: for at most {} tiles and {} pixels, "
+                               "but not with other stages, weight or cut than the default, nor with overlap, smooth or "
+                               "marked_exemplar",
                                most_tiles_together, most_pixels_together));
+    const bool is_automatic = keys.is_read() && !asked && is_joint_by_default(r) && !keys.is_given("overlap") &&
+                              !keys.is_given("marked_exemplar");
+    r.joint = asked.value_or(is_automatic);
+    r.is_judged = is_automatic && r.has_corners(); // the corners of Wang tiles fit by joint choice alone
     keys.integer(
         "rounds", r.rounds, 1, most_joint_rounds,
         "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
@@ -265,7 +271,7 @@ std::string texture_label(const TextureSettings& settings)
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
     if (settings.is_straightened) label += ", straightened";
-    if (request.joint) label += ", chosen together";
+    if (request.joint && !request.is_judged) label += ", chosen together";
     if (request.smooth) label += ", smoothed";
     if (request.weight == SeamWeight::gradient) label += ", gradient weights";
     if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";

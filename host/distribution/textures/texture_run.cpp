@@ -205,7 +205,6 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
             relax_on(place.device(), domain, default_work_group_size);
     };
     DistributionResult result;
-    result.parameters = parameters_for_claims(settings);
     std::vector<TextureValues> values;
     std::vector<DistributionNumber> times;
     for (int number = 0; number < settings.sets; ++number) {
@@ -217,14 +216,19 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
             if (place.on_step) place.on_step(fmt::format("set {}, {}: {} of {}", number + 1, stage, done, total));
         };
         BuiltTexture built = build_texture(request, pictures.exemplar, tell, solve);
+        // Measures are means over sets of one construction: that of the first.
+        settings.request.joint = built.is_joint;
+        settings.request.is_judged = false;
         values.push_back(tile_values(built.set, request.seed));
         if (settings.is_compared)
             add_comparison(built.set.exemplar, square_of_tiles(built.set, request.seed), compared_tiles * request.size,
                            values.back());
         if (number > 0) continue;
+        result.parameters = parameters_for_claims(settings);
         built.set.companions = pictures.companions;
         if (settings.is_straightened) built.set.parameters["straighten"] = "true";
         add_set(settings, built, place, files, result);
+        if (!built.choice.empty()) result.facts.push_back(built.choice);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());
         result.facts.insert(result.facts.end(), built.notes.begin(), built.notes.end());
         if (settings.has_timing && place.engine == Engine::opencl) {

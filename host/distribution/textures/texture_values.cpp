@@ -5,6 +5,7 @@
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
+#include "tiles/texture/tiling_judge.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <algorithm>
@@ -20,7 +21,24 @@ void add_seam_values(const TextureSet& set, double tiles, TextureValues& values)
     values["seam_excess"] = seams.excess;
     values["conspicuous_seams"] = seams.conspicuous;
     values["longest_run"] = seams.longest_run;
+    values["mean_seam_line"] = seams.mean_line;
+    values["largest_seam_line"] = seams.largest_line;
+    values["longest_seam_line"] = seams.longest_line;
     values["coverage"] = seams.coverage;
+}
+
+/// What cuts do not optimise; exemplars side by side are none of which a half could be like the other.
+void add_judgement(const TextureSet& set, std::uint64_t seed, TextureValues& values)
+{
+    if (set.classes > 1) return;
+    const TilingJudgement found = TilingJudge(set.exemplar, set.size).judge(set, seed);
+    for (std::size_t i = 0; i < judged_keys.size(); ++i)
+        if (found.novelty[i]) values[judged_keys[i]] = *found.novelty[i];
+    values["feature_side"] = found.feature;
+    values["fragments"] = found.fragments;
+    if (!found.slow) return;
+    values["slow_power"] = found.slow->tiling;
+    values["exemplar_slow_power"] = found.slow->exemplar;
 }
 
 void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, bool is_of_one,
@@ -52,6 +70,7 @@ TextureValues tile_values(const TextureSet& set, std::uint64_t seed)
                          {"border_step", steps.border},
                          {"largest_step", steps.largest}};
     add_seam_values(set, 1, values);
+    add_judgement(set, seed, values);
     add_picture_values(tiling, set.exemplar, set.size, set.classes == 1, values);
     return values;
 }

@@ -187,6 +187,20 @@ Keys::Said Keys::flag(const std::string& key, bool& value, std::string help)
     return describe(std::move(spec));
 }
 
+Keys::Said Keys::flag(const std::string& key, std::optional<bool>& value, std::string help)
+{
+    KeySpec spec{.value = {.key = key, .kind = ValueKind::boolean, .help = std::move(help), .choices = {"auto"}},
+                 .own = "true, false or \"auto\""};
+    if (const ConfigNode* node = given(key)) {
+        const auto* word = node->get_if<std::string>();
+        const auto* truth = node->get_if<bool>();
+        if (!truth && !(word && *word == "auto")) throw invalid(key, "must be " + spec.own);
+        value = truth ? std::optional(*truth) : std::nullopt;
+    }
+    resolve(key, !value ? "auto" : *value ? "true" : "false");
+    return describe(std::move(spec));
+}
+
 Keys::Said Keys::text(const std::string& key, std::string& value, std::string help)
 {
     KeySpec spec{.value = {.key = key, .kind = ValueKind::text, .help = std::move(help)}};

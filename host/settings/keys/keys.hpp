@@ -107,6 +107,8 @@ public:
     Said integer(const std::string& key, std::optional<Integer>& value, std::int64_t low, std::int64_t high,
                  std::string help);
     Said flag(const std::string& key, bool& value, std::string help);
+    /// True, false or "auto", which is nothing and what holds without it.
+    Said flag(const std::string& key, std::optional<bool>& value, std::string help);
     Said text(const std::string& key, std::string& value, std::string help);
 
     /// One of these words.

@@ -35,7 +35,9 @@ TEST_F(TextureCommand, BuildsVerifiesAndTiles)
                     HasSubstr(name + ": 16 tiles of 16 x 16 pixels from "));
         EXPECT_THAT(printed("verify " + name), HasSubstr("all others are contiguous"));
         EXPECT_THAT(printed("verify " + name + " --json"),
-                    AllOf(HasSubstr("\"tiles\": 16"), HasSubstr("\"seam_mismatch\": ")));
+                    AllOf(HasSubstr("\"tiles\": 16"), HasSubstr("\"seam_mismatch\": "), HasSubstr("\"novelty\": "),
+                          HasSubstr("\"slow_power\": "), HasSubstr("\"largest_seam_line\": ")));
+        EXPECT_THAT(printed("verify " + name), HasSubstr("patches of 27 x 27 pixels of a tiling are new"));
         printed("tile " + name + " --window 0 0 5 3 --out " + name + ".png");
         const PngPixels picture = read_png(folder_.path() / (name + ".png"));
         EXPECT_EQ(picture.width, 5 * 16);
@@ -198,6 +200,9 @@ TEST_F(TextureCommand, TakesSwitchesByThemselves)
     printed(build + "--joint --out a");
     printed(build + "--out b --joint");
     printed(build + "--joint on --out c");
+    printed(build + "--joint auto --out e");
+    printed(build + "--out f");
+    EXPECT_EQ(read_png(folder_.path() / "e" / "atlas.png").values, read_png(folder_.path() / "f" / "atlas.png").values);
     const PngPixels expected = read_png(folder_.path() / "c" / "atlas.png");
     EXPECT_EQ(read_png(folder_.path() / "a" / "atlas.png").values, expected.values);
     EXPECT_EQ(read_png(folder_.path() / "b" / "atlas.png").values, expected.values);

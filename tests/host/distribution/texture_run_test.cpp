@@ -75,6 +75,7 @@ TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
     TextureSettings settings = noise_settings();
     settings.show = shows_of("texture");
     settings.is_compared = true;
+    settings.pattern_size = 176; // large patches fit
     const DistributionResult result = make(settings);
     for (const DistributionPicture& picture : result.pictures)
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;

@@ -29,6 +29,10 @@ TEST(SeamMeasures, CannotTellJointsOfNoise)
                                                    {{10, 10}, {100, 20}, {30, 140}, {150, 120}, {80, 80}});
         const SeamMeasures seams = seam_measures(set);
         EXPECT_EQ(seams.pairs_a_tile, 4 * 16);
+        // The line in the middle, of 31.
+        EXPECT_DOUBLE_EQ(seams.largest_line, 1);
+        EXPECT_DOUBLE_EQ(seams.mean_line, 1.0 / 31);
+        EXPECT_EQ(seams.longest_line, 32);
         EXPECT_NEAR(seams.mismatch, 1, 4 * 0.71 / 40);
         EXPECT_NEAR(seams.conspicuous, seams.natural, 4 * 0.0054);
         EXPECT_LE(seams.natural, 0.05);
@@ -57,6 +61,8 @@ TEST(SeamMeasures, KnowRamps)
     // Vertical joints are conspicuous, horizontal ones are no steps at all; the line is as long as the tile.
     EXPECT_DOUBLE_EQ(seams.conspicuous, 0.5);
     EXPECT_EQ(seams.longest_run, 16);
+    EXPECT_EQ(seams.longest_line, 16);
+    EXPECT_DOUBLE_EQ(seams.largest_line, 1);
     EXPECT_DOUBLE_EQ(seams.coverage, 16.0 * 16 / 6000);
 }
 
@@ -74,6 +80,8 @@ TEST(SeamMeasures, AreNoneInsideOfAWindow)
     EXPECT_EQ(seams.pairs_a_tile, 0);
     EXPECT_EQ(seams.mismatch, 0);
     EXPECT_EQ(seams.longest_run, 0);
+    EXPECT_EQ(seams.longest_line, 0);
+    EXPECT_EQ(seams.largest_line, 0);
 }
 
 }

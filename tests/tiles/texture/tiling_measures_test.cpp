@@ -59,6 +59,26 @@ TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
     EXPECT_EQ(lattice_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8), 0);
 }
 
+/// Below 1/7: of 20 columns at most 2 cycles, of 16 rows as many.
+TEST(TilingMeasures, SlowPowerIsThatOfTheTransform)
+{
+    const PngPixels picture = test::random_picture(20, 16, 1, 5);
+    double slow = 0, all = 0;
+    for (int v = 0; v < 16; ++v)
+        for (int u = 0; u < 20; ++u) {
+            if (u == 0 && v == 0) continue;
+            const double power = power_at(picture, u, v);
+            all += power;
+            if (std::hypot(std::min(u, 20 - u) / 20.0, std::min(v, 16 - v) / 16.0) < 1.0 / 7) slow += power;
+        }
+    EXPECT_NEAR(slow_power(picture, 7), slow / all, 1e-12);
+    EXPECT_EQ(slow_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 4), 0);
+    // A tile again and again has no power below its own frequency; a picture of at most two tiles has none to compare.
+    EXPECT_NEAR(slow_power(repeated_picture(test::random_picture(8, 8, 3, 6), 5, 4), 16), 0, 1e-12);
+    EXPECT_FALSE(slow_powers(picture, picture, 10));
+    EXPECT_DOUBLE_EQ(slow_powers(picture, picture, 5)->tiling, slow_power(picture, 10));
+}
+
 TEST(TilingMeasures, RepetitionIsOneOfNoiseAndOfTheExemplarItself)
 {
     const PngPixels exemplar = test::random_picture(37, 34, 1, 8);

@@ -50,7 +50,8 @@ TEST(TextureTable, ReadsATexture)
     EXPECT_THAT(settings.show, ElementsAre("tiling", "seams"));
 }
 
-/// Sets are chosen together where nothing speaks against it, and what was decided is part of what is resolved.
+/// Sets are chosen together where nothing speaks against it, and judged where they have corners and nothing is asked
+/// for.
 TEST(TextureTable, ChoosesSmallSetsTogether)
 {
     const std::map<std::string, bool> tables{
@@ -70,12 +71,21 @@ TEST(TextureTable, ChoosesSmallSetsTogether)
         {"smooth = true", false},
         {"joint = false", false},
         {"colors = 5\nsize = 16\njoint = true", true},
+        {"joint = \"auto\"", true},
+        {"stages = 1\njoint = \"auto\"", false},
     };
     for (const auto& [lines, is_joint] : tables) {
         const auto read = textures_of("pattern = \"noise\"\n" + lines);
         const auto& settings = read[0].settings;
         EXPECT_EQ(settings.as<TextureSettings>().request.joint, is_joint) << lines;
-        EXPECT_THAT(settings.resolved, HasSubstr(is_joint ? "joint = true" : "joint = false")) << lines;
+        const bool is_given = lines.find("joint = t") != lines.npos || lines.find("joint = f") != lines.npos;
+        EXPECT_EQ(settings.as<TextureSettings>().request.is_judged,
+                  is_joint && !is_given && lines.find("wang") == lines.npos)
+            << lines;
+        EXPECT_THAT(settings.resolved, HasSubstr(!is_given  ? "joint = auto"
+                                                 : is_joint ? "joint = true"
+                                                            : "joint = false"))
+            << lines;
     }
 }
 

@@ -1,0 +1,25 @@
+// Which of two constructions of a texture set is better, by what neither of them optimises.
+//
+// Pieces that are chosen for all tiles together have better seams and repeat less; where what the picture shows is
+// large beside a tile, they can fuse or break it, which measures of seams do not see.
+#pragma once
+
+#include "tiles/texture/tiling_judge.hpp"
+
+#include <string>
+
+namespace poissonlab {
+
+struct TextureChoice
+{
+    bool is_together = true;
+    std::string words; ///< the sentence that says which one is kept, and why
+};
+
+/// Chooses between a set that is chosen together and one whose pieces are fitted one after another. The latter is kept
+/// where the other one has more new patches and its edges, `edge` pixels wide, are narrower than features, which break
+/// there, unless these are larger than half of a tile of `size` pixels and break in both; or where the light of the
+/// other one changes over more than a tile by far more than the exemplar's.
+TextureChoice better_texture(const TilingJudgement& together, const TilingJudgement& apart, int edge, int size);
+
+}

@@ -1,0 +1,146 @@
+#include "tiles/texture/tiling_judge.hpp"
+
+#include "tiles/texture/texture_tiling.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+/// Pixels along the sides of the tiling that is judged, within which there are whole tiles, at least four; patches
+/// along its sides.
+constexpr int judged_pixels = 1024, judged_patches = 128;
+
+/// Sums of all values above and to the left, with a row and a column of zeros.
+class SummedArea
+{
+public:
+    explicit SummedArea(const PngPixels& picture)
+        : width_(static_cast<std::size_t>(picture.width)),
+          sums_((width_ + 1) * (static_cast<std::size_t>(picture.height) + 1))
+    {
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                std::int64_t value = 0;
+                for (int c = 0; c < picture.channels; ++c) value += picture.values[picture.at(x, y, c)];
+                sums_[index(x + 1, y + 1)] = value + at(x, y + 1) + at(x + 1, y) - at(x, y);
+            }
+    }
+    std::int64_t square(int x, int y, int side) const
+    {
+        return at(x + side, y + side) - at(x, y + side) - at(x + side, y) + at(x, y);
+    }
+
+private:
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * (width_ + 1) + static_cast<std::size_t>(x);
+    }
+    std::int64_t at(int x, int y) const { return sums_[index(x, y)]; }
+
+    std::size_t width_;
+    std::vector<std::int64_t> sums_;
+};
+
+/// The variance of the means over all squares.
+double variance_of_squares(const PngPixels& picture, const SummedArea& sums, int side)
+{
+    double sum = 0, squares = 0;
+    for (int y = 0; y + side <= picture.height; ++y)
+        for (int x = 0; x + side <= picture.width; ++x) {
+            const double mean = static_cast<double>(sums.square(x, y, side)) / (static_cast<double>(side) * side);
+            sum += mean;
+            squares += mean * mean;
+        }
+    const double count = static_cast<double>(picture.width - side + 1) * static_cast<double>(picture.height - side + 1);
+    return squares / count - sum / count * (sum / count);
+}
+
+int odd(int side) { return side / 2 * 2 + 1; }
+
+/// The root of a pixel's part, which is shortened on the way.
+std::size_t root_of(std::vector<std::size_t>& parents, std::size_t i)
+{
+    while (parents[i] != i) i = parents[i] = parents[parents[i]];
+    return i;
+}
+
+bool is_step(SourcePixel from, SourcePixel to, int dx, int dy) { return to.x - from.x == dx && to.y - from.y == dy; }
+
+std::vector<SourcePixel> window_sources(const TextureSet& set, const TextureWindow& window)
+{
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(set.sources.data());
+    const PngPixels shown =
+        texture_window_pixels(set, window, {bytes, set.sources.size() * sizeof(SourcePixel)}, sizeof(SourcePixel));
+    std::vector<SourcePixel> sources(shown.values.size() / sizeof(SourcePixel));
+    std::memcpy(sources.data(), shown.values.data(), shown.values.size());
+    return sources;
+}
+
+}
+
+int feature_side(const PngPixels& exemplar)
+{
+    const SummedArea sums(exemplar);
+    const double pixels = variance_of_squares(exemplar, sums, 1);
+    const int most = std::min(exemplar.width, exemplar.height) / 2;
+    int side = 1;
+    while (side < most && variance_of_squares(exemplar, sums, side) > pixels / 2) ++side;
+    return side;
+}
+
+std::size_t small_fragments(std::span<const SourcePixel> sources, int width, std::size_t pixels)
+{
+    const auto columns = static_cast<std::size_t>(width), rows = sources.size() / columns;
+    std::vector<std::size_t> parents(sources.size());
+    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const auto join = [&](std::size_t other, int dx, int dy) {
+            if (is_step(sources[i], sources[other], dx, dy)) parents[root_of(parents, other)] = root_of(parents, i);
+        };
+        if (i % columns + 1 < columns) join(i + 1, 1, 0);
+        if (i / columns + 1 < rows) join(i + columns, 0, 1);
+    }
+    std::vector<std::size_t> sizes(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::size_t x = i % columns, y = i / columns;
+        const bool is_beside_border = x == 0 || y == 0 || x + 1 == columns || y + 1 == rows;
+        sizes[root_of(parents, i)] += is_beside_border ? pixels : 1;
+    }
+    return static_cast<std::size_t>(
+        std::ranges::count_if(sizes, [&](std::size_t size) { return size > 0 && size < pixels; }));
+}
+
+TilingJudge::TilingJudge(const PngPixels& exemplar, int size, bool has_all_sides)
+    : exemplar_(exemplar), size_(size),
+      feature_(feature_side(exemplar)), sides_{odd(std::clamp(feature_, 7, judged_patch / 2)), judged_patch,
+                                               odd(std::clamp(3 * feature_, 41, 81))}
+{
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+        if (patch_fits(exemplar, sides_[i]) && (has_all_sides || sides_[i] == judged_patch))
+            patches_[i].emplace(exemplar, sides_[i]);
+}
+
+TilingJudgement TilingJudge::judge(const TextureSet& set, std::uint64_t seed) const
+{
+    const auto tiles = static_cast<std::uint64_t>(std::clamp(judged_pixels / size_, 4, 16));
+    const TextureWindow window = texture_window(set, {0, 0, tiles, tiles}, seed);
+    const PngPixels picture = texture_window_pixels(set, window, set.values, set.exemplar.channels);
+    const std::vector<SourcePixel> sources = window_sources(set, window);
+    TilingJudgement found;
+    found.feature = feature_;
+    const int step = std::max(1, picture.width / judged_patches);
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+        if (patches_[i])
+            found.novelty[i] =
+                set.is_smoothed ? patches_[i]->share(picture, 2 * step) : patches_[i]->share(picture, step, sources);
+    found.slow = slow_powers(picture, exemplar_, size_);
+    const auto area = static_cast<std::size_t>(feature_) * static_cast<std::size_t>(feature_);
+    found.fragments =
+        static_cast<double>(small_fragments(sources, picture.width, area)) / static_cast<double>(window.tiles.size());
+    return found;
+}
+
+}

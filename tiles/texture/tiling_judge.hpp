@@ -1,0 +1,55 @@
+// A judgement of a texture set by what its cuts do not optimise: patches that are like nothing in the exemplar, light
+// that changes over more than a tile, and fragments smaller than what the exemplar shows.
+#pragma once
+
+#include "tiles/texture/patch_novelty.hpp"
+#include "tiles/texture/tiling_measures.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// The side in pixels of the smallest squares whose means have at most half of the variance of pixels: about the size
+/// of what a picture shows. The mean over channels is what counts. At most half of the shorter side.
+int feature_side(const PngPixels& exemplar);
+
+/// The side of the patches that are compared in all exemplars, where it fits.
+inline constexpr int judged_patch = 27;
+
+/// The keys of the shares of new patches: small ones, judged_patch, large ones.
+inline constexpr std::array judged_keys{"novelty_small", "novelty", "novelty_large"};
+
+struct TilingJudgement
+{
+    std::array<std::optional<double>, 3> novelty; ///< shares of patches that are new, by judged_keys
+    std::optional<SlowPower> slow;
+    int feature = 1;      ///< feature_side() of the exemplar
+    double fragments = 0; ///< a tile: what is whole in the exemplar, and smaller than a square of that side
+};
+
+class TilingJudge
+{
+public:
+    /// For tiles of size x size pixels from one exemplar; with patches of all sides, or of judged_patch alone.
+    TilingJudge(const PngPixels& exemplar, int size, bool has_all_sides = true);
+
+    /// Sides of patches: small ones, judged_patch, and large ones, by feature_side().
+    const std::array<int, 3>& sides() const { return sides_; }
+    /// Judges the tiling by a seed. Patches of smoothed sets are looked for as those of any picture.
+    TilingJudgement judge(const TextureSet& set, std::uint64_t seed) const;
+
+private:
+    const PngPixels& exemplar_;
+    int size_, feature_;
+    std::array<int, 3> sides_;
+    std::array<std::optional<PatchNovelty>, 3> patches_;
+};
+
+/// The number of parts of a picture that are whole in the exemplar, in which neighbours are neighbours there, that have
+/// fewer than so many pixels and do not touch the picture's border. Sources row by row.
+std::size_t small_fragments(std::span<const SourcePixel> sources, int width, std::size_t pixels);
+
+}
