@@ -3,16 +3,21 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
 set(lab_command_modules
-  tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
-set(lab_wordless_modules particles space) # that work asks for, and no word: files of HDF5, sets in 3D
+  results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
+# Those that work asks for, and no word: files of HDF5, processes of MPI, sets in 3D.
+set(lab_wordless_modules particles processes space)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
 # Modules that another one stands on.
-set(lab_needs_of_other_tiles tiles)
-set(lab_needs_of_surface_textures distributions textures surfaces)
+set(lab_needs_of_regions methods)
+set(lab_needs_of_large_sets methods)
+set(lab_needs_of_other_tiles methods tiles)
+set(lab_needs_of_distributions methods)
+set(lab_needs_of_surfaces methods)
+set(lab_needs_of_surface_textures methods distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})
@@ -36,15 +41,18 @@ foreach(name IN LISTS lab_all_modules)
   endif()
 endforeach()
 
-# What parts of the core call that only modules have: a program without these has host/modules/without_regions.cpp,
-# host/modules/without_space.cpp and reports/site/without_tiles.cpp, which ask for the module.
+# What parts of the core call that only modules have: a program without these has files called without_*.cpp, which ask
+# for the module.
 set(lab_program_has_regions NO)
+set(lab_program_has_shapes NO) # of regions
 set(lab_program_has_tiles NO)
 foreach(name IN LISTS lab_modules_of_program)
   if(name STREQUAL regions)
     set(lab_program_has_regions YES)
+    set(lab_program_has_shapes YES)
   endif()
   if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|surfaces|surface_textures)$")
+    set(lab_program_has_shapes YES)
     set(lab_program_has_tiles YES)
   endif()
 endforeach()
@@ -76,5 +84,7 @@ ${rows}    };
 }
 ")
   add_library(${target} OBJECT ${file})
-  target_link_libraries(${target} PUBLIC lab_options ${libraries})
+  target_link_libraries(${target} PUBLIC lab_options ${libraries} fmt::fmt)
+  lab_precompile(${target})
+  lab_cold(${target})
 endfunction()

@@ -4,7 +4,7 @@
 
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
-#include "analysis/regions/region_curves.hpp"
+#include "analysis/regions/region_curve_row.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 

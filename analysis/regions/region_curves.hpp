@@ -9,6 +9,7 @@
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/regions/framed_region.hpp"
 #include "analysis/regions/random_in_region.hpp"
+#include "analysis/regions/region_curve_row.hpp"
 #include "analysis/regions/region_distances.hpp"
 #include "analysis/regions/set_covariance.hpp"
 
@@ -61,29 +62,6 @@ struct PairDistances
 PairCurves region_pairs(const PointSet& points, const FramedRegion& region, const SetCovariance& covariance,
                         const PairDistances& distances, std::span<const double> intensity = {},
                         bool is_isotropic = true);
-
-/// The functions that have envelopes, in the order of tables.
-enum class RegionFunction : std::size_t
-{
-    pair_correlation, ///< g, smooth
-    k,                ///< by the translation correction
-    nearest,          ///< G
-    empty_space,      ///< F
-    j
-};
-inline constexpr std::size_t region_functions = 5;
-
-/// All curves at one distance.
-struct RegionCurveRow
-{
-    double distance = 0; ///< in the region's own units
-    double k_isotropic = 0;
-    std::array<double, region_functions> value{};
-    std::array<double, region_functions> low{}; ///< of the envelope; not numbers without one
-    std::array<double, region_functions> high{};
-
-    double of(RegionFunction f) const { return value[static_cast<std::size_t>(f)]; }
-};
 
 class RegionCurves
 {

@@ -32,6 +32,7 @@ struct CommandModule
 
 // Each is in the file commands.cpp of its module's folder.
 std::vector<GroupedCommand> core_commands(const ProgramContext& context);
+std::vector<GroupedCommand> results_commands(const ProgramContext& context);
 std::vector<GroupedCommand> tiles_commands(const ProgramContext& context);
 std::vector<GroupedCommand> tilings_commands(const ProgramContext& context);
 std::vector<GroupedCommand> textures_commands(const ProgramContext& context);

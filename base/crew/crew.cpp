@@ -1,10 +1,7 @@
 #include "base/crew/crew.hpp"
 
 #include "base/crew/mpi_crew.hpp"
-#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -90,16 +87,6 @@ bool is_crew_follower() { return crew_size() > 1 && crew_rank() > 0; }
 
 std::unique_ptr<Crew> make_crew_of_one() { return std::make_unique<CrewOfOne>(); }
 
-std::unique_ptr<Crew> make_crew()
-{
-    if (crew_size() < 2) return make_crew_of_one();
-#ifdef POISSONLAB_MPI
-    return make_mpi_crew(crew_size());
-#else
-    throw InputError(fmt::format("mpirun started {} processes, but this poissonlab was built without MPI: install "
-                                 "libopenmpi-dev and build again, or use --shard",
-                                 crew_size()));
-#endif
-}
+std::unique_ptr<Crew> make_crew() { return crew_size() < 2 ? make_crew_of_one() : make_mpi_crew(crew_size()); }
 
 }

@@ -1,8 +1,6 @@
 #include "experiment/config/analysis_options.hpp"
 
-#include "base/densities/density_text.hpp"
-#include "base/files/xxh64_bytes.hpp"
-#include "base/regions/region_text.hpp"
+#include "analysis/regions/region_tapers.hpp"
 #include "experiment/config/overrides.hpp"
 #include "host/settings/keys/region_keys.hpp"
 
@@ -37,49 +35,10 @@ void check_region_keys(const Keys& keys, int dimension, bool is_any_in_region)
     if (keys.is_given("density_from") && !keys.is_given("density")) throw keys.invalid("density_from", "needs density");
 }
 
-std::shared_ptr<const RegionDensity> region_density(const DensityChoice& density, const FramedRegion& region,
-                                                    Xxh64& hash)
-{
-    const RegionBox box = box_of(region.polygons());
-    Density read = density_of_text(density.text, density.from, box.width(), box.height());
-    hash.add({reinterpret_cast<const char*>(read.weights.data()), read.weights.size() * sizeof(std::uint64_t)});
-    hash.add(fmt::format("{} columns", read.width));
-    return std::make_shared<const RegionDensity>(std::move(read), region);
-}
-
-/// The region that a table says, as it is read and measured.
-struct TypedRegion
-{
-    std::string text;
-    RegionReading reading;
-};
-
 void typed_region_keys(Keys& keys, TypedRegion& region, const std::string& of_what)
 {
     keys.region("region", region.text, "the region of the plane that " + of_what + ", in whose units their points are");
     region_reading_keys(keys, region.reading);
-}
-
-RegionOptions read_options(Keys& keys, const TypedRegion& typed, const RegionMeasures& measures,
-                           const DensityChoice& density)
-{
-    RegionOptions options;
-    keys.check("region", [&] {
-        options.region =
-            std::make_shared<const FramedRegion>(read_region(typed.text, typed.reading), name_of_input(typed.text));
-    });
-    options.envelope = measures.envelope;
-    Xxh64 hash;
-    hash.add(fmt::format("{} ", options.region->hash()));
-    if (!density.text.empty())
-        keys.check("density", [&] { options.density = region_density(density, *options.region, hash); });
-    if (measures.tapers > 0) {
-        keys.check(keys.is_given("tapers") ? "tapers" : "region",
-                   [&] { options.tapers = std::make_shared<const RegionTapers>(*options.region, measures.tapers); });
-        hash.add(fmt::format(" {} tapers", measures.tapers));
-    }
-    options.hash = hash.value();
-    return options;
 }
 
 void measure_keys(Keys& keys, RegionMeasures& measures)
@@ -199,7 +158,7 @@ std::optional<RegionOptions> region_keys(Keys& keys, int dimension, RegionMeasur
     measure_keys(keys, measures);
     check_region_keys(keys, dimension, is_any_in_region);
     if (!keys.is_given("region")) return {};
-    return read_options(keys, typed, measures, density);
+    return read_region_options(keys, typed, measures, density);
 }
 
 std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const RegionMeasures& measures)
@@ -212,7 +171,7 @@ std::optional<RegionOptions> method_region_keys(Keys& keys, int dimension, const
         return {};
     }
     check_is_planar(keys, dimension);
-    return read_options(keys, typed, measures, {});
+    return read_region_options(keys, typed, measures, {});
 }
 
 AnalysisOptions analysis_keys(Keys& keys, int dimension, bool is_any_in_region)

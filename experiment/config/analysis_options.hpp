@@ -1,11 +1,12 @@
 // The options of a series' analysis: the keys of [analysis] beyond the size and number of the sets.
 #pragma once
 
-#include "analysis/regions/random_in_region.hpp"
-#include "analysis/regions/region_tapers.hpp"
+#include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "base/geometry/periodic_box.hpp"
+#include "base/regions/region_reading.hpp"
 #include "host/settings/config_tree.hpp"
+#include "host/settings/keys/choices.hpp"
 #include "host/settings/keys/keys.hpp"
 
 #include <cstdint>
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace poissonlab {
+
+class RegionDensity;
+class RegionTapers;
 
 // The keys that are about sets in a region of the plane: region and planar of [analysis], which hold for all methods,
 // and of a [[method]]; density, density_from, envelope, tapers of [analysis].
@@ -37,6 +41,18 @@ struct RegionOptions
     std::shared_ptr<const RegionTapers> tapers;   ///< null: spectra are those of the points less the region's
     std::uint64_t hash = 0;                       ///< of all corners and weights, for keys of stored work
 };
+
+/// The region that a table says, as it is read.
+struct TypedRegion
+{
+    std::string text;
+    RegionReading reading;
+};
+
+/// Reads a region with what is measured in it. Throws InputError at the key that is wrong. A program without regions
+/// asks for the module here.
+RegionOptions read_region_options(Keys& keys, const TypedRegion& typed, const RegionMeasures& measures,
+                                  const DensityChoice& density);
 
 /// Visits the keys of a region in [analysis], and reads `measures`; returns nothing where it names no region. Relative
 /// file names start at the config's folder. Throws InputError at the value's line, also for keys that need a region, or

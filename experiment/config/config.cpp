@@ -3,7 +3,6 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/method_registry.hpp"
 #include "experiment/config/overrides.hpp"
-#include "host/sampling/optimized/ordered_sampler.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>

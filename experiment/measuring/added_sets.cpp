@@ -48,9 +48,8 @@ SeriesAnalysis::SetMeasures SeriesAnalysis::measures_of(std::size_t points, int 
 
 SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
 {
-    if (options_.region) {
-        const NearestInPlane nearest = nearest_in_plane(points, *options_.region->region);
-        const double least = nearest.least / unit_length(), mean = nearest.mean / unit_length();
+    if (region_) {
+        const auto [least, mean] = region_->nearest(points);
         return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
     }
     const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points, box_);
@@ -110,7 +109,7 @@ void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) 
 /// The least distance of two points: across the borders of a torus, in roots of the area in a region.
 double SeriesAnalysis::least_distance(const PointSet& points) const
 {
-    if (options_.region) return nearest_in_plane(points, *options_.region->region).least / unit_length();
+    if (region_) return region_->nearest(points).least;
     return options_.window ? min_distance_in_window(points) : min_toroidal_distance(points, box_);
 }
 

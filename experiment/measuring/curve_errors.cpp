@@ -6,7 +6,7 @@ namespace poissonlab {
 
 double CurveErrors::of(const Statistic& statistic) const
 {
-    return covariance_ ? covariance_->error_of(curves_.front(), statistic) : jackknife_error(curves_, statistic);
+    return error_of_ ? error_of_(curves_.front(), statistic) : jackknife_error(curves_, statistic);
 }
 
 double CurveErrors::of_squares(const Statistic& statistic) const

@@ -1,10 +1,8 @@
 // Standard errors of statistics of a mean radial curve.
 #pragma once
 
-#include "analysis/regions/taper_covariance.hpp"
-
 #include <functional>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -17,13 +15,13 @@ public:
     /// Takes errors from the spread of independent curves, whose mean the curve is, by the jackknife.
     explicit CurveErrors(std::vector<std::vector<double>> curves) : curves_(std::move(curves)) {}
 
-    /// Takes errors from the covariance of the rings of one set's mean over tapers.
-    CurveErrors(std::vector<double> curve, RingCovariance covariance)
-        : curves_{std::move(curve)}, covariance_(std::move(covariance))
+    /// Takes errors of one curve from a function of it and of a statistic.
+    using ErrorOf = std::function<double(const std::vector<double>& curve, const Statistic& statistic)>;
+    CurveErrors(std::vector<double> curve, ErrorOf error_of) : curves_{std::move(curve)}, error_of_(std::move(error_of))
     {}
 
     /// False for one curve, of which nothing else is known.
-    bool are_known() const { return curves_.size() > 1 || covariance_; }
+    bool are_known() const { return curves_.size() > 1 || error_of_; }
 
     double of(const Statistic& statistic) const;
 
@@ -33,7 +31,7 @@ public:
 
 private:
     std::vector<std::vector<double>> curves_;
-    std::optional<RingCovariance> covariance_;
+    ErrorOf error_of_; ///< empty: the jackknife
 };
 
 }

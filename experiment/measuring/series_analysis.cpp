@@ -5,14 +5,11 @@
 #include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
-#include "analysis/regions/region_transform.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/side_by_side.hpp"
-#include "base/regions/region_source.hpp"
-#include "experiment/measuring/region_picture.hpp"
 #include "results/file_names.hpp"
 
 #include <fmt/format.h>
@@ -59,10 +56,8 @@ void SeriesAnalysis::start()
     if (has_spectrum()) start_spectrum();
     if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
     if (options_.tiles > 0 && dimension_ == 2) folded_.emplace(options_.tiles, begin_.points);
-    if (options_.region) {
-        if (has_pairs_)
-            region_.emplace(options_.region->region, options_.region->density, begin_.points,
-                            options_.region->envelope);
+    if (region_) {
+        if (has_pairs_) region_->start_curves(begin_.points);
         return;
     }
     if (begin_.points >= NumberVarianceEstimate::least_points(dimension_))
@@ -93,37 +88,22 @@ void SeriesAnalysis::start_spectrum()
                                      dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
     estimate_->lie_in(box_);
-    if (!options_.region) return;
-    const bool is_exact = options_.spectrum == PeriodogramMethod::exact;
-    if (options_.region->tapers) {
-        tapered_ = std::make_shared<TaperedPeriodogram>(options_.region->region, options_.region->tapers,
-                                                        spectrum_size_, is_exact);
-        return;
-    }
-    const auto periodogram = std::make_shared<RegionPeriodogram>(options_.region->region, spectrum_size_, is_exact);
-    estimate_->compute_by(
-        [periodogram](const PointSet& points, HalfSpectrum& power) { periodogram->compute(points, power); });
+    if (region_) region_->start_spectrum(*estimate_, spectrum_size_, *options_.spectrum);
 }
 
-/// Adds a set to the spectrum. With the tapers of a region, each taper counts as a set of its own.
 void SeriesAnalysis::add_to_spectrum(const PointSet& points)
 {
-    if (!tapered_) return estimate_->add(points);
-    for (std::size_t taper = 0; taper < options_.region->tapers->count(); ++taper) {
-        estimate_->compute_by(
-            [this, taper](const PointSet& set, HalfSpectrum& power) { tapered_->compute(set, taper, power); });
+    if (region_)
+        region_->add_to(*estimate_, points);
+    else
         estimate_->add(points);
-    }
 }
-
-/// Lengths of the sets' square over those of results.
-double SeriesAnalysis::unit_length() const { return options_.region ? options_.region->region->unit_length() : 1; }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
 void SeriesAnalysis::leave_out_pairs()
 {
     pairs_.reset();
-    region_.reset();
+    if (region_) region_->leave_out_curves();
     has_pairs_ = false;
 }
 
@@ -148,17 +128,14 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
     shell_powers_.insert(shell_powers_.end(), next.shell_powers_.begin(), next.shell_powers_.end());
     if (estimate_) estimate_->append(next.estimate_.value());
-    if (!next.pairs_ && !next.region_) leave_out_pairs();
+    if (!next.pairs_ && !(next.region_ && next.region_->has_curves())) leave_out_pairs();
     if (pairs_) pairs_->append(*next.pairs_);
     if (integration_) integration_->append(next.integration_.value());
     if (seams_) seams_->append(next.seams_.value());
     if (folded_) folded_->append(next.folded_.value());
     if (variance_) variance_->append(next.variance_.value());
-    if (region_) region_->append(next.region_.value());
+    if (region_) region_->append(*next.region_);
 }
-
-/// The number of curves that each set adds to the spectrum: one, or one a taper.
-std::size_t SeriesAnalysis::tapers() const { return tapered_ ? options_.region->tapers->count() : 1; }
 
 std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
 {
@@ -177,26 +154,6 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
     if (mean.standard_error && !std::isfinite(*mean.standard_error)) mean.standard_error.reset();
     return mean;
-}
-
-RegionResult SeriesAnalysis::region_result() const
-{
-    const FramedRegion& region = *options_.region->region;
-    RegionResult result;
-    result.name = region.name();
-    result.area = region.own_area();
-    result.unit_length = region.unit_length() * region.side();
-    result.polygons = region.polygons().polygons.size();
-    result.corners = corner_count(region.polygons());
-    result.is_in_metres = is_mapped(region.own_polygons());
-    result.has_density = options_.region->density != nullptr;
-    if (tapered_) result.tapers = tapers();
-    if (!region_picture_.empty()) result.picture_file = file_names::region_picture;
-    if (!region_ || region_->distances().count == 0) return result;
-    result.envelope = options_.region->envelope;
-    result.covariance_error = region_->covariance().table_error();
-    result.file = file_names::region_curves;
-    return result;
 }
 
 /// The sets' border, whose closest pairs are those of all sets together.
@@ -243,8 +200,9 @@ Series SeriesAnalysis::result() const
     series.is_window = options_.window;
     if (!options_.box_sides.empty()) series.box = BoxResult{options_.box_sides};
     series.spectrum_size = spectrum_size_;
-    if (options_.region) series.region = region_result();
-    if (region_ ? region_->distances().count > 0 : has_pairs_)
+    if (region_) series.region = region_->result();
+    if (!region_picture_.empty()) series.region->picture_file = file_names::region_picture;
+    if (region_ ? !series.region->file.empty() : has_pairs_)
         series.pair_correlation_file = file_names::pair_correlation;
     if (!number_variance().empty()) series.number_variance_file = file_names::number_variance;
     if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
@@ -256,8 +214,8 @@ void SeriesAnalysis::measure_first()
 {
     const PointSet first = std::exchange(first_, {});
     if (first.size() == 0) return;
-    if (options_.region) {
-        region_picture_ = mark_picture_json(region_picture_of(*options_.region->region, first));
+    if (region_) {
+        region_picture_ = region_->picture(first);
         return;
     }
     if (first.size() > most_points_triangulated) return; // not of millions of points
@@ -276,7 +234,7 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial);
     // Curves of tapers are not independent of each other: what chance gives is not known.
-    if (const auto above = anisotropy_above_chance_db(radial, mean.realizations); above && !tapered_)
+    if (const auto above = anisotropy_above_chance_db(radial, mean.realizations); above && !has_tapers())
         measures_.numbers["anisotropy_above_chance"] = {*above, {}};
     const FrequencyRange low = low_frequency_range(n, mean.dimension);
     measures_.low_frequency_power = low_frequency_power(radial, low);
@@ -335,12 +293,8 @@ Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean()
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
     std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
-    std::vector<double> errors = estimate_.value().radial_errors(independent_groups(tapers()));
-    if (tapered_ && sets_.size() == 1) {
-        std::vector<double> power;
-        for (const RadialBin& bin : bins) power.push_back(bin.power);
-        errors = taper_covariance().of_rings(spectrum_size_, options_.bin_width).errors(power);
-    }
+    std::vector<double> errors = estimate_.value().radial_errors(independent_groups(curves_of_set()));
+    if (has_tapers() && sets_.size() == 1) errors = region_->ring_errors(bins, spectrum_size_, options_.bin_width);
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;
 }

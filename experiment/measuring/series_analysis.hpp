@@ -8,19 +8,17 @@
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/measures/seam_density.hpp"
 #include "analysis/measures/set_mark.hpp"
-#include "analysis/regions/region_curves.hpp"
-#include "analysis/regions/region_tapers.hpp"
-#include "analysis/regions/taper_covariance.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "experiment/config/analysis_options.hpp"
-#include "experiment/measuring/curve_errors.hpp"
+#include "experiment/measuring/region_series.hpp"
 #include "results/series.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,7 +73,8 @@ public:
 
     /// `label` is for messages; `sizes_vary` as the sampler says it.
     SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options, const Begin& begin)
-        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), box_(options.box()), begin_(begin)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), box_(options.box()), begin_(begin),
+          region_(options.region ? make_region_series(*options.region) : nullptr)
     {}
     SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options)
         : SeriesAnalysis(std::move(label), sizes_vary, options, Begin{})
@@ -156,7 +155,11 @@ public:
         if (seams_) archive(*seams_);
         if (folded_) archive(*folded_);
         archive(region_picture_);
-        if (region_) archive(*region_);
+        if (!region_) return;
+        if constexpr (Archive::reads)
+            region_->read(archive);
+        else
+            region_->write(archive);
     }
 
 private:
@@ -203,12 +206,11 @@ private:
     void keep_first(const PointSet& points);
     void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
-    RegionResult region_result() const;
     BorderResult border_result() const;
     std::vector<std::size_t> independent_groups(std::size_t curves_of_set = 1) const;
     CurveErrors curve_errors(const std::vector<RadialBin>& radial) const;
-    const TaperCovariance& taper_covariance() const;
-    std::size_t tapers() const;
+    bool has_tapers() const { return region_ && region_->tapers() > 0; }
+    std::size_t curves_of_set() const { return has_tapers() ? region_->tapers() : 1; }
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
     double least_distance(const PointSet& points) const;
@@ -219,7 +221,6 @@ private:
     void add_to_spectrum(const PointSet& points);
     void add_to_spectrum(const PointStrips& points) { estimate_->add(points); }
     void start_pairs();
-    double unit_length() const;
     void leave_out_pairs();
     void measure_hyperuniformity(const Spectrum& mean);
     void measure_exponent_error(const std::vector<PowerShell>& shells, int realizations, double least);
@@ -248,9 +249,7 @@ private:
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<NumberVarianceEstimate> variance_;
     std::optional<IntegrationErrorEstimate> integration_;
-    std::optional<RegionCurves> region_;                              ///< of sets in a region
-    std::shared_ptr<TaperedPeriodogram> tapered_;                     ///< of sets in a region, with tapers
-    mutable std::shared_ptr<const TaperCovariance> taper_covariance_; ///< once it was asked for
+    std::unique_ptr<RegionSeries> region_; ///< of sets in a region
     std::string region_picture_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane

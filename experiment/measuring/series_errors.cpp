@@ -23,22 +23,12 @@ std::vector<std::size_t> SeriesAnalysis::independent_groups(std::size_t curves_o
     return groups;
 }
 
-const TaperCovariance& SeriesAnalysis::taper_covariance() const
-{
-    if (!taper_covariance_) taper_covariance_ = std::make_shared<const TaperCovariance>(*options_.region->tapers);
-    return *taper_covariance_;
-}
-
 /// Errors of statistics of the mean curve in bins one sample wide.
 CurveErrors SeriesAnalysis::curve_errors(const std::vector<RadialBin>& radial) const
 {
     const auto& each = estimate_.value().radial_curves();
-    if (tapered_ && sets_.size() == 1) {
-        std::vector<double> power;
-        for (const RadialBin& bin : radial) power.push_back(bin.power);
-        return {std::move(power), taper_covariance().of_rings(spectrum_size_, 1)};
-    }
-    return CurveErrors(group_means(each, independent_groups(tapers())));
+    if (has_tapers() && sets_.size() == 1) return region_->curve_errors(radial, spectrum_size_);
+    return CurveErrors(group_means(each, independent_groups(curves_of_set())));
 }
 
 /// The error of the exponent follows from how much it depends on single realizations or tile sets: a curve that bends
@@ -120,7 +110,7 @@ void SeriesAnalysis::measure_peak_error(const std::vector<RadialBin>& radial, co
     const auto groups = independent_groups();
     const bool are_independent =
         groups.empty() || group_means(std::vector<double>(groups.size()), groups).size() == groups.size();
-    if (peak && are_independent && !tapered_ && mean.realizations >= 2)
+    if (peak && are_independent && !has_tapers() && mean.realizations >= 2)
         peak->standard_error_db = peak_anisotropy_error_db(radial, *peak, mean);
 }
 

@@ -1,5 +1,4 @@
 // These functions stand in for regions where a program lacks them: a region in a config asks for the module.
-#include "analysis/regions/drum_modes.hpp"
 #include "base/errors/missing_module.hpp"
 #include "base/regions/region_text.hpp"
 #include "base/regions/solid_lattice.hpp"
@@ -14,17 +13,6 @@ PlaneRegion read_region(const std::string& /*text*/, const RegionReading& /*read
 void check_map_system(const std::string& /*name*/) { throw MissingModule("regions"); }
 
 SolidLattice inset_solid(const SolidLattice& /*solid*/, double /*distance*/, const std::string& /*name*/)
-{
-    throw MissingModule("regions");
-}
-
-DrumModes drum_modes(const TaperGrid& /*grid*/, std::array<double, 2> /*step*/, std::size_t /*count*/)
-{
-    throw MissingModule("regions");
-}
-
-DrumModes released_modes(const TaperGrid& /*grid*/, std::array<double, 2> /*step*/, std::size_t /*count*/,
-                         double /*length*/)
 {
     throw MissingModule("regions");
 }

@@ -1,7 +1,6 @@
 #include "host/settings/sampler_help.hpp"
 
 #include "host/sampling/guide/sampler_guide.hpp"
-#include "host/sampling/optimized/ordered_sampler.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_table.hpp"
 

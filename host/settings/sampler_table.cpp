@@ -49,6 +49,23 @@ const ParameterSpec& points_parameter()
     return points;
 }
 
+const ParameterSpec& order_parameter()
+{
+    static const ParameterSpec order{
+        .key = "order",
+        .kind = ParameterSpec::Kind::choice,
+        .help = "the order of a set's points: that in which they are made, or one whose first parts, whatever their "
+                "size, are well spread (Yuksel 2015)",
+        .choices = {"own", "sample-elimination"},
+        .otherwise = std::string("own")};
+    return order;
+}
+
+bool is_ordered(const Parameters& parameters)
+{
+    return parameters.is_given("order") && parameters.text("order") != "own";
+}
+
 std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings, const SourceLocation& where,
                                       const std::string& what)
 {

@@ -28,6 +28,12 @@ struct ParameterSetting
 /// The key `points` of every [[method]]: the number of points where it is not that of the experiment.
 const ParameterSpec& points_parameter();
 
+/// The key `order` of every [[method]]: "own", the order in which the method makes its points, or "sample-elimination".
+const ParameterSpec& order_parameter();
+
+/// True where the parameters ask for another order than the method's own.
+bool is_ordered(const Parameters& parameters);
+
 /// One choice of each setting, in the settings' order.
 using Combination = std::vector<const ParameterChoice*>;
 

@@ -3,7 +3,7 @@
 
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
-#include "analysis/regions/region_curves.hpp"
+#include "analysis/regions/region_curve_row.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "base/geometry/point_set.hpp"

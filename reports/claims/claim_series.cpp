@@ -81,6 +81,14 @@ ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series, std::vector<co
     for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];
 }
 
+bool ClaimSeries::has_tiles() const
+{
+    return !distributions_.empty() || std::ranges::any_of(series_, [](const ReportSeries* series) {
+        const std::string& sampler = series->stored->sampler;
+        return sampler.ends_with("-tiles") || sampler == "penrose" || sampler == "polyominoes";
+    });
+}
+
 std::vector<const DistributionResult*> ClaimSeries::distributions(const std::string& kind) const
 {
     std::vector<const DistributionResult*> found;

@@ -46,6 +46,10 @@ public:
     /// Every series that lies in no region, whichever its method.
     const std::vector<const ReportSeries*>& series() const { return series_; }
 
+    /// True where a method tiles, and where there are distributions or schemes: claims about tiles look at nothing
+    /// else.
+    bool has_tiles() const;
+
     std::vector<const ReportSeries*> all(const SeriesQuery& query) const;
 
     /// The first one, or nullptr.

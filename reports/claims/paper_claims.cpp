@@ -11,13 +11,9 @@ namespace {
 
 Paper dissertation()
 {
-    constexpr std::array parts{claims_about_tilings,         claims_about_methodology,     claims_about_darts,
-                               claims_about_lloyd,           claims_about_aperiodic_sets,  claims_about_textures,
-                               claims_about_building,        claims_about_spheres,         claims_about_jones,
-                               claims_about_sector_darts,    claims_about_early_tiles,     claims_about_peaks,
-                               claims_about_recursive_tiles, claims_about_penrose_tilings, claims_about_edge_tiles,
-                               claims_about_template_tiles,  claims_about_corner_tiles,    recommendations,
-                               claims_about_applications};
+    constexpr std::array parts{claims_about_methodology,  claims_about_darts,   claims_about_lloyd,
+                               claims_about_building,     claims_about_spheres, claims_about_jones,
+                               claims_about_sector_darts, claims_about_tiles,   recommendations};
     std::vector<PaperClaim> all;
     for (const auto& part : parts) std::ranges::move(part(), std::back_inserter(all));
     // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
@@ -28,22 +24,13 @@ Paper dissertation()
     return {"lagae-2007", "Ares Lagae, <cite>Tile-Based Methods in Computer Graphics</cite> (2007)", std::move(all)};
 }
 
-Paper class_notes()
-{
-    return {"notes-2008",
-            "Lagae, Kaplan, Fu, Ostromoukhov, Kopf and Deussen, <cite>Tile-Based Methods for Interactive "
-            "Applications</cite>, class notes (2008)",
-            claims_about_polyominoes()};
-}
-
 }
 
 const std::vector<Paper>& papers()
 {
     static const std::vector<Paper> all = [] {
         std::vector<Paper> list{dissertation()};
-        std::ranges::move(papers_on_textures(), std::back_inserter(list));
-        list.push_back(class_notes());
+        std::ranges::move(papers_on_tiles(), std::back_inserter(list));
         std::ranges::move(later_papers(), std::back_inserter(list));
         return list;
     }();

@@ -58,6 +58,11 @@ struct JudgedClaim
 std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& series,
                                       const std::vector<const DistributionResult*>& distributions = {});
 
+/// All claims of the dissertation about tiles, tilings and what they are for, and the papers on tiles after it. In a
+/// program without tiles a claim stands in for these, which asks for the module where results have tiles.
+std::vector<PaperClaim> claims_about_tiles();
+std::vector<Paper> papers_on_tiles();
+
 /// The claims about tiles, tilings and hash functions (2.6, 3.2 to 3.5).
 std::vector<PaperClaim> claims_about_tilings();
 

@@ -1,7 +1,7 @@
 // The pictures of points in a region of the plane: their curves beside those of random points.
 #pragma once
 
-#include "analysis/regions/region_curves.hpp"
+#include "analysis/regions/region_curve_row.hpp"
 #include "reports/layout/panel.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The curves of points in a region of the plane, each over the envelope of random points.
 #pragma once
 
-#include "analysis/regions/region_curves.hpp"
+#include "analysis/regions/region_curve_row.hpp"
 #include "reports/plots/plot.hpp"
 
 #include <vector>

@@ -1,6 +1,7 @@
-// These functions stand in for pictures of tiles where a program lacks them: a result that has tiles asks for the
-// module.
+// These functions stand in for pictures of tiles, and claims about them, where a program lacks them: a result that has
+// tiles asks for the module.
 #include "base/errors/missing_module.hpp"
+#include "reports/claims/paper_claims.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/layout/tiling_pictures.hpp"
 #include "reports/pages/page.hpp"
@@ -14,11 +15,39 @@ constexpr auto module_of_tiles = "tilings";
 
 }
 
+std::vector<PaperClaim> claims_about_tiles()
+{
+    return {{"", "6.0", "", "", [](const ClaimSeries& report) -> std::optional<ClaimOutcome> {
+                 if (report.has_tiles()) throw MissingModule(module_of_tiles);
+                 return std::nullopt;
+             }}};
+}
+
+std::vector<Paper> papers_on_tiles() { return {}; }
+
 Drawing draw_construction(const Scene& /*scene*/) { throw MissingModule(module_of_tiles); }
 
 void draw_tiling_pictures(const ReportTiling& /*tiling*/, PictureStore& /*store*/)
 {
     throw MissingModule(module_of_tiles);
+}
+
+PageData tiling_section(const ReportTiling& /*tiling*/, std::size_t /*index*/, const std::filesystem::path& /*from*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+PageData distribution_section(const ReportDistribution& /*distribution*/, const std::string& /*anchor*/,
+                              const std::filesystem::path& /*from*/, PageNumbers /*numbers*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& /*from*/)
+{
+    if (!run.distributions.empty()) throw MissingModule(module_of_tiles);
+    for (const char* field : {"texture_groups", "has_textures", "has_texture_tables", "texture_notes"})
+        page.set(field, false);
 }
 
 PageData construction_section(const ReportConstruction& /*construction*/, std::size_t /*index*/,

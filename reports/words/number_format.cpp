@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <regex>
+#include <string_view>
 #include <utility>
 
 namespace poissonlab {
@@ -45,18 +45,21 @@ std::string format_count(std::uint64_t value)
 
 std::string with_formatted_points(const std::string& label)
 {
-    static const std::regex points("\\bN = ([0-9]{4,19})(?![0-9.,]*[0-9])");
-    std::string text;
-    auto rest = label.cbegin();
-    for (std::sregex_iterator match(label.begin(), label.end(), points), end; match != end; ++match) {
-        text.append(rest, (*match)[1].first);
-        text += format_count(std::stoull((*match)[1]));
-        rest = (*match)[1].second;
+    std::string text = label;
+    const auto begins_word = [&](std::size_t at) {
+        return at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1]));
+    };
+    constexpr std::string_view points = "N = ", digits = "0123456789", number = "0123456789.,";
+    for (std::size_t at = text.find(points); at != std::string::npos; at = text.find(points, at + 1)) {
+        const std::size_t begin = at + points.size();
+        const std::size_t end = std::min(text.find_first_not_of(digits, begin), text.size());
+        const bool is_whole = text.find_first_of(digits, end) >= text.find_first_not_of(number, end);
+        if (begins_word(at) && is_whole && end - begin >= 4 && end - begin <= 19)
+            text.replace(begin, end - begin, format_count(std::stoull(text.substr(begin, end - begin))));
     }
-    text.append(rest, label.cend());
     constexpr std::string_view spelt = "rho = "; // of results that older versions wrote
     for (std::size_t at = text.find(spelt); at != std::string::npos; at = text.find(spelt, at))
-        if (at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1])))
+        if (begins_word(at))
             text.replace(at, spelt.size(), "ρ = ");
         else
             at += spelt.size();

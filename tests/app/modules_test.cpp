@@ -93,6 +93,8 @@ TEST_F(CoreProgram, MakesTheSameResults)
 TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
 {
     for (const auto& [tables, module] : std::vector<std::pair<std::string, std::string>>{
+             {"[[method]]\nsampler = \"sobol\"\n", "methods"},
+             {"[[method]]\nsampler = \"random\"\norder = \"sample-elimination\"\n", "methods"},
              {"[[method]]\nsampler = \"corner-tiles\"\n", "tiles"},
              {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "other_tiles"},
              {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
@@ -117,9 +119,26 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
                                                           {"texture surface --help", "surface_textures"},
                                                           {"points lloyd --points 9", "large_sets"},
                                                           {"tiling corner", "tilings"},
+                                                          {"diff a b", "results"},
                                                           {"manual", "manual"}})
         EXPECT_THAT(core(arguments).error, HasSubstr("the module \"" + module + "\"")) << arguments;
     EXPECT_THAT(core("samplers --json").error, HasSubstr("without some of its modules"));
+    EXPECT_THAT(run_of("[[method]]\nsampler = \"random\"\n", "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0").error,
+                HasSubstr("the module \"processes\""));
+}
+
+/// A report without claims about tiles would look as if nothing was to be said of them.
+TEST_F(CoreProgram, AsksForClaimsAboutTilesWhereResultsHaveThem)
+{
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"corner-tiles\"\ncolors = 2\n");
+    ASSERT_EQ(whole("run c.toml --quiet --out tiles").status, 0);
+    EXPECT_THAT(core("report tiles --out report").error, HasSubstr("the module \"tilings\""));
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"random\"\n[[method]]\nsampler = \"sobol\"\n");
+    ASSERT_EQ(whole("run c.toml --quiet --out sobol").status, 0);
+    const std::string claims = content_of(folder_.path() / "sobol/claims.html");
+    fs::remove(folder_.path() / "sobol/claims.html");
+    EXPECT_EQ(core("report sobol --out sobol").status, 0);
+    EXPECT_EQ(content_of(folder_.path() / "sobol/claims.html"), claims);
 }
 
 /// ./lab gets the whole command, word for word, and what it does is what the command does.

@@ -9,8 +9,6 @@ std::vector<GroupedCommand> core_commands(const ProgramContext& context)
             {"", merge_command()},
             {"", analyze_command(context.typed)},
             {"", report_command()},
-            {"", export_command()},
-            {"", diff_command()},
             {"", devices_command()},
             {"", samplers_command()},
             {"", kinds_command()},

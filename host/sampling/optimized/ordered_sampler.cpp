@@ -11,9 +11,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr const char* order_key = "order";
-constexpr const char* own_order = "own";
-
 /// The memory of putting so many points into order, of which half come first.
 DeviceMemory ordering_memory(std::size_t points, int dimension)
 {
@@ -33,7 +30,7 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         if (made_->traits().is_window)
-            throw parameters_.error(order_key,
+            throw parameters_.error("order",
                                     "cannot be combined with this method: its sets are windows of the plane, and "
                                     "the order needs a torus; leave it out");
         const PointSet points = made_->sample(realization);
@@ -72,23 +69,6 @@ private:
     std::optional<SampleElimination> elimination_;
 };
 
-}
-
-const ParameterSpec& order_parameter()
-{
-    static const ParameterSpec order{
-        .key = order_key,
-        .kind = ParameterSpec::Kind::choice,
-        .help = "the order of a set's points: that in which they are made, or one whose first parts, whatever their "
-                "size, are well spread (Yuksel 2015)",
-        .choices = {own_order, "sample-elimination"},
-        .otherwise = std::string(own_order)};
-    return order;
-}
-
-bool is_ordered(const Parameters& parameters)
-{
-    return parameters.is_given(order_key) && parameters.text(order_key) != own_order;
 }
 
 SamplerSpec in_progressive_order(SamplerSpec method)

@@ -7,12 +7,6 @@
 
 namespace poissonlab {
 
-/// The parameter: "own", the order in which the method makes its points, or "sample-elimination".
-const ParameterSpec& order_parameter();
-
-/// True where the parameters ask for another order than the method's own.
-bool is_ordered(const Parameters& parameters);
-
 /// The description of a method with its sets in progressive order; all else is as the method has it. Its sampler throws
 /// InputError for windows of the plane, since distances are those of the torus.
 SamplerSpec in_progressive_order(SamplerSpec method);

@@ -1,4 +1,5 @@
 // Sets in a region are analysed as such: nothing goes around the torus, lengths are in roots of the area.
+#include "analysis/regions/random_in_region.hpp"
 #include "base/files/byte_archive.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "experiment/measuring/series_analysis.hpp"

@@ -1,4 +1,5 @@
 // The list of claims, and what single claims look at.
+#include "host/modules/manifest.hpp"
 #include "reports/claims/claim_curves.hpp"
 #include "reports/claims/paper_claims.hpp"
 #include "tests/reports/support/claim_cases.hpp"
@@ -173,6 +174,20 @@ TEST(PaperClaimList, ChainsAreNotOfThePapers)
     EXPECT_TRUE(report.outcome("6.11-better"));
     stored_of(chains).parameters.emplace_back("border", "chain");
     EXPECT_FALSE(report.outcome("6.11-better"));
+}
+
+/// A program without the module asks for it by this.
+TEST(PaperClaimList, KnowsWhichMethodsTile)
+{
+    for (const ManifestEntry& entry : manifest()) {
+        if (entry.word != ManifestWord::sampler) continue;
+        MadeUpReport report;
+        report.add(entry.name, {});
+        EXPECT_EQ(ClaimSeries(report.series()).has_tiles(), entry.module == "tiles" || entry.module == "other_tiles")
+            << entry.name;
+    }
+    DistributionResult scheme;
+    EXPECT_TRUE(ClaimSeries({}, {&scheme}).has_tiles());
 }
 
 TEST(PaperClaimList, LeavesOutWhatTheReportHasNoSeriesFor)

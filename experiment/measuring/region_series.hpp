@@ -1,0 +1,68 @@
+// What a series of sets in a region measures in the place of what is defined on the torus: nearest distances, the
+// spectrum and its errors, and the curves of region_curves.hpp.
+#pragma once
+
+#include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/pair_correlation.hpp"
+#include "analysis/regions/region_curve_row.hpp"
+#include "analysis/spectra/radial_statistics.hpp"
+#include "analysis/spectra/spectrum.hpp"
+#include "base/files/byte_archive.hpp"
+#include "experiment/config/analysis_options.hpp"
+#include "experiment/measuring/curve_errors.hpp"
+#include "results/series.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Points lie in the frame. A program without regions has none of these.
+class RegionSeries
+{
+public:
+    virtual ~RegionSeries() = default;
+
+    /// The least and the mean distance of points from their nearest ones, in roots of the region's area.
+    virtual NearestDistances nearest(const PointSet& points) const = 0;
+
+    /// Lets an estimate of that size have the region's periodograms.
+    virtual void start_spectrum(SpectrumEstimate& estimate, int size, PeriodogramMethod method) = 0;
+
+    /// Adds a set to the estimate. With the tapers of a region, each taper counts as a set of its own.
+    virtual void add_to(SpectrumEstimate& estimate, const PointSet& points) const = 0;
+
+    /// The number of tapers of the spectrum; 0: it has none.
+    virtual std::size_t tapers() const = 0;
+
+    /// The errors of the rings of one set's mean over tapers, and those of statistics of it.
+    virtual std::vector<double> ring_errors(const std::vector<RadialBin>& curve, int size, double bin_width) const = 0;
+    virtual CurveErrors curve_errors(const std::vector<RadialBin>& curve, int size) const = 0;
+
+    /// Begins curves of sets of so many points, two or more; without them there are no rows and no pair correlation.
+    virtual void start_curves(std::size_t points) = 0;
+    virtual void leave_out_curves() = 0;
+    virtual bool has_curves() const = 0;
+
+    // These do nothing without curves, and else what those of RegionCurves do.
+    virtual void add(const PointSet& points, const std::string& name) = 0;
+    virtual void append(const RegionSeries& next) = 0;
+    virtual std::vector<RegionCurveRow> rows() const = 0;
+    virtual std::vector<PairCorrelationBin> pair_correlation(const std::vector<std::size_t>& groups) const = 0;
+
+    /// The region, and what its curves are; without the picture.
+    virtual RegionResult result() const = 0;
+
+    /// The picture of a set, see mark_picture.hpp.
+    virtual std::string picture(const PointSet& points) const = 0;
+
+    virtual void write(ByteWriter& archive) const = 0;
+    virtual void read(ByteReader& archive) = 0;
+};
+
+/// Throws MissingModule in a program without regions.
+std::unique_ptr<RegionSeries> make_region_series(const RegionOptions& options);
+
+}
