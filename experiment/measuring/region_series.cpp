@@ -5,6 +5,7 @@
 #include "analysis/regions/region_tapers.hpp"
 #include "analysis/regions/region_transform.hpp"
 #include "analysis/regions/taper_covariance.hpp"
+#include "base/regions/region_source.hpp"
 #include "results/file_names.hpp"
 #include "results/pictures/mark_picture.hpp"
 
@@ -135,6 +136,7 @@ public:
         result.unit_length = region().unit_length() * region().side();
         result.polygons = region().polygons().polygons.size();
         result.corners = corner_count(region().polygons());
+        result.is_in_metres = is_mapped(region().own_polygons());
         result.has_density = options_.density != nullptr;
         result.tapers = tapers();
         if (!curves_ || curves_->distances().count == 0) return result;
