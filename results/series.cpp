@@ -39,7 +39,7 @@ std::string mixture_words(const Series& series)
 {
     constexpr double random_deviation = 0.523, times_random = 4, least_told = 0.03;
     const auto found = series.measures.numbers.find("mean_nearest_distance");
-    if (series.sampler != "file" || found == series.measures.numbers.end() || !found->second.standard_error) return {};
+    if (found == series.measures.numbers.end() || !found->second.standard_error) return {};
     const double deviation = *found->second.standard_error * std::sqrt(series.realizations) / found->second.value;
     const double random = random_deviation / std::sqrt(static_cast<double>(series.points));
     if (!(deviation > std::max(times_random * random, least_told))) return {};

@@ -194,7 +194,8 @@ private:
             if (const std::string border = border_words(result); !border.empty())
                 progress_.note(fmt::format("{}: {} {}", series.task().label, border,
                                            border_advice(runs_[job.run].experiment.dimension)));
-            if (const std::string mixture = mixture_words(result); !mixture.empty())
+            const bool is_read = series.task().sampler->name == "file";
+            if (const std::string mixture = mixture_words(result); is_read && !mixture.empty())
                 progress_.note(fmt::format("{}: {}", series.task().label, mixture));
         }
         if (jobs_left_.empty()) return; // a share

@@ -80,7 +80,7 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     data.set("min_distance", min_distance(*series.stored));
     data.set("measures", measures_list(series));
     data.set("border", optional_text(border_notice(series)));
-    data.set("mixture", optional_text(mixture_words(*series.stored)));
+    data.set("mixture", optional_text(series.stored->sampler == "file" ? mixture_words(*series.stored) : ""));
     data.set("file_groups", files);
     set_provenance(data, *run.stored);
     return render_in_frame(site, {page_of(series), series.label + " · " + site.title, {}}, "series", data);

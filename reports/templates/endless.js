@@ -205,7 +205,7 @@ function windowPoints([i, j, width, height]) {
   });
 }
 
-/** The same with places from the window's lower left corner, as the command has them: small numbers wherever it is. */
+/** These points with places from the corner of the window, as files of the command have them: small numbers anywhere. */
 function filePoints(view) {
   return windowPoints(view).map((point) => ({ ...point, position: point.position.map((v, a) => v - view[a]) }));
 }
