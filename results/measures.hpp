@@ -84,9 +84,9 @@ const std::vector<Measure>& measures();
 /// The measure of that key. Throws std::out_of_range for others.
 const Measure& measure(const std::string& key);
 
-/// Can the power at low frequencies be said to go with this exponent? Not in a region, whose boundary decides it, and
-/// not where it rises towards frequency 0, by more than three standard errors: long waves of a start, which have not
-/// gone yet, are no law.
+/// Returns true if the power at low frequencies follows a power law with this exponent. It returns false in a region,
+/// whose boundary decides that power, and if the power rises towards frequency 0 by more than three standard errors:
+/// such long waves are left over from a random start, and follow no power law.
 bool is_power_law(const Series& series, double exponent, double standard_error);
 
 /// The rows of the table of docs/output-folder.md, in Markdown.

@@ -44,9 +44,9 @@ std::string mixture_words(const Series& series)
     const double random = random_deviation / std::sqrt(static_cast<double>(series.points));
     if (!(deviation > std::max(times_random * random, least_told))) return {};
     return fmt::format("The sets differ from each other more than sets of one method do: the standard deviation of "
-                       "their mean nearest distances is {:.2g} %, that of sets of random points {:.2g} %. If they are "
-                       "of several methods, analyze each alone, or make each a [[method]] of a config (sampler = "
-                       "\"file\"): the report compares them then.",
+                       "their mean nearest distances is {:.2g} %; sets of random points have {:.2g} %. If several "
+                       "methods made them, analyze the sets of each method alone, or give each method a [[method]] "
+                       "table in a config (sampler = \"file\"), so that the report compares them.",
                        100 * deviation, 100 * random);
 }
 

@@ -54,33 +54,37 @@ const std::vector<Measure>& texture_measures()
                     "Conspicuous steps side by side along a straight line inside of a tile: eyes find straight lines "
                     "first."),
         texture_row("mean_seam_line", "seams over a line", "", neither, three,
-                    "The part of the pairs over a line between two columns or rows of a tile that are seams, mean over "
-                    "lines."),
+                    "The share of seams among the pairs of pixels across a line between two columns or rows of a tile, "
+                    "averaged over all lines."),
         texture_row("largest_seam_line", "seams over the worst line", "", lower, three,
-                    "That of the line that has the most: far above the mean where cuts end at a border that all tiles "
-                    "have."),
+                    "The share of seams of the line that has the most. It is far above the mean where cuts end at a "
+                    "border that all tiles have."),
         texture_row("longest_seam_line", "longest straight seam", "pixels", lower, three,
-                    "Seam pairs side by side along a straight line inside of a tile, conspicuous or not."),
+                    "The largest number of seam pairs side by side along a straight line inside a tile, whether they "
+                    "are conspicuous or not."),
         texture_row(
             "novelty", "new patches", "", lower, three,
-            "The part of the patches of 27 x 27 pixels of a tiling that are less like all of the exemplar than "
-            "90 % of the patches of one of its halves are like the other half: fused and broken shapes, which "
-            "cuts do not look for. Another picture by the same law has about 0.1, plain repetition almost none."),
+            "The share of the patches of 27 x 27 pixels of a tiling that are farther from all patches of the exemplar "
+            "than 90 % of the patches of one half of the exemplar are from the other half. Fused and broken shapes "
+            "make such patches; cuts do not prevent them. Another picture by the same law has about 0.1, plain "
+            "repetition almost none."),
         texture_row("novelty_small", "new small patches", "", lower, three,
-                    "The same of patches as large as what the exemplar shows, of 7 to 13 pixels."),
+                    "The share of new patches among patches as large as the exemplar's features, of 7 to 13 pixels."),
         texture_row("novelty_large", "new large patches", "", lower, three,
-                    "The same of patches three times as large as what the exemplar shows, of 41 to 81 pixels."),
+                    "The share of new patches among patches three times as large as the exemplar's features, of 41 to "
+                    "81 pixels."),
         texture_row("feature_side", "size of features", "pixels", neither, whole,
                     "The side of the smallest squares of the exemplar whose means have at most half of the variance of "
                     "its pixels."),
         texture_row("fragments", "fragments a tile", "", lower, three,
-                    "Parts of a tiling that are whole in the exemplar and smaller than a square of that size."),
+                    "The number of connected pieces of the exemplar per tile that are smaller than a square of the "
+                    "size of features."),
         texture_row(
             "slow_power", "uneven light", "of the power", neither, three,
             "The part of a tiling's power at frequencies below one over two tiles: light and colour that change "
             "over more than a tile, and show as camouflage where it is more than the exemplar's."),
         texture_row("exemplar_slow_power", "uneven light of the exemplar", "of the power", neither, three,
-                    "The same of the exemplar itself."),
+                    "The share of the exemplar's own power at frequencies below one over two tiles."),
         texture_row(
             "border_joints", "joints a border", "pairs of pixels", lower, three,
             "Over the border of two tiles that fit, pixels whose sources are no neighbours, as the shared colours "

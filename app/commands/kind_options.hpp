@@ -69,7 +69,7 @@ public:
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
 
-    /// Returns the command that makes the points again, for a comment in their file, and behind it `what` they are, as
+    /// Returns the command that makes the points again, for a comment in their file, followed by `what` they are, as
     /// a comment of the shell. Options that change no point are left out.
     std::string command_comment(const std::string& what) const;
 

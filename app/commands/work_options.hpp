@@ -59,8 +59,8 @@ private:
     bool quiet_ = false;
 };
 
-/// Returns the comment of a file of points: the command of these words that makes them again, quoted as a shell needs
-/// it, and behind it `what` they are, as a comment of the shell.
+/// Returns the comment of a point file: the command with these words, quoted for a shell, that makes the points again,
+/// followed by `what` as a shell comment that describes them.
 std::string command_comment(const std::string& command, const std::vector<std::string>& words, std::uint64_t seed,
                             const std::string& what);
 

@@ -81,7 +81,7 @@ bool fits_globe(const Extent& extent)
 
 std::string degrees_words(const Extent& extent, const PointOptions& options)
 {
-    std::string words = "are longitude and latitude, whose degrees are no lengths: ";
+    std::string words = "are longitude and latitude in degrees, which are not lengths: ";
     if (*options.region != '\0' && extent.dimension() == 2)
         words += fmt::format("a region of the globe maps them to metres, such as {} with {}, or a file of GeoJSON; ",
                              fitting_rectangle(extent, options), options.crs);

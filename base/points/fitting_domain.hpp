@@ -41,9 +41,9 @@ private:
 /// neighbours at most, since a set says no more of the torus that it is from.
 CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t points, std::size_t dimension);
 
-/// The end of a message about numbers that are not all in `range`: where they lie, and the option that would fit. Empty
-/// where they are, or where no option is there. `may_be_degrees`: it says what longitude and latitude need, as it does
-/// of numbers that are small and far from 0.
+/// Returns the end of a message about numbers that are not all in `range`: where they lie, and the option that fits.
+/// It is empty if all are in the range or if there is no option. It also says how to read longitude and latitude, if
+/// `may_be_degrees` is set and the numbers fit the globe, or if they are close together and far from 0.
 std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options,
                           bool may_be_degrees = false);
 

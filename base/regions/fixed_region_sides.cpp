@@ -17,8 +17,9 @@ bool has_position(const FixedBox& box, std::uint32_t x, std::uint32_t y)
     return x >= box.low[0] && x <= box.high[0] && y >= box.low[1] && y <= box.high[1];
 }
 
-/// The side of a box in a cell whose lowest corner, moved by (e^2, e), is inside or not, where there are no margins.
-/// Nothing where an edge ends in the cell or is a line to keep away from: of others only their lines matter.
+/// Returns the side of a box in a cell of a region without margins. `is_corner_inside` says whether the cell's lowest
+/// corner, moved by (e^2, e), is inside. Returns nothing if an edge ends in the cell or is a line to keep away from;
+/// all other edges cross the whole cell, so that only their lines matter.
 std::optional<RegionSide> side_in_cell(const FixedBox& box, const FixedBox& cell, std::span<const FixedEdge> edges,
                                        bool is_corner_inside)
 {

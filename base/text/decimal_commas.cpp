@@ -61,7 +61,7 @@ std::string unit_words(std::string_view text)
     double value = 0;
     if (end == all.npos || !parse_number(all.substr(0, end + 1), value)) return {};
     if (std::ranges::find(units, trimmed(all.substr(end + 1))) == units.end()) return {};
-    return fmt::format("; numbers have no unit: must be {}", all.substr(0, end + 1));
+    return fmt::format("; this number takes no unit: write {}", all.substr(0, end + 1));
 }
 
 }

@@ -1,5 +1,5 @@
-// What a series of sets in a region measures in the place of what is defined on the torus: nearest distances, the
-// spectrum and its errors, and the curves of region_curves.hpp.
+// Measures a series of sets in a region, where measures of the torus are not defined: nearest distances, the spectrum
+// and its errors, and the curves of region_curves.hpp.
 #pragma once
 
 #include "analysis/measures/distance_statistics.hpp"
@@ -28,7 +28,7 @@ public:
     /// The least and the mean distance of points from their nearest ones, in roots of the region's area.
     virtual NearestDistances nearest(const PointSet& points) const = 0;
 
-    /// Lets an estimate of that size have the region's periodograms.
+    /// Prepares the estimate, whose spectrum has `size` frequencies along each axis, for periodograms of the region.
     virtual void start_spectrum(SpectrumEstimate& estimate, int size, PeriodogramMethod method) = 0;
 
     /// Adds a set to the estimate. With the tapers of a region, each taper counts as a set of its own.
@@ -46,7 +46,7 @@ public:
     virtual void leave_out_curves() = 0;
     virtual bool has_curves() const = 0;
 
-    // These do nothing without curves, and else what those of RegionCurves do.
+    // Without curves, the following functions do nothing; with curves, they do what the functions of RegionCurves do.
     virtual void add(const PointSet& points, const std::string& name) = 0;
     virtual void append(const RegionSeries& next) = 0;
     virtual std::vector<RegionCurveRow> rows() const = 0;

@@ -47,9 +47,9 @@ void check_set(const SetShape& set, const std::string& place, const SetShape& fi
         throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, set.dimension, first_place,
                                      first.dimension));
     if (set.points != first.points)
-        throw InputError(fmt::format("{}: has {} points where {} has {}: realizations must have the same number; sets "
-                                     "of several methods are analysed one at a time, or as [[method]] tables of a "
-                                     "config",
+        throw InputError(fmt::format("{}: has {} points where {} has {}: realizations must have the same number of "
+                                     "points; analyze sets of several methods one at a time, or as [[method]] tables "
+                                     "of a config",
                                      place, set.points, first_place, first.points));
 }
 

@@ -74,7 +74,7 @@ std::uint64_t levels_in_reach(const RelaxationDartThrowingRequest& request)
 }
 std::uint64_t levels_of_table(const RelaxationDartThrowingRequest& request) { return 8 * levels_in_reach(request); }
 
-/// What kernels know as REGION: 2 where darts fall into squares.
+/// Returns the value of REGION for kernels: 2 if darts fall into squares, 1 in other regions, 0 on the torus.
 int region_kind(const RelaxationDartThrowingRequest& request)
 {
     return request.is_in_squares() ? 2 : int{has_land(request)};

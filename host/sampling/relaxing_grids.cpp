@@ -20,7 +20,7 @@ std::uint32_t folded_bits(std::size_t points) { return static_cast<std::uint32_t
 /// quarter of the points costs more, with all points to be entered anew, than darts that it decides.
 constexpr double table_cells_a_point = 1.5;
 
-/// Around squares more of them are beside darts that fail whatever the table says.
+/// A table around squares gets half as many cells: more of its cells lie where darts fail without the table.
 constexpr double table_cells_a_point_in_squares = table_cells_a_point / 2;
 
 /// Parts of the table: more leave fewer darts undecided, and fit the caches less.
@@ -42,7 +42,7 @@ double filled_part(const RelaxationDartThrowingRequest& request)
     return request.space->volume() / (squares * std::pow(request.space->unit() * std::exp2(request.cubes->shift), 3));
 }
 
-/// Of cells of the table those count where darts fall inside.
+/// Returns limits for a table around squares, which counts only cells where darts fall into the region.
 GridLimits limits_in_squares(const RelaxationDartThrowingRequest& request)
 {
     const double cells = table_cells_a_point_in_squares * static_cast<double>(request.points) /

@@ -33,18 +33,18 @@ TextureChoice better_texture(const TilingJudgement& together, const TilingJudgem
 {
     const auto novelty = [](const TilingJudgement& kept, const TilingJudgement& other) {
         return kept.novelty[1] && other.novelty[1]
-                   ? fmt::format("novelty {:.1f} % against {:.1f} %", 100 * *kept.novelty[1], 100 * *other.novelty[1])
-                   : std::string("no novelty, as the picture is small");
+                   ? fmt::format("with {:.1f} % of new patches against {:.1f} %", 100 * *kept.novelty[1],
+                                 100 * *other.novelty[1])
+                   : std::string("without a count of new patches, as the picture is too small");
     };
     if (is_broken(together, apart, edge, size))
-        return {false,
-                fmt::format("Fitted one after another, {}: chosen together, features of {} pixels break at edges "
-                            "of {}",
-                            novelty(apart, together), together.feature, edge)};
+        return {false, fmt::format("Fitted one after another, {}: in the set that is chosen together, features of {} "
+                                   "pixels break at edges of {} pixels",
+                                   novelty(apart, together), together.feature, edge)};
     if (is_uneven(together, apart))
         return {false,
-                fmt::format("Fitted one after another, {}: chosen together, light that changes over more than a "
-                            "tile has {:.1f} % of the power, {:.1f} % in the picture",
+                fmt::format("Fitted one after another, {}: in the set that is chosen together, light that changes "
+                            "over more than a tile has {:.1f} % of the power; in the picture it has {:.1f} %",
                             novelty(apart, together), 100 * together.slow->tiling, 100 * together.slow->exemplar)};
     return {true, fmt::format("Chosen together, {}", novelty(together, apart))};
 }

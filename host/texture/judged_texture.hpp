@@ -16,10 +16,10 @@ struct TextureChoice
     std::string words; ///< the sentence that says which one is kept, and why
 };
 
-/// Chooses between a set that is chosen together and one whose pieces are fitted one after another. The latter is kept
-/// where the other one has more new patches and its edges, `edge` pixels wide, are narrower than features, which break
-/// there, unless these are larger than half of a tile of `size` pixels and break in both; or where the light of the
-/// other one changes over more than a tile by far more than the exemplar's.
+/// Chooses between a set that is chosen together and one whose pieces are fitted one after another. It keeps the latter
+/// in two cases. In the first, the set that is chosen together has more new patches, and its edges, `edge` pixels wide,
+/// are narrower than features, which break there; features larger than half of a tile of `size` pixels break in both
+/// sets and do not count. In the second, it has much more uneven light than the exemplar, and more than the other set.
 TextureChoice better_texture(const TilingJudgement& together, const TilingJudgement& apart, int edge, int size);
 
 }

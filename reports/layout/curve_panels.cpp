@@ -73,7 +73,8 @@ std::string slope_caption(const ReportSeries& series)
     if (series.stored->region)
         return "The region's boundary decides the lowest frequencies: they have no slope of the set's own.";
     const auto law = lowest_power_law(series);
-    if (!law && !lowest_fit(series)) return "Too little power, or too few rings at low frequencies, for a slope.";
+    if (!law && !lowest_fit(series))
+        return "There is too little power, or there are too few rings, at low frequencies to fit a slope.";
     auto text =
         law ? fmt::format("Dashed: from frequency {} to {} the power is proportional to the frequency to the power of "
                           "{}.",

@@ -42,9 +42,9 @@ void add_frequency_panels(const SeriesList& series, std::vector<Panel>& panels)
              "is hyperuniform, one that falls off a cliff is stealthy, one that levels out keeps noise at "
              "all scales."});
         panels.push_back({"anisotropy-all", together(anisotropy_comparison(curves, unit)), "Anisotropy", over,
-                          "A curve on the dashed line looks the same in every direction, as far as <i>K</i> sets can "
-                          "tell. Where it climbs above the line, directions differ: the mark of a grid or of repeated "
-                          "tiles."});
+                          "Sets whose curve lies on the dashed line look the same in every direction, as far as "
+                          "<i>K</i> sets can show. Where a curve rises above the line, directions differ, as they do "
+                          "with a grid or with repeated tiles."});
     }
     if (principal.size() > 1)
         panels.push_back(
@@ -138,8 +138,8 @@ std::vector<Panel> gallery_panels(const SeriesList& series, const std::vector<co
             {"structure-factor-gallery", together(structure_factor_plot(curves, unit)), "Structure factor",
              beside + ", both axes logarithmic", guide},
             {"anisotropy-gallery", together(anisotropy_comparison(curves, unit)), "Anisotropy", beside,
-             std::string(guide) + " The mean of <i>K</i> spectra has −10 log₁₀ <i>K</i> dB by chance alone: where "
-                                  "<i>K</i> differs, curves are shown above that."}};
+             std::string(guide) + " The mean of <i>K</i> spectra has −10 log₁₀ <i>K</i> dB by chance alone. Where "
+                                  "<i>K</i> differs, curves are drawn relative to that level."}};
 }
 
 std::vector<Panel> integration_panels(const SeriesList& series)

@@ -88,8 +88,8 @@ TEST(Analyze, UnequalSizesAreAnError)
     const Outcome outcome = run_program(folder.path(), {"analyze", "a.txt", "b.txt", "--out", "mine"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.error, "poissonlab: error: b.txt: has 1 points where a.txt has 2: "
-                             "realizations must have the same number; sets of several methods are "
-                             "analysed one at a time, or as [[method]] tables of a config\n");
+                             "realizations must have the same number of points; analyze sets of several "
+                             "methods one at a time, or as [[method]] tables of a config\n");
     EXPECT_FALSE(fs::exists(folder.path() / "mine"));
 }
 

@@ -134,8 +134,8 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
     const PointSet points = read_points(folder_.path() / "dots.npy").at(0);
     EXPECT_EQ(points.size(), 200U);
     for (const double coordinate : points.coordinates) EXPECT_LE(coordinate, 0.5);
-    // The file for plotters has a circle for each, all of them on the sheet. The area of 2 pixels, 2 mm wide, has a
-    // radius of 1.596 mm; dots that reach beyond the picture make the sheet larger, by two radii at most.
+    // The file for plotters has a circle for each point, and all circles lie on the sheet. A disk with the area of two
+    // pixels of 2 mm has a radius of 1.596 mm. The picture shrinks to leave room for dots that reach beyond it.
     const std::string svg = content_of(folder_.path() / "dots.svg");
     EXPECT_THAT(svg, HasSubstr("width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\""));
     std::size_t circles = 0;

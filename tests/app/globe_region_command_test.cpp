@@ -133,8 +133,8 @@ TEST_F(GlobeRegionFiles, AreMeasuredInMetres)
     const Outcome refused = run({"analyze", "a.csv"});
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.error,
-                HasSubstr("a.csv:1: longitude, latitude: are longitude and latitude, whose degrees are no "
-                          "lengths: a region of the globe maps them to metres, such as --region "
+                HasSubstr("a.csv:1: longitude, latitude: are longitude and latitude in degrees, which are "
+                          "not lengths: a region of the globe maps them to metres, such as --region "
                           "'rectangle 4.7 50.86 4.71 50.87' with --set analysis.crs=EPSG:4326"));
     const Outcome measured = run({"analyze", "a.csv", "--region", "rectangle 4.70 50.86 4.71 50.87", "--set",
                                   "analysis.crs=EPSG:4326", "--set", "analysis.envelope=0", "--quiet"});

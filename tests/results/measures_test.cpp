@@ -51,7 +51,7 @@ TEST(Catalogue, NamesExponentsOfPowerLawsOnly)
     EXPECT_FALSE(said(1.9, 0.02, true));
 }
 
-/// Of 1,000 random points, sets differ by 1.65 % of their mean nearest distance.
+/// Sets of 1,000 random points have mean nearest distances with a standard deviation of 1.65 %.
 TEST(Mixture, IsToldOfWhereSetsDifferFarMoreThanRandomOnes)
 {
     const auto said = [](double deviation) {
@@ -62,7 +62,7 @@ TEST(Mixture, IsToldOfWhereSetsDifferFarMoreThanRandomOnes)
         return mixture_words(series);
     };
     EXPECT_EQ(said(0.06), "");
-    EXPECT_THAT(said(0.07), HasSubstr("mean nearest distances is 7 %, that of sets of random points 1.7 %"));
+    EXPECT_THAT(said(0.07), HasSubstr("mean nearest distances is 7 %; sets of random points have 1.7 %"));
 }
 
 TEST(Catalogue, KnowsAllNumbersThatAreStored)

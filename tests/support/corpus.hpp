@@ -16,7 +16,7 @@
 
 namespace poissonlab::test {
 
-/// What right.txt says: `count` numbers by the name of a file, from the folder on.
+/// Returns the `count` numbers that right.txt has for each file, by its path within the folder.
 inline std::map<std::string, std::vector<double>> right_numbers(const std::filesystem::path& folder, std::size_t count)
 {
     const std::string text = read_whole_file(folder / "right.txt");

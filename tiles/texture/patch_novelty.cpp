@@ -145,7 +145,8 @@ struct PatchNovelty::Parts
         return found;
     }
 
-    /// The distance that natural_novelty of the patches of each half have at least from the other half.
+    /// Returns the squared distance that a share of natural_novelty of the patches exceeds, measured from each half to
+    /// the other half.
     float natural_threshold(int width, int height) const
     {
         const bool is_wide = width >= height;
@@ -174,7 +175,7 @@ struct PatchNovelty::Parts
         return distances[std::min(known_count, distances.size()) - 1];
     }
 
-    /// Patches of a half in rows and columns that are as far from each other as keeps their number small.
+    /// Returns those patches of a half whose rows and columns are a step apart; the step keeps their number small.
     std::vector<std::size_t> sparse(const std::vector<std::size_t>& patches) const
     {
         const auto columns = static_cast<std::size_t>(grid.columns);

@@ -1,12 +1,12 @@
 // How many patches of a picture are like nothing in its exemplar: fused shapes, mosaics and broken outlines, which
 // measures of single seams do not see, and which no cut makes fewer on purpose.
 //
-// Patches are squares in orthonormal opponent colours (of one channel: grey). Of their orthonormal cosine transform the
-// coefficients are compared that vary most in the exemplar: the largest distances of all patches by as many numbers, or
-// nearly, as principal components of natural pictures are close to these cosines (Ahmed, Natarajan, Rao, Discrete
-// Cosine Transform, 1974). Non-parametric samplers ask for the nearest neighbourhood in the same way (Efros and Leung
-// 1999). What is near is said by the exemplar itself: as near as 90 % of the patches of one of its halves are to the
-// other half.
+// Patches are squares in orthonormal opponent colours (with one channel: grey). The distance of two patches compares
+// those coefficients of their orthonormal cosine transform that vary most in the exemplar. No other choice of as many
+// numbers keeps much more of the distance, because principal components of natural pictures are close to these cosines
+// (Ahmed, Natarajan, Rao, Discrete Cosine Transform, 1974). Non-parametric samplers search for the nearest
+// neighbourhood in the same way (Efros and Leung 1999). The exemplar itself defines which distances are small: those
+// that 90 % of the patches of one of its halves have from the other half.
 #pragma once
 
 #include "base/images/png_file.hpp"
@@ -52,7 +52,7 @@ private:
     std::unique_ptr<const Parts> parts_;
 };
 
-/// True if both halves of a picture have room for 4 x 4 patches that do not overlap, half of them.
+/// True if 4 x 4 patches fit into the picture side by side, and so half of them into each of its halves.
 bool patch_fits(const PngPixels& exemplar, int side);
 
 }

@@ -9,8 +9,8 @@
 namespace poissonlab {
 namespace {
 
-/// Pixels along the sides of the tiling that is judged, within which there are whole tiles, at least four; patches
-/// along its sides.
+/// The tiling that is judged has about judged_pixels along each side, in whole tiles, at least four; about
+/// judged_patches patches along each side are compared.
 constexpr int judged_pixels = 1024, judged_patches = 128;
 
 /// Sums of all values above and to the left, with a row and a column of zeros.
@@ -60,7 +60,7 @@ double variance_of_squares(const PngPixels& picture, const SummedArea& sums, int
 
 int odd(int side) { return side / 2 * 2 + 1; }
 
-/// The root of a pixel's part, which is shortened on the way.
+/// Returns the root of a pixel's part, and shortens the path to it.
 std::size_t root_of(std::vector<std::size_t>& parents, std::size_t i)
 {
     while (parents[i] != i) i = parents[i] = parents[parents[i]];

@@ -48,8 +48,8 @@ private:
     std::array<std::optional<PatchNovelty>, 3> patches_;
 };
 
-/// The number of parts of a picture that are whole in the exemplar, in which neighbours are neighbours there, that have
-/// fewer than so many pixels and do not touch the picture's border. Sources row by row.
+/// Counts the fragments of a picture that have fewer than `pixels` pixels and do not touch its border. A fragment is a
+/// connected set of pixels whose neighbours are neighbours in the exemplar as well. `sources` lists pixels row by row.
 std::size_t small_fragments(std::span<const SourcePixel> sources, int width, std::size_t pixels);
 
 }

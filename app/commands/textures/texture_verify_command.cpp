@@ -19,11 +19,11 @@ all rings with the same colours are the same, and all pixels those of their plac
 of exemplars with more than 8 bits, bit for bit. Exit status 2 if anything is not so.
 Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
-larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line is that between two columns
-or rows of a tile.
-A tiling by seed 1 is compared with the exemplar, by what cuts do not look at: patches are new where they are less like all
-of the exemplar than 90 % of the patches of one of its halves are like the other half; fragments are parts of the exemplar
-that are smaller than what it shows.)";
+larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line runs between two columns
+or two rows of a tile.
+A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
+from all patches of the exemplar is larger than that of 90 % of the patches in one half of the exemplar from the other
+half. Fragments are connected pieces of the exemplar that are smaller than its features.)";
 
 struct TextureVerifyOptions
 {
@@ -116,7 +116,8 @@ void verify_texture(const TextureVerifyOptions& options)
         "exemplar is shown\n",
         seams.pairs_a_tile, set.is_smoothed ? " before smoothing" : "", seams.mismatch, seams.excess,
         100 * seams.conspicuous, 100 * seams.natural, seams.longest_run, 100 * seams.coverage);
-    fmt::print("Over a line of a tile {:.1f} % of the pairs are seams, {:.1f} % at most; longest straight seam {}\n",
+    fmt::print("On average {:.1f} % of the pairs across a line of a tile are seams, at most {:.1f} %; the longest "
+               "straight seam has {} pixels\n",
                100 * seams.mean_line, 100 * seams.largest_line, seams.longest_line);
     print_judgement(judge, found);
     for (const auto& [file, pixels] : companions)

@@ -44,10 +44,9 @@ void joint_keys(Keys& keys, TextureRequest& r)
     keys.flag("joint", asked,
               "choose patches and cuts for all tiles together, in some twenty times the time; corners of Wang tiles "
               "fit by it")
-        .otherwise(fmt::format("auto, which makes tiles with corners both ways, judges them and keeps the better set, "
-                               "and Wang tiles together: for at most {} tiles and {} pixels, "
-                               "but not with other stages, weight or cut than the default, nor with overlap, smooth or "
-                               "marked_exemplar",
+        .otherwise(fmt::format("auto, which makes corner and omega tiles in both ways and keeps the better set, and "
+                               "chooses Wang tiles together; with more than {} tiles or {} pixels, with stages, weight "
+                               "or cut other than the default, and with overlap, smooth or marked_exemplar it is false",
                                most_tiles_together, most_pixels_together));
     const bool is_automatic = keys.is_read() && !asked && is_joint_by_default(r) && !keys.is_given("overlap") &&
                               !keys.is_given("marked_exemplar");

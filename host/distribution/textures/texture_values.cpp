@@ -27,7 +27,7 @@ void add_seam_values(const TextureSet& set, double tiles, TextureValues& values)
     values["coverage"] = seams.coverage;
 }
 
-/// What cuts do not optimise; exemplars side by side are none of which a half could be like the other.
+/// Adds measures that cuts do not optimise. Sets of several exemplars side by side have none, as their halves differ.
 void add_judgement(const TextureSet& set, std::uint64_t seed, TextureValues& values)
 {
     if (set.classes > 1) return;

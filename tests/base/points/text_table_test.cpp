@@ -136,7 +136,7 @@ TEST(TextTable, RefusesColumnsOfDegreesWhereLengthsAreMeasured)
     for (const char* names : {"lon,lat", "Longitude,Latitude", "lng,lat"})
         for (const char* numbers : {"4.35,50.85\n4.36,50.84\n", "0.35,0.85\n0.36,0.84\n"})
             EXPECT_THAT(input_error_of("a.csv", std::string(names) + "\n" + numbers),
-                        HasSubstr("are longitude and latitude, whose degrees are no lengths"))
+                        HasSubstr("are longitude and latitude in degrees, which are not lengths"))
                 << names;
     EXPECT_THAT(input_error_of("a.csv", "lon,lat\n104300,50850\n4,5\n"), HasSubstr("must be a number in [0, 1)"))
         << "no place on the globe";

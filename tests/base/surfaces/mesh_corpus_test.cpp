@@ -39,7 +39,7 @@ Extent extent_of(const TriangleMesh& mesh)
 
 const std::filesystem::path mesh_corpus = std::filesystem::path(source_folder()) / "tests/base/surfaces/meshes";
 
-/// By the names of meshes what right.txt says, as Extent has it.
+/// Returns the numbers of right.txt by the names of meshes, in the order of Extent.
 std::map<std::string, std::vector<double>> right_meshes() { return test::right_numbers(mesh_corpus, 5); }
 
 void expect_extent(const TriangleMesh& mesh, const std::vector<double>& numbers)

@@ -20,7 +20,7 @@ TEST(DecimalCommas, AreNamedWithThePointThatIsMeant)
     EXPECT_EQ(decimal_comma_words("0,5+x"), "; the comma of \"0,5\" is no decimal point: must be 0.5");
     EXPECT_EQ(decimal_comma_words("min(x, y)"), "");
     for (const char* text : {"4m", " 4 mm", "4px", "4 %"})
-        EXPECT_EQ(decimal_comma_words(text), "; numbers have no unit: must be 4") << text;
+        EXPECT_EQ(decimal_comma_words(text), "; this number takes no unit: write 4") << text;
     for (const char* text : {"4", "m", "4x", "", "1e5", "0x4m"}) EXPECT_EQ(unit_words(text), "") << text;
 }
 

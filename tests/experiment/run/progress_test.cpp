@@ -43,7 +43,7 @@ private:
     std::chrono::steady_clock::time_point now_;
 };
 
-/// What is printed while `work` tells of its progress, by a clock that it sets.
+/// Returns what is printed while `work` reports its progress, with a clock that `work` sets.
 template <typename Work>
 std::string printed(Progress::Style style, const Work& work)
 {

@@ -44,8 +44,8 @@ TEST(ImportedPoints, UnequalSizesNameBothPlaces)
                   import_points({a, b}, "");
               }),
               b + ": realization 2: has 1 points where " + a +
-                  " has 2: realizations must have the same number; sets of several methods are "
-                  "analysed one at a time, or as [[method]] tables of a config");
+                  " has 2: realizations must have the same number of points; analyze sets of several methods "
+                  "one at a time, or as [[method]] tables of a config");
 }
 
 TEST(ImportedPoints, AllSetsHaveTheDimensionOfTheFirst)

@@ -29,27 +29,28 @@ TEST(JudgedTexture, KeepsWhatIsBetter)
         return better_texture(together, apart, 8, 64);
     };
     EXPECT_EQ(choice(judgement(0.024, 8, 0.1), judgement(0.007, 8, 0.1)).words,
-              "Chosen together, novelty 2.4 % against 0.7 %");
+              "Chosen together, with 2.4 % of new patches against 0.7 %");
     const TextureChoice broken = choice(judgement(0.024, 9, 0.1), judgement(0.007, 9, 0.1));
     EXPECT_FALSE(broken.is_together);
     EXPECT_EQ(broken.words,
-              "Fitted one after another, novelty 0.7 % against 2.4 %: chosen together, features of 9 pixels break at "
-              "edges of 8");
+              "Fitted one after another, with 0.7 % of new patches against 2.4 %: in the set that is chosen together, "
+              "features of 9 pixels break at edges of 8 pixels");
     EXPECT_TRUE(choice(judgement(0.007, 9, 0.1), judgement(0.024, 9, 0.1)).is_together) << "it has fewer new patches";
     EXPECT_FALSE(choice(judgement(0.024, 32, 0.1), judgement(0.007, 32, 0.1)).is_together);
     EXPECT_TRUE(choice(judgement(0.024, 33, 0.1), judgement(0.007, 33, 0.1)).is_together) << "half of a tile";
     const TextureChoice uneven = choice(judgement(0.01, 8, 0.151), judgement(0.02, 8, 0.05));
     EXPECT_FALSE(uneven.is_together);
-    EXPECT_THAT(uneven.words, HasSubstr("has 15.1 % of the power, 10.0 % in the picture"));
+    EXPECT_THAT(uneven.words, HasSubstr("has 15.1 % of the power; in the picture it has 10.0 %"));
     EXPECT_TRUE(choice(judgement(0.01, 8, 0.149), judgement(0.02, 8, 0.05)).is_together);
     EXPECT_TRUE(choice(judgement(0.01, 8, 0.2), judgement(0.02, 8, 0.3)).is_together) << "the other one is worse";
     TilingJudgement small = judgement(0, 9, 0.1);
     small.novelty[1].reset();
-    EXPECT_EQ(choice(small, small).words, "Chosen together, no novelty, as the picture is small");
+    EXPECT_EQ(choice(small, small).words,
+              "Chosen together, without a count of new patches, as the picture is too small");
 }
 
-/// What is kept is what the same request makes in the one way or the other: noise together, and leaves that are larger
-/// than edges one piece after another.
+/// The set that is kept has the bytes that its construction alone makes: the joint one for noise, and the one that fits
+/// one piece after another for leaves that are larger than edges.
 TEST(JudgedTexture, IsASetOfOneConstruction)
 {
     TextureRequest request;
