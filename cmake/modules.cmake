@@ -16,6 +16,7 @@ set(lab_needs_of_regions methods)
 set(lab_needs_of_large_sets methods)
 set(lab_needs_of_other_tiles methods tiles)
 set(lab_needs_of_distributions methods)
+set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods)
 set(lab_needs_of_surface_textures methods distributions textures surfaces)
 

@@ -37,19 +37,6 @@ PageData tiling_section(const ReportTiling& /*tiling*/, std::size_t /*index*/, c
     throw MissingModule(module_of_tiles);
 }
 
-PageData distribution_section(const ReportDistribution& /*distribution*/, const std::string& /*anchor*/,
-                              const std::filesystem::path& /*from*/, PageNumbers /*numbers*/)
-{
-    throw MissingModule(module_of_tiles);
-}
-
-void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& /*from*/)
-{
-    if (!run.distributions.empty()) throw MissingModule(module_of_tiles);
-    for (const char* field : {"texture_groups", "has_textures", "has_texture_tables", "texture_notes"})
-        page.set(field, false);
-}
-
 PageData construction_section(const ReportConstruction& /*construction*/, std::size_t /*index*/,
                               const std::filesystem::path& /*from*/)
 {

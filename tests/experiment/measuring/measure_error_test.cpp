@@ -65,8 +65,12 @@ struct Calibration
     void add(const Series& series, const SeriesAnalysis& analysis, const Spectrum& mean)
     {
         for (const Measure& measure : poissonlab::measures())
-            if (const auto value = measure.get(series); value && value->standard_error)
+            if (const auto value = measure.get(series);
+                value && value->standard_error && measure.key != "low_frequency_exponent")
                 measures[measure.key].add(value->value, value->standard_error);
+        // The catalogue leaves out exponents that mean nothing: those that are left out have right errors as well.
+        if (const auto& fit = series.measures.low_frequency_power)
+            measures["low_frequency_exponent"].add(fit->exponent, fit->exponent_standard_error);
         for (const RadialBin& bin : analysis.radial_curve(mean))
             curves["power"][bin.frequency].add(bin.power, bin.power_error);
         for (const PairCorrelationBin& bin : analysis.pair_correlation())

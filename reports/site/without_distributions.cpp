@@ -1,0 +1,21 @@
+// These functions stand in for pages of distributions where a program has no module that makes any: results that have
+// some ask for the module.
+#include "base/errors/missing_module.hpp"
+#include "reports/pages/page_parts.hpp"
+
+namespace poissonlab {
+
+PageData distribution_section(const ReportDistribution& /*distribution*/, const std::string& /*anchor*/,
+                              const std::filesystem::path& /*from*/, PageNumbers /*numbers*/)
+{
+    throw MissingModule("regions");
+}
+
+void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& /*from*/)
+{
+    if (!run.distributions.empty()) throw MissingModule("regions");
+    for (const char* field : {"texture_groups", "has_textures", "has_texture_tables", "texture_notes"})
+        page.set(field, false);
+}
+
+}
