@@ -19,8 +19,8 @@ bool mixes_separators(std::string_view text, std::size_t count, std::size_t grou
 /// unit_words(); empty where it has neither.
 std::string decimal_comma_words(std::string_view text);
 
-/// The end of a message about a text that is a number with a unit, `; this number takes no unit: write 4` of "4m"; empty for
-/// others.
+/// The end of a message about a text that is a number with a unit, `; this number takes no unit: write 4` of "4m";
+/// empty for others.
 std::string unit_words(std::string_view text);
 
 }

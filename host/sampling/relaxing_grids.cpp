@@ -57,7 +57,7 @@ GridLimits limits_in_squares(const RelaxationDartThrowingRequest& request)
     };
     // From cells that are as wide as squares on.
     int bits = 32 - with_squares(request, [](const auto& all) { return all.shift; });
-    const int most_bits = 32 - cover_bits_in(request.dimension);
+    const int most_bits = std::min(24, 32 - cover_bits_in(request.dimension)); // UNIT_BITS of the kernel is positive
     while (bits > 1 && is_too_fine(bits)) --bits;
     while (bits < most_bits && !is_too_fine(bits + 1)) ++bits;
     return {bits, cover_bits_in(request.dimension), most_folded_cells, folded_bits(request.points), parts(bits)};

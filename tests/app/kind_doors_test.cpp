@@ -161,14 +161,13 @@ TypedWords good_words(const KeySpec& spec)
 {
     const ParameterSpec& value = spec.value;
     if (!spec.parts.empty()) return TypedWords(spec.count, "1");
+    if (value.kind == ValueKind::boolean) return {"true"};
     if (!spec.own.empty()) return {spec.is_file ? "grey.pgm" : "1"};
     if (spec.is_spread) return {fmt::format("{}", (value.minimum + std::min(value.maximum, value.minimum + 1)) / 2)};
     if (spec.is_region) return {"rectangle 0 0 9 9"};
     if (spec.is_formula) return {"0.5"};
     if (spec.is_file) return {"grey.pgm"};
     switch (value.kind) {
-    case ValueKind::boolean:
-        return {"true"};
     case ValueKind::choice:
         return {value.choices.back()};
     case ValueKind::sampler:

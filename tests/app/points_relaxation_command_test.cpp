@@ -129,8 +129,9 @@ TEST_F(PointsLloydCommand, HasAPlainTwin)
         made_as_a_whole(lloyd_, with_values(lloyd_, {{"iterations", std::int64_t{3}}}), 300, 2, Engine::reference));
     const std::string json = printed("--points 300 --iterations 3 --seed 3 --json --out a.txt");
     EXPECT_THAT(json, HasSubstr("\"iteration\": 3,"));
-    EXPECT_THAT(content_of(folder_.path() / "a.txt"),
-                HasSubstr("points lloyd --seed 3: iterate 3, relative radius 0."));
+    EXPECT_THAT(
+        content_of(folder_.path() / "a.txt"),
+        HasSubstr("points lloyd --points 300 --iterations 3 --seed 3 --out FILE # iterate 3, relative radius 0."));
 }
 
 /// The system counts what the process has had; the device's memory is the process's.

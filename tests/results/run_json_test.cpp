@@ -64,9 +64,19 @@ protected:
         series.background_anisotropy_db = -3.01;
         series.pair_correlation_file = file("pair-correlation.csv");
         series.folded_density = FoldedDensityFile{42, file("folded-density.exr")};
-        series.region = RegionResult{
-            "park.geojson",     320.5, 17.9, 2, 12, true, true, 39, 9, 1e-4, {"two polygons were united"}, file("region.csv"),
-            file("region.json")};
+        series.region = RegionResult{"park.geojson",
+                                     320.5,
+                                     17.9,
+                                     2,
+                                     12,
+                                     true,
+                                     true,
+                                     39,
+                                     9,
+                                     1e-4,
+                                     {"two polygons were united"},
+                                     file("region.csv"),
+                                     file("region.json")};
         series.iterations =
             Iterations{file("iterations.csv"), {2, 1}, {{1, 2}, {3, 4}, {5, 6}}, {{7, 8}, {9, 1}, {2, 3}}, {}};
         series.zone_plate = ZonePlateResult{8, file("zone-plate.exr"), file("zone-plate.csv"),

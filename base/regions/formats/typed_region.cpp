@@ -106,7 +106,8 @@ TypedRegion::TypedRegion(const std::string& text, bool is_along)
 {
     std::error_code unknown;
     const bool may_be_name =
-        text.size() <= longest_absent_name || (text.find('/') != text.npos && text.find_first_of("({\n") == text.npos);
+        text.size() <= longest_absent_name ||
+        (text.find('/') != text.npos && text.find_first_of("({<") == text.npos && printable(text) == text);
     const bool is_file = !is_region_text(text) && (may_be_name || std::filesystem::exists(text, unknown));
     name = is_file ? printable(text) : shortened(printable(text), 40);
     if (is_file && has_drawing_name(text)) {

@@ -111,6 +111,7 @@ private:
     struct Shares
     {
         double of_box = 0, of_darts = 0;
+        std::shared_ptr<const RegionSquares<FixedSpace>> cubes; ///< around the region, where darts fall into them
     };
 
     /// Random points, all of which are allowed, and what part that is.
@@ -118,7 +119,7 @@ private:
     {
         RegionCandidates found(space_, stream(purpose), area(), least_share_of_box);
         std::vector<TorusPoint<3>> places = found.next(count);
-        share = {found.share(), found.share_of_darts()};
+        share = {found.share(), found.share_of_darts(), found.squares()};
         if (places.empty()) fail_without_space(request_, settings_.place);
         if (places.size() < count)
             throw InputError(fmt::format(
@@ -158,7 +159,7 @@ private:
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.space = request_.space;
         if (area() == CandidateArea::squares)
-            request.cubes = std::make_shared<const RegionSquares<FixedSpace>>(squares_of(space_, most_region_squares));
+            request.cubes = share.cubes;
         RelaxationDarts darts;
         if (is_reference()) {
             darts = reference::throw_relaxation_darts(request);
