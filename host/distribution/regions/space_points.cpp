@@ -158,8 +158,7 @@ private:
         request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
         request.stream = stream(Purpose::relaxation_dart_throwing);
         request.space = request_.space;
-        if (area() == CandidateArea::squares)
-            request.cubes = share.cubes;
+        if (area() == CandidateArea::squares) request.cubes = share.cubes;
         RelaxationDarts darts;
         if (is_reference()) {
             darts = reference::throw_relaxation_darts(request);
