@@ -93,7 +93,7 @@ void add_value(nlohmann::json value, bool is_first, nlohmann::json& all)
 {
     if (!value.is_object()) throw InputError("must be an object of GeoJSON");
     const nlohmann::json system = value.value("crs", nlohmann::json());
-    if (is_first && !system.is_null()) all["crs"] = system;
+    if (is_first && value.contains("crs")) all["crs"] = system;
     if (all.value("crs", nlohmann::json()) != system)
         throw InputError("crs: must be the same on all lines, or on none");
     const nlohmann::json type = value.value("type", nlohmann::json());

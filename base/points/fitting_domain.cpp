@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -58,6 +59,41 @@ std::string fitting_rectangle(const Extent& extent, const PointOptions& options)
     return fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
 }
 
+constexpr CoordinateRange all_longitudes{-180, 180}, all_latitudes{-90, 90};
+
+CoordinateRange within(const CoordinateRange& range, const CoordinateRange& all)
+{
+    return {std::max(range.low, all.low), std::min(range.high, all.high)};
+}
+
+/// Degrees of the sphere that the corners of a rectangle may be from its middle: Lambert's azimuthal equal-area plane
+/// stretches lengths there by 1 / cos(45 / 2 degrees), 8 %. Regions may be stretched by 10 %, around a middle that is
+/// that of the plane and not that of the degrees.
+constexpr double farthest_corner = 45;
+
+bool fits_plane(const CoordinateRange& longitudes, const CoordinateRange& latitudes)
+{
+    constexpr double degree = std::numbers::pi / 180;
+    const double half = length_of(longitudes) / 2 * degree;
+    const double middle = (latitudes.low + latitudes.high) / 2 * degree;
+    return half <= std::numbers::pi / 2 &&
+           std::ranges::all_of(std::array{latitudes.low, latitudes.high}, [&](double y) {
+               const double cosine =
+                   std::sin(middle) * std::sin(y * degree) + std::cos(middle) * std::cos(y * degree) * std::cos(half);
+               return cosine >= std::cos(farthest_corner * degree);
+           });
+}
+
+/// The rectangle of longitudes and latitudes as the option of a region; empty if it is too large for a plane.
+std::string rectangle_of_globe(const Extent& extent, const PointOptions& options)
+{
+    CoordinateRange x = fitting_range(extent.longitudes(), extent.points(), 2);
+    if (extent.longitudes().high < all_longitudes.high) x = within(x, all_longitudes);
+    const CoordinateRange y = within(fitting_range(extent.along(1), extent.points(), 2), all_latitudes);
+    if (!fits_plane(x, y)) return {};
+    return fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
+}
+
 /// Returns true for places on the globe that are ten times as far from 0 as from each other.
 bool are_small_and_far(const Extent& extent)
 {
@@ -73,19 +109,32 @@ bool are_small_and_far(const Extent& extent)
 
 }
 
-bool fits_globe(const Extent& extent)
+bool fits_globe(const Extent& extent, double most)
 {
     const CoordinateRange &x = extent.along(0), &y = extent.along(1);
-    return extent.dimension() >= 2 && x.low >= -180 && x.high <= 180 && y.low >= -90 && y.high <= 90;
+    return extent.dimension() >= 2 && x.low >= all_longitudes.low && x.high <= most && length_of(x) <= 360 &&
+           y.low >= all_latitudes.low && y.high <= all_latitudes.high;
 }
 
-std::string degrees_words(const Extent& extent, const PointOptions& options)
+std::string degrees_words(const Extent& extent, const PointOptions& options, const std::string& lengths)
 {
     std::string words = "are longitude and latitude in degrees, which are not lengths: ";
-    if (*options.region != '\0' && extent.dimension() == 2)
-        words += fmt::format("a region of the globe maps them to metres, such as {} with {}, or a file of GeoJSON; ",
-                             fitting_rectangle(extent, options), options.crs);
-    return words + "columns of lengths are named x and y";
+    if (*options.region != '\0' && extent.dimension() == 2) {
+        const std::string rectangle = rectangle_of_globe(extent, options);
+        words += "a region of the globe maps them to metres, ";
+        words += rectangle.empty() ? "but a rectangle around all of them is too large for a plane; "
+                                   : fmt::format("such as {} with {}, or a file of GeoJSON; ", rectangle, options.crs);
+    }
+    return words + lengths;
+}
+
+CoordinateRange Extent::longitudes() const
+{
+    const auto& [east, west] = halves_;
+    const CoordinateRange straight{std::min(east.low, west.low), std::max(east.high, west.high)};
+    const CoordinateRange across{east.low, west.high + 360};
+    const bool has_both = east.low <= east.high && west.low <= west.high;
+    return has_both && length_of(across) < length_of(straight) ? across : straight;
 }
 
 std::size_t Extent::dimension() const
@@ -114,8 +163,7 @@ CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t poin
     return {round_number_below(numbers.low, high, near, far), high};
 }
 
-std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options,
-                          bool may_be_degrees)
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options)
 {
     const CoordinateRange all = extent.of_all();
     const std::size_t dimension = extent.dimension();
@@ -132,11 +180,10 @@ std::string fitting_words(const Extent& extent, const CoordinateRange& range, co
     if (!is_rectangle || least > 0.5 * length_of(cube))
         would_fit = fmt::format(fmt::runtime(options.domain), cube.low, cube.high);
     if (is_rectangle) would_fit += (would_fit.empty() ? "" : " or ") + fitting_rectangle(extent, options);
-    const bool has_remedy = dimension == 2 && *options.crs != '\0';
-    const bool are_degrees = has_remedy && (may_be_degrees ? fits_globe(extent) : are_small_and_far(extent));
+    const bool are_degrees = dimension == 2 && *options.crs != '\0' && are_small_and_far(extent);
     return fmt::format("; the numbers go from {:.6g} to {:.6g}: {} would fit{}", all.low, all.high, would_fit,
                        are_degrees ? fmt::format("; if they are longitude and latitude, {} with {}",
-                                                 fitting_rectangle(extent, options), options.crs)
+                                                 rectangle_of_globe(extent, options), options.crs)
                                    : "");
 }
 

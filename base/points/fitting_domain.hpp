@@ -20,12 +20,21 @@ public:
     {
         axes_[axis].low = std::min(axes_[axis].low, value);
         axes_[axis].high = std::max(axes_[axis].high, value);
-        points_ += axis == 0;
+        if (axis > 0) return;
+        ++points_;
+        const double longitude = value >= 180 ? value - 360 : value;
+        CoordinateRange& half = halves_[longitude < 0 ? 1 : 0];
+        half.low = std::min(half.low, longitude);
+        half.high = std::max(half.high, longitude);
     }
 
     std::size_t dimension() const;
     std::uint64_t points() const { return points_; }
     const CoordinateRange& along(std::size_t axis) const { return axes_[axis]; }
+
+    /// That of the first axis as longitudes, the shorter way around the globe: from -180 to 180, or, across the
+    /// antimeridian, on beyond 180.
+    CoordinateRange longitudes() const;
 
     /// That of the numbers along all axes together.
     CoordinateRange of_all() const;
@@ -34,6 +43,7 @@ private:
     static constexpr CoordinateRange nothing{std::numeric_limits<double>::infinity(),
                                              -std::numeric_limits<double>::infinity()};
     std::array<CoordinateRange, 3> axes_{nothing, nothing, nothing};
+    std::array<CoordinateRange, 2> halves_{nothing, nothing}; ///< of longitudes: the eastern and the western one
     std::uint64_t points_ = 0;
 };
 
@@ -43,14 +53,14 @@ CoordinateRange fitting_range(const CoordinateRange& numbers, std::uint64_t poin
 
 /// Returns the end of a message about numbers that are not all in `range`: where they lie, and the option that fits.
 /// It is empty if all are in the range or if there is no option. It also says how to read longitude and latitude, if
-/// `may_be_degrees` is set and the numbers fit the globe, or if they are close together and far from 0.
-std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options,
-                          bool may_be_degrees = false);
+/// the numbers are close together, far from 0 and fit the globe.
+std::string fitting_words(const Extent& extent, const CoordinateRange& range, const PointOptions& options);
 
-/// Could the numbers be longitudes and latitudes?
-bool fits_globe(const Extent& extent);
+/// Could the numbers be latitudes, and longitudes up to `most`? Some files have these from 0 to 360.
+bool fits_globe(const Extent& extent, double most = 180);
 
-/// What is wrong with columns of longitude and latitude, and the options that map these to lengths.
-std::string degrees_words(const Extent& extent, const PointOptions& options);
+/// What is wrong with longitude and latitude, and the options that map these to lengths; `lengths` says how a file
+/// marks lengths. No rectangle is suggested that a region of the globe cannot be.
+std::string degrees_words(const Extent& extent, const PointOptions& options, const std::string& lengths);
 
 }

@@ -71,7 +71,10 @@ void for_pieces_of_text(std::span<const double> coordinates, std::size_t axes, c
 void write_usd_points(const std::filesystem::path& path, int dimension, std::size_t points, const std::string& comment,
                       const std::function<void(const PointSink& sink)>& write);
 
-/// write_points_in_pieces() for .geojson, with the member `crs` if it is not empty.
+/// The member `crs` of lengths in a system that has no name.
+inline constexpr const char* crs_of_lengths = "null";
+
+/// write_points_in_pieces() for .geojson, with the member `crs` if it is not empty: without it, points are in degrees.
 void write_geojson_points(const std::filesystem::path& path, int dimension, const std::string& crs,
                           const std::string& comment, const std::function<void(const PointSink& sink)>& write);
 

@@ -10,6 +10,14 @@
 namespace poissonlab {
 namespace {
 
+/// Coordinates of GeoJSON are degrees, unless its member `crs` names another system than the standard's, or is null.
+bool are_degrees(const nlohmann::json& json)
+{
+    if (!json.contains("crs")) return true;
+    const std::string system = json["crs"].dump();
+    return system.find("CRS84\"") != system.npos || system.find(":4326\"") != system.npos;
+}
+
 class GeoJsonPoints
 {
 public:
@@ -20,7 +28,9 @@ public:
         const nlohmann::json json = parsed_geojson(file_.bytes, file_.name);
         add(json);
         if (set_.dimension == 0) fail_in_point_file(file_, 0, "GeoJSON", "must have a Point or a MultiPoint");
-        unit_.finish(!json.contains("crs"));
+        if (are_degrees(json))
+            unit_.check_degrees({0, "coordinates"}, 180, "\"crs\": null in the file says that they are lengths");
+        unit_.finish();
         if (left_out_ > 0)
             file_.tell(fmt::format("only its points are read; {} {} left out", left_out_,
                                    left_out_ == 1 ? "line or polygon is" : "lines and polygons are"));

@@ -1,6 +1,5 @@
 // Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or tables.
 #include "base/files/text_lines.hpp"
-#include "base/points/fitting_domain.hpp"
 #include "base/points/point_file_formats.hpp"
 #include "base/points/text_table.hpp"
 #include "base/points/unit_coordinates.hpp"
@@ -72,14 +71,12 @@ private:
                                        file_.domain[0].low, file_.domain[0].high));
     }
 
-    /// Numbers that keep their units may be mapped to a plane later.
     void check_degrees() const
     {
-        if (table_.degrees_line() == 0 || !fits_globe(units_.extent())) return;
-        if (file_.domain[0].high != any_coordinates.high)
-            fail_in_point_file(file_, table_.degrees_line(), table_.names_in_words(),
-                               degrees_words(units_.extent(), file_.options));
-        if (!file_.degrees_sentence.empty()) file_.tell(file_.degrees_sentence);
+        constexpr double most_longitude = 360;
+        if (table_.degrees_line() > 0)
+            units_.check_degrees({table_.degrees_line(), table_.names_in_words()}, most_longitude,
+                                 "columns of lengths are named x and y");
     }
 
     void add_point(std::string_view text, int line, std::string_view rest)

@@ -125,7 +125,7 @@ void write_points_in_pieces(const std::filesystem::path& path, int dimension, st
     if (has_known_places(path))
         return write_placed_points(path, {.dimension = dimension, .points = points, .comment = comment}, write);
     const auto extension = path.extension();
-    if (extension == ".geojson") return write_geojson_points(path, dimension, "", comment, write);
+    if (extension == ".geojson") return write_geojson_points(path, dimension, crs_of_lengths, comment, write);
     if (extension == ".dxf") return write_dxf_points(path, dimension, comment, write);
     if (extension == ".csv")
         return write_csv_points(path, dimension, dimension == 2 ? csv_header_2d : csv_header_3d, write);

@@ -36,12 +36,19 @@ void UnitCoordinates::fail(const Found& found, const std::string& more) const
                        allowed_coordinate(found.value, file_.domain[found.axis]) + more);
 }
 
-void UnitCoordinates::finish(bool may_be_degrees) const
+void UnitCoordinates::check_degrees(const CoordinatePlace& place, double most_longitude,
+                                    const std::string& lengths) const
+{
+    if (!fits_globe(extent_, most_longitude)) return;
+    if (file_.domain[0].high != any_coordinates.high)
+        fail_in_point_file(file_, place.line, place.value, degrees_words(extent_, file_.options, lengths));
+    if (!file_.degrees_sentence.empty()) file_.tell(file_.degrees_sentence);
+}
+
+void UnitCoordinates::finish() const
 {
     if (outside_)
-        fail(*outside_, file_.domain.dimension() > 0
-                            ? ""
-                            : fitting_words(extent_, file_.domain[0], file_.options, may_be_degrees));
+        fail(*outside_, file_.domain.dimension() > 0 ? "" : fitting_words(extent_, file_.domain[0], file_.options));
     if (rounded_ == 0) return;
     if (rounded_ > most_by_rounding(numbers_))
         fail(*first_rounded_,

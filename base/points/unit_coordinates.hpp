@@ -47,10 +47,13 @@ public:
     bool are_refused() const { return outside_.has_value(); }
 
     /// Throws InputError where numbers lie outside of the range, or more of them on its end than rounding explains.
-    /// Else tells of those that were rounded. The message knows where the file's format has degrees by its standard.
-    void finish(bool may_be_degrees = false) const;
+    /// Else tells of those that were rounded.
+    void finish() const;
 
-    const Extent& extent() const { return extent_; } ///< of all numbers so far
+    /// Throws InputError where the numbers, which the file calls longitude and latitude at `place`, fit the globe and
+    /// would be measured as lengths; tells of it where their region takes them for lengths. Numbers that keep their
+    /// units may be mapped to a plane later. See fits_globe() and degrees_words().
+    void check_degrees(const CoordinatePlace& place, double most_longitude, const std::string& lengths) const;
 
 private:
     struct Found

@@ -1,5 +1,7 @@
 #include "base/regions/region_source.hpp"
 
+#include "base/points/point_file_formats.hpp"
+
 #include <cmath>
 
 namespace poissonlab {
@@ -40,10 +42,15 @@ PointSet as_in_plane(const PlaneRegion& region, PointSet points)
     return points;
 }
 
+std::string crs_in_files(const PlaneRegion& region)
+{
+    return region.crs.empty() && !is_mapped(region) ? crs_of_lengths : region.crs;
+}
+
 std::string degrees_sentence(const PlaneRegion& region)
 {
     return is_mapped(region) ? ""
-                             : "its columns of longitude and latitude are taken for lengths, as the region's "
+                             : "its longitude and latitude are taken for lengths, as the region's "
                                "coordinates are; where these are degrees, crs EPSG:4326 maps both to metres";
 }
 

@@ -64,6 +64,9 @@ PointSet as_in_files(const PlaneRegion& region, PointSet points);
 /// Points of files in the region's plane.
 PointSet as_in_plane(const PlaneRegion& region, PointSet points);
 
+/// The member `crs` of GeoJSON in coordinates of its files; empty: degrees, as the standard has it.
+std::string crs_in_files(const PlaneRegion& region);
+
 /// The sentence about points in columns of longitude and latitude, which are lengths in this region; empty where they
 /// are mapped to its plane.
 std::string degrees_sentence(const PlaneRegion& region);

@@ -52,7 +52,7 @@ std::string decimal_comma_words(std::string_view text)
     return fmt::format("; the comma of \"{}\" is no decimal point: must be {}", found, number);
 }
 
-std::string unit_words(std::string_view text)
+std::string unit_words(std::string_view text, const std::function<bool(double)>& is_allowed)
 {
     constexpr std::array<std::string_view, 14> units{"mm", "cm", "km",     "m",      "in",     "ft",  "yd",
                                                      "mi", "px", "pixels", "metres", "meters", "deg", "%"};
@@ -60,8 +60,13 @@ std::string unit_words(std::string_view text)
     const std::size_t end = all.find_last_of("0123456789.");
     double value = 0;
     if (end == all.npos || !parse_number(all.substr(0, end + 1), value)) return {};
-    if (std::ranges::find(units, trimmed(all.substr(end + 1))) == units.end()) return {};
-    return fmt::format("; this number takes no unit: write {}", all.substr(0, end + 1));
+    const std::string_view unit = trimmed(all.substr(end + 1));
+    if (std::ranges::find(units, unit) == units.end()) return {};
+    const bool is_part = unit == "%";
+    if (is_part) value /= 100;
+    if (!is_allowed(value)) return "; this number takes no unit";
+    return fmt::format("; this number takes no unit: write {}",
+                       is_part ? fmt::format("{:.15g}", value) : std::string(all.substr(0, end + 1)));
 }
 
 }

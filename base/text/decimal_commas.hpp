@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,8 +20,9 @@ bool mixes_separators(std::string_view text, std::size_t count, std::size_t grou
 /// unit_words(); empty where it has neither.
 std::string decimal_comma_words(std::string_view text);
 
-/// The end of a message about a text that is a number with a unit, `; this number takes no unit: write 4` of "4m";
-/// empty for others.
-std::string unit_words(std::string_view text);
+/// The end of a message about a text that is a number with a unit, `; this number takes no unit: write 4` of "4m" and
+/// `write 0.04` of "4%", without the number where `is_allowed` is false of it; empty for others.
+std::string unit_words(
+    std::string_view text, const std::function<bool(double)>& is_allowed = [](double) { return true; });
 
 }

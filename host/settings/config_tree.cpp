@@ -65,8 +65,6 @@ std::string comma_words(const ConfigNode& node, const std::string& allowed)
 {
     const auto* text = node.get_if<std::string>();
     if (!text) return "";
-    if (allowed.starts_with("must be a number") || allowed.starts_with("must be an integer"))
-        if (const std::string words = unit_words(*text); !words.empty() && !allowed.ends_with(words)) return words;
     const bool is_decimal = !text->empty() && decimal_comma_in(*text) == *text;
     if (!is_decimal || allowed.starts_with("must be an integer")) return "";
     const std::string words = decimal_comma_words(*text);

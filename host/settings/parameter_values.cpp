@@ -1,5 +1,6 @@
 #include "host/settings/parameter_values.hpp"
 
+#include "base/text/decimal_commas.hpp"
 #include "host/sampling/classics/command_sampler.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -70,15 +72,24 @@ ParameterChoice single_choice(const ParameterSpec& spec, const ConfigNode& node)
     const auto refused = [&](const std::string& hint = {}) {
         return invalid_node(spec.key, node, "must be " + allowed_values(spec) + hint);
     };
+    const auto without_unit = [&] {
+        const auto* text = node.get_if<std::string>();
+        return text ? unit_words(*text,
+                                 [&](double value) {
+                                     return in_range(value, spec) &&
+                                            (spec.kind == Kind::number || value == std::floor(value));
+                                 })
+                    : "";
+    };
     switch (spec.kind) {
     case Kind::number: {
         const auto number = as_number(node);
-        if (!number || !in_range(*number, spec)) throw refused();
+        if (!number || !in_range(*number, spec)) throw refused(without_unit());
         return {*number, shown_number(node, *number), node.location, {}};
     }
     case Kind::integer: {
         const auto* integer = node.get_if<std::int64_t>();
-        if (!integer || !in_range(static_cast<double>(*integer), spec)) throw refused();
+        if (!integer || !in_range(static_cast<double>(*integer), spec)) throw refused(without_unit());
         return {*integer, fmt::format("{}", *integer), node.location, {}};
     }
     case Kind::boolean: {

@@ -130,6 +130,7 @@ protected:
         folder_.write("commas.csv", "x,y\n0,5;0,25\n");
         folder_.write("names.csv", "east,north\n7.1,50.2\n");
         folder_.write("degrees.csv", "lon,lat\n4.35,50.85\n4.36,50.84\n");
+        folder_.write("degrees.geojson", R"({"type": "MultiPoint", "coordinates": [[4.35, 50.85], [4.36, 50.84]]})");
         folder_.write("far.csv", "x,y\n4.35,50.85\n4.36,50.84\n");
         folder_.write("fields.csv", "id,x,y\n1,0.5\n");
         folder_.write("mixed.csv", "x;y\n0,5;0.25\n");

@@ -25,7 +25,7 @@ OutputFormats distance_formats() { return {{".npy"}}; }
 void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, const std::string& comment)
 {
     const PlaneRegion* const whole = darts.request.land ? &darts.request.land->whole : nullptr;
-    const std::string crs = whole ? whole->crs : "";
+    const std::string crs = whole ? crs_in_files(*whole) : crs_of_lengths;
     const PointSet points = darts.file_points();
     if (whole && whole->source && !whole->source->features.empty())
         return write_geojson_features(file, points, crs, comment, "feature",

@@ -68,7 +68,8 @@ void write_streamed(const std::filesystem::path& path, int dimension, std::uint6
     const std::string ending = path.extension();
     if (region && is_mapped(*region) && ending == ".csv")
         return write_csv_points(path, dimension, csv_header_globe, write);
-    if (region && ending == ".geojson") return write_geojson_points(path, dimension, region->crs, comment, write);
+    if (region && ending == ".geojson")
+        return write_geojson_points(path, dimension, crs_in_files(*region), comment, write);
     write_points_in_pieces(path, dimension, count, comment, write);
 }
 

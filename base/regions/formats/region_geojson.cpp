@@ -142,6 +142,7 @@ RegionShapes shapes_of_geojson(std::string_view text, const std::string& name)
     GeoJsonReader reader(name);
     reader.add(json, "");
     reader.found.system = system_of(json);
+    reader.found.has_no_system = json.contains("crs") && json["crs"].is_null();
     if (!reader.found.system.empty()) reader.found.crs_member = json["crs"].dump();
     return std::move(reader.found);
 }

@@ -49,7 +49,8 @@ std::optional<MapSystem> said_system(const TypedRegion& typed, const RegionReadi
     if (reading.is_planar) return {};
     if (!reading.crs.empty()) return map_system(reading.crs);
     if (!typed.shapes.system.empty()) return named_system(typed);
-    if (typed.is_json() && fits_globe(box_of_all(typed.shapes.shapes))) return map_system(geojson_system);
+    if (typed.is_json() && !typed.shapes.has_no_system && fits_globe(box_of_all(typed.shapes.shapes)))
+        return map_system(geojson_system);
     return {};
 }
 

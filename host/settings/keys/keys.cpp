@@ -6,6 +6,7 @@
 #include "base/files/file_kind.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/regions/region_words.hpp"
+#include "base/text/decimal_commas.hpp"
 #include "host/settings/config_tree.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
@@ -320,7 +321,10 @@ Keys::Said Keys::spread(const std::string& key, SpreadChoice& value, Interval ra
         const auto* words = node->get_if<ConfigTable>();
         const auto number = number_within(*node, range);
         const auto spread = words ? spread_of(*words, range) : std::nullopt;
-        if (!number && !spread) throw invalid(key, "must be " + spec.allowed());
+        const auto* text = node->get_if<std::string>();
+        const auto is_in_range = [&](double v) { return v >= range.low && v <= range.high; };
+        if (!number && !spread)
+            throw invalid(key, "must be " + spec.allowed() + (text ? unit_words(*text, is_in_range) : ""));
         value = spread ? *spread : SpreadChoice{SpreadChoice::Kind::constant, *number, 0};
     }
     resolve(key, spread_text(value));

@@ -2,6 +2,7 @@
 // wider.
 #include "base/points/fitting_domain.hpp"
 
+#include "base/regions/region_text.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -73,6 +74,63 @@ TEST(FittingDomain, IsARectangleWhereAxesDiffer)
     EXPECT_THAT(message("a.csv", "x,y\n500000,5400000\n500999,5400400\n500500,5400100\n"),
                 HasSubstr(": --region 'rectangle 500000 5400000 501000 54004"));
     EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"), HasSubstr("--domain 0:100 or --region 'rectangle 0 0 100 8"));
+}
+
+/// The regions that are suggested are read without an error; none is suggested only of large extents.
+TEST(FittingDomain, IsARegionOfTheGlobeThatIsAccepted)
+{
+    int suggested = 0, left_out = 0;
+    for (const double longitude : {-180.0, -90.0, 0.0, 4.35, 150.0, 179.9, 200.0, 359.0})
+        for (const double latitude : {-89.9, -60.0, -5.0, 0.0, 45.0, 88.0})
+            for (const double width : {0.0, 0.3, 40.0, 80.0, 150.0, 300.0})
+                for (const double height : {0.01, 1.0, 40.0, 100.0}) {
+                    const double end = longitude + width, top = std::min(latitude + height, 89.99);
+                    if (longitude < 0 && end > 180) continue; // mixes both ways to count
+                    Extent extent;
+                    for (const double x : {longitude, longitude + width / 3, longitude + 2 * width / 3, end})
+                        extent.add(0, x >= 360 ? x - 360 : x);
+                    for (const double y : {latitude, top}) extent.add(1, y);
+                    const std::string words = degrees_words(extent, {.region = "{{{} {} {} {}}}", .crs = "crs"}, "");
+                    const std::size_t begin = words.find('{'), last = words.find('}');
+                    if (begin == words.npos) {
+                        ++left_out;
+                        EXPECT_THAT(words, HasSubstr("a rectangle around all of them is too large for a plane"));
+                        EXPECT_GT(std::max(width, height), 60);
+                        continue;
+                    }
+                    ++suggested;
+                    const std::string rectangle = "rectangle " + words.substr(begin + 1, last - begin - 1);
+                    EXPECT_NO_THROW(read_region(rectangle, {.crs = "EPSG:4326"})) << rectangle;
+                    EXPECT_LE(extent.longitudes().high - extent.longitudes().low, width + 1e-9) << rectangle;
+                }
+    EXPECT_GT(suggested, 100);
+    EXPECT_GT(left_out, 100);
+}
+
+TEST(FittingDomain, GoesTheShorterWayAroundTheGlobe)
+{
+    const auto words = [](const std::vector<double>& longitudes) {
+        Extent extent;
+        for (const double x : longitudes) extent.add(0, x);
+        extent.add(1, 10.2);
+        extent.add(1, 10.7);
+        return degrees_words(extent, {.region = "R {:.4g} {:.4g} {:.5g} {:.4g}", .crs = "crs"}, "");
+    };
+    EXPECT_THAT(words({179.9, -179.8, 179.95}), HasSubstr("such as R 179.9 10.1"));
+    EXPECT_THAT(words({179.9, 180.2}), HasSubstr("such as R 179.9 10.1"));
+    EXPECT_THAT(words({0.1, 359.8}), HasSubstr("such as R -0.2"));
+    EXPECT_THAT(words({-179.99, -179.5}), HasSubstr("such as R -180 10.1"));
+}
+
+/// Columns that are so named may go from 0 to 360.
+TEST(FittingDomain, KnowsLongitudesUpTo360WhereTheyAreNamed)
+{
+    const auto refused = HasSubstr("are longitude and latitude in degrees");
+    EXPECT_THAT(message("a.csv", "lon,lat\n359,50\n358,51\n"), refused);
+    EXPECT_THAT(message("a.csv", "lon,lat\n0,50\n360,51\n"), refused);
+    EXPECT_THAT(message("a.csv", "lon,lat\n361,50\n358,51\n"), Not(refused));
+    EXPECT_THAT(message("a.csv", "lon,lat\n-90,50\n300,51\n"), Not(refused));
+    EXPECT_THAT(message("a.csv", "x,y\n359,50\n358,51\n"), Not(refused));
 }
 
 TEST(FittingDomain, IsNotSaidOfNumbersThatNoDomainHolds)

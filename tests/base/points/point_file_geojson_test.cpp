@@ -43,11 +43,48 @@ TEST(GeoJsonPointFiles, ReadBackAsTheyWereWritten)
     const PointSet points{2, {0.1, 1.0 / 3, 0.7, 1e-9}};
     write_points(folder.path() / "a.geojson", points);
     EXPECT_EQ(read_points(folder.path() / "a.geojson").at(0), points);
-    write_geojson_features(folder.path() / "b.geojson", points, "", "", "feature", {"\"oak\"", "null"});
+    write_geojson_features(folder.path() / "b.geojson", points, crs_of_lengths, "", "feature", {"\"oak\"", "null"});
     EXPECT_EQ(read_points(folder.path() / "b.geojson").at(0), points);
     const PointSet space{3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
     write_points(folder.path() / "c.geojson", space);
     EXPECT_EQ(read_points(folder.path() / "c.geojson").at(0), space);
+}
+
+/// Coordinates are degrees by the standard, which are not lengths; where the region has lengths, a sentence says so.
+TEST(GeoJsonPointFiles, AreRefusedAsLengthsUnlessTheirSystemIsAnotherOne)
+{
+    const TemporaryFolder folder;
+    const auto message = [&](const std::string& crs, const std::string& first, PointReading how = {}) {
+        if (!how.domain) how.domain = CoordinateRange{0, 512};
+        const auto file = folder.write("a.geojson", R"({"type": "MultiPoint", )" + crs + R"("coordinates": [)" + first +
+                                                        ", [4.5, 50.9]]}");
+        try {
+            read_points(file, how);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("is read");
+    };
+    const auto named = [](const std::string& name) {
+        return R"("crs": {"type": "name", "properties": {"name": ")" + name + "\"}}, ";
+    };
+    for (const std::string& degrees : {std::string(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326"),
+                                       named("urn:ogc:def:crs:EPSG::4326")})
+        EXPECT_THAT(message(degrees, "[4.35, 50.85]"),
+                    HasSubstr("a.geojson: coordinates: are longitude and latitude in degrees, which are not lengths: "
+                              "\"crs\": null in the file says that they are lengths"))
+            << degrees;
+    for (const std::string& lengths : {std::string(R"("crs": null, )"), named("EPSG:31370")})
+        EXPECT_EQ(message(lengths, "[4.35, 50.85]"), "is read") << lengths;
+    EXPECT_EQ(message("", "[180.5, 50.85]"), "is read"); // no place of the globe
+
+    std::vector<std::string> told;
+    PointReading how{.domain = any_coordinates, .degrees_sentence = "taken for lengths"};
+    how.told = [&](const std::string& sentence) { told.push_back(sentence); };
+    EXPECT_EQ(message(R"("crs": null, )", "[4.35, 50.85]", how), "is read");
+    EXPECT_THAT(told, testing::IsEmpty());
+    EXPECT_EQ(message("", "[4.35, 50.85]", how), "is read");
+    EXPECT_THAT(told, ElementsAre(HasSubstr("a.geojson: taken for lengths")));
 }
 
 TEST(GeoJsonPointFiles, AreRefusedByWhatIsWrong)

@@ -59,6 +59,7 @@ TEST(ObstacleTexts, AreRefusedWhereTheyAreNone)
              {"points.geojson", "points.geojson"}, // a file's name, not WKT
              {"rectangle 0 0 0 1", "must be rectangle"}})
         EXPECT_THAT(message_of([&, &obstacle = text] { read_obstacles(obstacle); }), HasSubstr(words)) << text;
+    EXPECT_EQ(read_obstacles(R"({"type": "Point", "crs": null, "coordinates": [7, 50]})").count(), 1U);
     EXPECT_EQ(read_obstacles(R"({"type": "Point", "coordinates": [7, 50]})", {.is_planar = true}).count(), 1U);
 }
 
