@@ -19,7 +19,7 @@ struct TextureChoice
 /// Chooses between a set that is chosen together and one whose pieces are fitted one after another. It keeps the latter
 /// in two cases. In the first, the set that is chosen together has more new patches, and its edges, `edge` pixels wide,
 /// are narrower than features, which break there; features larger than half of a tile of `size` pixels break in both
-/// sets and do not count. In the second, it has much more uneven light than the exemplar, and more than the other set.
+/// sets and do not count. In the second, it has more uneven light than the exemplar, and much more than the other set.
 TextureChoice better_texture(const TilingJudgement& together, const TilingJudgement& apart, int edge, int size);
 
 }

@@ -33,8 +33,8 @@ struct PatchGrid
     std::span<const float> at(std::size_t i) const { return std::span(values).subspan(i * numbers, numbers); }
 };
 
-/// A picture as planes of orthonormal channels: (R + G + B) / sqrt 3, (R - B) / sqrt 2, (R - 2 G + B) / sqrt 6; of one
-/// channel, that.
+/// A picture of three channels as planes of orthonormal ones: (R + G + B) / sqrt 3, (R - B) / sqrt 2,
+/// (R - 2 G + B) / sqrt 6; of one channel, that. Exemplars have one or three, others are not handled.
 struct OpponentPlanes
 {
     int width = 0;

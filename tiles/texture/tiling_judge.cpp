@@ -131,16 +131,24 @@ TilingJudgement TilingJudge::judge(const TextureSet& set, std::uint64_t seed) co
     const std::vector<SourcePixel> sources = window_sources(set, window);
     TilingJudgement found;
     found.feature = feature_;
+    found.sides = sides_;
     const int step = std::max(1, picture.width / judged_patches);
     for (std::size_t i = 0; i < sides_.size(); ++i)
         if (patches_[i])
             found.novelty[i] =
                 set.is_smoothed ? patches_[i]->share(picture, 2 * step) : patches_[i]->share(picture, step, sources);
     found.slow = slow_powers(picture, exemplar_, size_);
+    if (2 * feature_ > size_) return found;
     const auto area = static_cast<std::size_t>(feature_) * static_cast<std::size_t>(feature_);
     found.fragments =
         static_cast<double>(small_fragments(sources, picture.width, area)) / static_cast<double>(window.tiles.size());
     return found;
+}
+
+std::optional<TilingJudgement> judged_tiling(const TextureSet& set, std::uint64_t seed)
+{
+    if (set.classes > 1) return std::nullopt;
+    return TilingJudge(set.exemplar, set.size).judge(set, seed);
 }
 
 }

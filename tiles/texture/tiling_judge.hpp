@@ -25,9 +25,12 @@ inline constexpr std::array judged_keys{"novelty_small", "novelty", "novelty_lar
 struct TilingJudgement
 {
     std::array<std::optional<double>, 3> novelty; ///< shares of patches that are new, by judged_keys
+    std::array<int, 3> sides{};                   ///< of those patches
     std::optional<SlowPower> slow;
-    int feature = 1;      ///< feature_side() of the exemplar
-    double fragments = 0; ///< a tile: what is whole in the exemplar, and smaller than a square of that side
+    int feature = 1; ///< feature_side() of the exemplar
+    /// A tile: what is whole in the exemplar, and smaller than a square of that side; nothing for features larger than
+    /// half of a tile, which no tile can have whole.
+    std::optional<double> fragments;
 };
 
 class TilingJudge
@@ -36,17 +39,18 @@ public:
     /// For tiles of size x size pixels from one exemplar; with patches of all sides, or of judged_patch alone.
     TilingJudge(const PngPixels& exemplar, int size, bool has_all_sides = true);
 
-    /// Sides of patches: small ones, judged_patch, and large ones, by feature_side().
-    const std::array<int, 3>& sides() const { return sides_; }
     /// Judges the tiling by a seed. Patches of smoothed sets are looked for as those of any picture.
     TilingJudgement judge(const TextureSet& set, std::uint64_t seed) const;
 
 private:
     const PngPixels& exemplar_;
     int size_, feature_;
-    std::array<int, 3> sides_;
+    std::array<int, 3> sides_; ///< of patches: small ones, judged_patch, and large ones, by feature_side()
     std::array<std::optional<PatchNovelty>, 3> patches_;
 };
+
+/// Judges a set by its own exemplar. Nothing for sets of several exemplars side by side, whose halves differ.
+std::optional<TilingJudgement> judged_tiling(const TextureSet& set, std::uint64_t seed);
 
 /// Counts the fragments of a picture that have fewer than `pixels` pixels and do not touch its border. A fragment is a
 /// connected set of pixels whose neighbours are neighbours in the exemplar as well. `sources` lists pixels row by row.

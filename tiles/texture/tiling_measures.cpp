@@ -107,6 +107,21 @@ double slow_power_at(const PngPixels& picture, int channel, int u, int period)
     return u == 0 ? power : 2 * power; // that of -u is as large
 }
 
+/// The mean of slow_power() over parts of width x height pixels that cover the picture, as few as do, at even
+/// distances.
+double mean_slow_power(const PngPixels& picture, int width, int height, int period)
+{
+    const int columns = (picture.width + width - 1) / width, rows = (picture.height + height - 1) / height;
+    double sum = 0;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const int left = column * (picture.width - width) / std::max(1, columns - 1),
+                      top = row * (picture.height - height) / std::max(1, rows - 1);
+            sum += slow_power(part_of(picture, left, top, width, height), period);
+        }
+    return sum / (columns * rows);
+}
+
 std::array<double, 256> cumulative(const PngPixels& picture, int channel)
 {
     std::array<double, 256> shares{};
@@ -183,10 +198,11 @@ double slow_power(const PngPixels& picture, int period)
 
 std::optional<SlowPower> slow_powers(const PngPixels& tiling, const PngPixels& exemplar, int size)
 {
-    if (std::max(exemplar.width, exemplar.height) <= 2 * size) return std::nullopt;
-    const double own = slow_power(exemplar, 2 * size);
+    const int width = std::min(exemplar.width, tiling.width), height = std::min(exemplar.height, tiling.height);
+    if (std::max(width, height) <= 2 * size) return std::nullopt;
+    const double own = mean_slow_power(exemplar, width, height, 2 * size);
     if (own == 0) return std::nullopt;
-    return SlowPower{own, slow_power(tiling, 2 * size)};
+    return SlowPower{own, mean_slow_power(tiling, width, height, 2 * size)};
 }
 
 double color_distance(const PngPixels& one, const PngPixels& other)

@@ -42,8 +42,10 @@ std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& e
 double slow_power(const PngPixels& picture, int period);
 
 /// Says how much of the power is light and colour that change over more than a tile: slow_power() with a period of two
-/// tiles, of the exemplar and of a tiling, which may be larger. Nothing where the exemplar has no such frequency, or no
-/// power there.
+/// tiles, of the exemplar and of a tiling. A periodogram depends on its window: without the mean, 8 frequencies of
+/// 256^2 pixels are below 1/128, but 192 of 1024^2, half as many more a pixel. The larger picture is therefore measured
+/// by the mean over windows as large as the smaller one, so that pictures of one law have the same expected share.
+/// Nothing where such a window has no such frequency, or the exemplar no power there.
 struct SlowPower
 {
     double exemplar = 0;

@@ -23,7 +23,8 @@ larger than their own; conspicuous steps are larger than 95 % of those of the ex
 or two rows of a tile.
 A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
 from all patches of the exemplar is larger than that of 90 % of the patches in one half of the exemplar from the other
-half. Fragments are connected pieces of the exemplar that are smaller than its features.)";
+half. Fragments are connected pieces of the exemplar that are smaller than its features, where these are at most half as
+large as a tile. Sets with marked exemplars are not compared.)";
 
 struct TextureVerifyOptions
 {
@@ -41,13 +42,14 @@ TextureCertificate proof_of(const std::filesystem::path& folder, const TextureSe
 }
 
 /// Values of a judgement by their keys in the catalogue of measures, as far as the exemplar is large enough.
-nlohmann::ordered_json judgement_json(const TilingJudge& judge, const TilingJudgement& found)
+nlohmann::ordered_json judgement_json(const TilingJudgement& found)
 {
-    nlohmann::ordered_json json{{"feature_side", found.feature}, {"fragments", found.fragments}};
+    nlohmann::ordered_json json{{"feature_side", found.feature}};
+    if (found.fragments) json["fragments"] = *found.fragments;
     for (std::size_t i = 0; i < judged_keys.size(); ++i)
         if (found.novelty[i]) {
             json[judged_keys[i]] = *found.novelty[i];
-            json[std::string(judged_keys[i]) + "_patch"] = judge.sides()[i];
+            json[std::string(judged_keys[i]) + "_patch"] = found.sides[i];
         }
     if (found.slow) {
         json["slow_power"] = found.slow->tiling;
@@ -56,14 +58,15 @@ nlohmann::ordered_json judgement_json(const TilingJudge& judge, const TilingJudg
     return json;
 }
 
-void print_judgement(const TilingJudge& judge, const TilingJudgement& found)
+void print_judgement(const TilingJudgement& found)
 {
     for (std::size_t i = 0; i < judged_keys.size(); ++i)
         if (found.novelty[i])
             fmt::print("{:.1f} % of the patches of {} x {} pixels of a tiling are new\n", 100 * *found.novelty[i],
-                       judge.sides()[i], judge.sides()[i]);
-    fmt::print("{:.1f} fragments a tile are smaller than a feature of {} x {} pixels\n", found.fragments, found.feature,
-               found.feature);
+                       found.sides[i], found.sides[i]);
+    if (found.fragments)
+        fmt::print("{:.1f} fragments a tile are smaller than a feature of {} x {} pixels\n", *found.fragments,
+                   found.feature, found.feature);
     if (found.slow)
         fmt::print("{:.1f} % of a tiling's power is light that changes over more than a tile, {:.1f} % of the "
                    "exemplar's\n",
@@ -78,8 +81,7 @@ void verify_texture(const TextureVerifyOptions& options)
     for (const CompanionMap& map : set.companions)
         companions.emplace_back(map.atlas_file, certify_companion(options.folder, set, map));
     const SeamMeasures seams = seam_measures(set);
-    const TilingJudge judge(set.exemplar, set.size);
-    const TilingJudgement found = judge.judge(set, 1);
+    const std::optional<TilingJudgement> found = judged_tiling(set, 1);
     if (options.json) {
         nlohmann::ordered_json json{{"folder", options.folder.string()},
                                     {"kind", texture_kinds[set.kind]},
@@ -100,7 +102,7 @@ void verify_texture(const TextureVerifyOptions& options)
                                     {"largest_seam_line", seams.largest_line},
                                     {"longest_seam_line", seams.longest_line},
                                     {"coverage", seams.coverage}};
-        json.update(judgement_json(judge, found));
+        if (found) json.update(judgement_json(*found));
         for (const auto& [file, pixels] : companions) json["companions"][file] = pixels;
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
         return;
@@ -119,7 +121,7 @@ void verify_texture(const TextureVerifyOptions& options)
     fmt::print("On average {:.1f} % of the pairs across a line of a tile are seams, at most {:.1f} %; the longest "
                "straight seam has {} pixels\n",
                100 * seams.mean_line, 100 * seams.largest_line, seams.longest_line);
-    print_judgement(judge, found);
+    if (found) print_judgement(*found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);
 }

@@ -27,18 +27,18 @@ void add_seam_values(const TextureSet& set, double tiles, TextureValues& values)
     values["coverage"] = seams.coverage;
 }
 
-/// Adds measures that cuts do not optimise. Sets of several exemplars side by side have none, as their halves differ.
+/// Adds measures that cuts do not optimise.
 void add_judgement(const TextureSet& set, std::uint64_t seed, TextureValues& values)
 {
-    if (set.classes > 1) return;
-    const TilingJudgement found = TilingJudge(set.exemplar, set.size).judge(set, seed);
+    const std::optional<TilingJudgement> found = judged_tiling(set, seed);
+    if (!found) return;
     for (std::size_t i = 0; i < judged_keys.size(); ++i)
-        if (found.novelty[i]) values[judged_keys[i]] = *found.novelty[i];
-    values["feature_side"] = found.feature;
-    values["fragments"] = found.fragments;
-    if (!found.slow) return;
-    values["slow_power"] = found.slow->tiling;
-    values["exemplar_slow_power"] = found.slow->exemplar;
+        if (found->novelty[i]) values[judged_keys[i]] = *found->novelty[i];
+    values["feature_side"] = found->feature;
+    if (found->fragments) values["fragments"] = *found->fragments;
+    if (!found->slow) return;
+    values["slow_power"] = found->slow->tiling;
+    values["exemplar_slow_power"] = found->slow->exemplar;
 }
 
 void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, bool is_of_one,

@@ -108,6 +108,10 @@ TEST_F(TextureCommand, MapsAWindowOfTilesThatAreLaid)
     for (const std::string& kind : kinds) {
         SCOPED_TRACE(kind);
         printed("build " + kind + " --exemplar noise.png --size 16 --attempts 2 --candidates 1 --quiet --out laid");
+        // A marked exemplar is another picture beside the first one, which nothing judges.
+        const bool is_judged = kind.find("marked") == std::string::npos;
+        EXPECT_EQ(printed("verify laid").find("tiling are new") != std::string::npos, is_judged);
+        EXPECT_EQ(printed("verify laid --json").find("\"feature_side\"") != std::string::npos, is_judged);
         const std::string map =
             "map laid --size 64 64 --above 2 --pitch 90 --field 90 --filter nearest --seed 7 --laid 16 ";
         printed(map + "--tile 23 -8 --engine reference --out map.png"); // one window farther east and south of (7, 8)

@@ -38,11 +38,11 @@ TEST(JudgedTexture, KeepsWhatIsBetter)
     EXPECT_TRUE(choice(judgement(0.007, 9, 0.1), judgement(0.024, 9, 0.1)).is_together) << "it has fewer new patches";
     EXPECT_FALSE(choice(judgement(0.024, 32, 0.1), judgement(0.007, 32, 0.1)).is_together);
     EXPECT_TRUE(choice(judgement(0.024, 33, 0.1), judgement(0.007, 33, 0.1)).is_together) << "half of a tile";
-    const TextureChoice uneven = choice(judgement(0.01, 8, 0.151), judgement(0.02, 8, 0.05));
+    const TextureChoice uneven = choice(judgement(0.01, 8, 0.101), judgement(0.02, 8, 0.067));
     EXPECT_FALSE(uneven.is_together);
-    EXPECT_THAT(uneven.words, HasSubstr("has 15.1 % of the power; in the picture it has 10.0 %"));
-    EXPECT_TRUE(choice(judgement(0.01, 8, 0.149), judgement(0.02, 8, 0.05)).is_together);
-    EXPECT_TRUE(choice(judgement(0.01, 8, 0.2), judgement(0.02, 8, 0.3)).is_together) << "the other one is worse";
+    EXPECT_THAT(uneven.words, HasSubstr("has 10.1 % of the power; in the picture it has 10.0 %"));
+    EXPECT_TRUE(choice(judgement(0.01, 8, 0.099), judgement(0.02, 8, 0.01)).is_together) << "the exemplar has more";
+    EXPECT_TRUE(choice(judgement(0.01, 8, 0.101), judgement(0.02, 8, 0.068)).is_together) << "the other one is as bad";
     TilingJudgement small = judgement(0, 9, 0.1);
     small.novelty[1].reset();
     EXPECT_EQ(choice(small, small).words,

@@ -4,6 +4,7 @@
 #include "tests/host/texture/random_picture.hpp"
 #include "tests/tiles/texture/dead_leaves.hpp"
 #include "tests/tiles/texture/quartered_set.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -87,20 +88,46 @@ TEST(TilingJudge, CountsSmallFragments)
     EXPECT_GT(small_fragments(sources, 40, 5), 0u);
 }
 
-/// Quarters of patches that are cut nowhere: no fragments, and new patches along joints; of a smoothed set, patches are
-/// looked for without their sources.
+/// Quarters of patches that are cut nowhere: no fragments. New patches are those of a picture without sources, which
+/// numpy holds, at every fourth pixel of 16 x 16 tiles; of a smoothed set, at every eighth.
 TEST(TilingJudge, JudgesQuarters)
 {
     TextureSet set = test::quartered_set(test::dead_leaves(150, 140, 1, 6, 1500), 32, {{10, 10}, {100, 60}});
     const TilingJudge judge(set.exemplar, 32);
-    const TilingJudgement quarters = judge.judge(set, 3);
+    const PngPixels picture =
+        texture_window_pixels(set, texture_window(set, {0, 0, 16, 16}, 3), set.values, set.exemplar.channels);
+    TilingJudgement quarters = judge.judge(set, 3);
     EXPECT_EQ(quarters.fragments, 0);
     EXPECT_EQ(quarters.feature, feature_side(set.exemplar));
-    ASSERT_TRUE(quarters.novelty[1]);
-    EXPECT_GT(*quarters.novelty[0], 0);
-    set.is_smoothed = true;
-    EXPECT_GT(*judge.judge(set, 3).novelty[0], 0);
+    EXPECT_EQ(quarters.sides, (std::array{9, 27, 41}));
+    const std::array patches{PatchNovelty(set.exemplar, 9), PatchNovelty(set.exemplar, 27)};
+    for (const int step : {4, 8}) {
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            ASSERT_TRUE(quarters.novelty[i]);
+            EXPECT_EQ(*quarters.novelty[i], patches[i].share(picture, step)) << i << " " << step;
+        }
+        EXPECT_GT(*quarters.novelty[0], 0);
+        EXPECT_FALSE(quarters.novelty[2]) << "it does not fit";
+        set.is_smoothed = true;
+        quarters = judge.judge(set, 3);
+    }
     EXPECT_FALSE(TilingJudge(test::random_picture(100, 100, 1, 1), 32).judge(set, 3).novelty[1]) << "too small";
+    set.classes = 2;
+    EXPECT_FALSE(judged_tiling(set, 3)) << "two exemplars side by side";
+}
+
+/// Features larger than half of a tile are in no tile as a whole, so that fragments mean nothing.
+TEST(TilingJudge, CountsFragmentsOfFeaturesWithinTiles)
+{
+    PngPixels ramp{100, 100, 1, {}};
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) ramp.values.push_back(static_cast<std::uint8_t>(x + y));
+    const TextureSet set = test::quartered_set(ramp, 32, {{10, 10}, {60, 60}});
+    const TilingJudgement found = TilingJudge(set.exemplar, 32, false).judge(set, 1);
+    EXPECT_GT(found.feature, 16);
+    EXPECT_FALSE(found.fragments);
+    EXPECT_TRUE(TilingJudge(set.exemplar, 2 * found.feature, false).judge(set, 1).fragments);
+    EXPECT_FALSE(TilingJudge(set.exemplar, 2 * found.feature - 1, false).judge(set, 1).fragments);
 }
 
 }

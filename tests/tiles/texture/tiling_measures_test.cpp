@@ -79,6 +79,73 @@ TEST(TilingMeasures, SlowPowerIsThatOfTheTransform)
     EXPECT_DOUBLE_EQ(slow_powers(picture, picture, 5)->tiling, slow_power(picture, 10));
 }
 
+/// Noise that is `kept` from pixel to pixel along rows and columns: light that changes slowly, with power at all
+/// frequencies.
+PngPixels slow_picture(int side, double kept, unsigned seed)
+{
+    PngPixels picture = test::random_picture(side, side, 1, seed);
+    const auto wide = static_cast<std::size_t>(side);
+    const double scale = 0.5 * (1 - kept * kept);
+    std::vector<double> above(wide);
+    for (std::size_t y = 0; y < wide; ++y) {
+        double west = 0;
+        for (std::size_t x = 0; x < wide; ++x) {
+            west = kept * west + picture.values[y * wide + x] - 127.5;
+            above[x] = kept * above[x] + west;
+            picture.values[y * wide + x] = static_cast<std::uint8_t>(std::clamp(127.5 + scale * above[x], 0.0, 255.0));
+        }
+    }
+    return picture;
+}
+
+/// Pictures of one law have the same share whatever their sizes are: differences of independent pairs have the mean 0,
+/// within four of its standard errors. Means are compared because the ratio of a pair has a mean above 1.
+TEST(TilingMeasures, SlowPowersOfOneLawAreTheSame)
+{
+    constexpr int pairs = 48;
+    struct Case
+    {
+        int size, side;
+    };
+    for (const double kept : {0.0, 0.9})
+        for (const auto& [size, side] : {Case{32, 256}, {64, 256}, {64, 512}, {128, 512}}) {
+            double own = 0, sum = 0, squares = 0;
+            for (unsigned pair = 0; pair < pairs; ++pair) {
+                const auto found = slow_powers(slow_picture(2 * side, kept, 2 * pair + 1),
+                                               slow_picture(side, kept, 2 * pair + 2), size);
+                ASSERT_TRUE(found);
+                own += found->exemplar / pairs;
+                const double difference = found->tiling - found->exemplar;
+                sum += difference;
+                squares += difference * difference;
+            }
+            const double mean = sum / pairs, error = std::sqrt((squares / pairs - mean * mean) / (pairs - 1));
+            EXPECT_LT(std::abs(mean), 4 * error) << kept << " " << size << " " << side;
+            EXPECT_LT(error, 0.1 * own) << "differences of 40 % would be seen";
+        }
+}
+
+/// The larger picture is measured by parts that are as large as the smaller one and cover it.
+TEST(TilingMeasures, SlowPowersAreThoseOfParts)
+{
+    const PngPixels large = slow_picture(50, 0.9, 1), small = slow_picture(20, 0.9, 2);
+    double sum = 0;
+    for (const int top : {0, 15, 30})
+        for (const int left : {0, 15, 30}) {
+            PngPixels part{20, 20, 1, {}};
+            for (int y = 0; y < 20; ++y)
+                for (int x = 0; x < 20; ++x) part.values.push_back(large.values[large.at(left + x, top + y, 0)]);
+            sum += slow_power(part, 8);
+        }
+    const auto of_large = slow_powers(large, small, 4), of_small = slow_powers(small, large, 4);
+    ASSERT_TRUE(of_large && of_small);
+    EXPECT_DOUBLE_EQ(of_large->tiling, sum / 9);
+    EXPECT_DOUBLE_EQ(of_large->exemplar, slow_power(small, 8));
+    EXPECT_DOUBLE_EQ(of_small->exemplar, sum / 9);
+    EXPECT_DOUBLE_EQ(of_small->tiling, slow_power(small, 8));
+    EXPECT_FALSE(slow_powers(small, large, 10));
+}
+
 TEST(TilingMeasures, RepetitionIsOneOfNoiseAndOfTheExemplarItself)
 {
     const PngPixels exemplar = test::random_picture(37, 34, 1, 8);
