@@ -43,11 +43,14 @@ std::string mixture_words(const Series& series)
     const double deviation = *found->second.standard_error * std::sqrt(series.realizations) / found->second.value;
     const double random = random_deviation / std::sqrt(static_cast<double>(series.points));
     if (!(deviation > std::max(times_random * random, least_told))) return {};
+    const auto percent = [](double part) {
+        return part < 0.1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+    };
     return fmt::format("The sets differ from each other more than sets of one method do: the standard deviation of "
-                       "their mean nearest distances is {:.2g} %; sets of random points have {:.2g} %. If several "
+                       "their mean nearest distances is {}; sets of random points have {}. If several "
                        "methods made them, analyze the sets of each method alone, or give each method a [[method]] "
                        "table in a config (sampler = \"file\"), so that the report compares them.",
-                       100 * deviation, 100 * random);
+                       percent(deviation), percent(random));
 }
 
 double BoxResult::unit_length() const { return root_of_volume(sides); }

@@ -146,7 +146,7 @@ std::string KindOptions::command_comment(const std::string& what) const
         if (typed.is_set) words.push_back(typed.name);
         for (std::size_t i = 0; i < typed.words.size(); ++i) {
             if (!is_placed && (i == 0 || typed.spec.is_file)) words.push_back(typed.name);
-            words.push_back(typed.words[i]);
+            words.push_back(is_placed ? file_word(typed.words[i]) : typed.words[i]);
         }
     }
     return poissonlab::command_comment(kind_.command, words, seed(), what);

@@ -60,13 +60,17 @@ DistributionPlace WorkOptions::place(const std::string& command, bool is_silent)
             }};
 }
 
+std::string file_word(const std::string& file) { return (file.starts_with('-') ? "./" : "") + file; }
+
 std::string command_comment(const std::string& command, const std::vector<std::string>& words, std::uint64_t seed,
                             const std::string& what)
 {
     constexpr std::size_t longest = 800; // programs that read PLY take no lines of more than 1,023 characters
     std::string text = "poissonlab " + command;
     for (const std::string& word : words) text += " " + shell_word(word);
-    return fmt::format("{} --seed {} --out FILE # {}", shortened(printable(text), longest), seed, what);
+    if (text.size() > longest || printable(text) != text)
+        return fmt::format("poissonlab {} with words that a comment cannot hold, --seed {}: {}", command, seed, what);
+    return fmt::format("{} --seed {} --out FILE # {}", text, seed, what);
 }
 
 std::vector<Option> joined(std::vector<std::vector<Option>> lists)

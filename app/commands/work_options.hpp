@@ -59,8 +59,12 @@ private:
     bool quiet_ = false;
 };
 
+/// A file as an argument without an option: a name that begins with a dash is written as "./-name".
+std::string file_word(const std::string& file);
+
 /// Returns the comment of a point file: the command with these words, quoted for a shell, that makes the points again,
-/// followed by `what` as a shell comment that describes them.
+/// followed by `what` as a shell comment that describes them. Commands that are too long for a line of a comment, or
+/// have control characters, are left out: a part of them could not be run.
 std::string command_comment(const std::string& command, const std::vector<std::string>& words, std::uint64_t seed,
                             const std::string& what);
 

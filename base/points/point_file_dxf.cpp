@@ -1,5 +1,6 @@
 // Writes point sets as DXF of AutoCAD's release 12, which every program for drawings, cutters and plotters reads: pairs
 // of lines, a group's code and its value.
+#include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
@@ -23,9 +24,16 @@ void append_entities(fmt::memory_buffer& out, std::span<const double> coordinate
 
 std::string dxf_begin(const std::string& comment)
 {
+    constexpr std::size_t longest = 250; // release 12 reads strings of at most 255 characters
     std::string text;
     for (LineReader lines(comment); lines.next();)
-        if (!trimmed(lines.line()).empty()) text += fmt::format("999\n{}\n", lines.line());
+        for (std::string_view rest = lines.line(); !trimmed(rest).empty();) {
+            constexpr std::size_t dots = 3; // that shortened() adds to whole characters
+            const std::string_view piece =
+                rest.size() > longest ? rest.substr(0, shortened(rest, longest).size() - dots) : rest;
+            text += fmt::format("999\n{}\n", piece);
+            rest.remove_prefix(piece.size());
+        }
     return text + "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
 }
 

@@ -91,7 +91,7 @@ void write_csv_points(const std::filesystem::path& path, int dimension, std::str
 void write_dxf_points(const std::filesystem::path& path, int dimension, const std::string& comment,
                       const std::function<void(const PointSink& sink)>& write);
 
-/// The two parts of a DXF file enclose its entities.
+/// The two parts of a DXF file enclose its entities. Lines of the comment are split where release 12 has no room.
 std::string dxf_begin(const std::string& comment);
 inline constexpr std::string_view dxf_end = "0\nENDSEC\n0\nEOF\n";
 

@@ -59,20 +59,22 @@ public:
         return square;
     }
 
-    /// Appends the mirror images of points, whose coordinates are parts of the square.
+    /// Appends the mirror images of points, whose coordinates are parts of the square. In long pictures a point may
+    /// have an image in both strips.
     void append_images(PointSet& set) const
     {
         const std::size_t points = set.size();
-        for (std::size_t i = 0; i < points; ++i) {
-            const double place = set[i][axis_] * side_;
-            const double image = place < below_ ? side_ - place : 2.0 * size_ - place;
-            const bool is_seen = (place > 0 && place < below_) || (place < size_ && place > size_ - above_);
-            if (!is_seen) continue;
+        const auto append = [&](std::size_t i, double image) {
             std::array<double, 2> at{set[i][0], set[i][1]};
             at[axis_] = std::min(image / side_, 1 - 0x1p-53);
             at[1 - axis_] += shift_;
             at[1 - axis_] -= std::floor(at[1 - axis_]);
             set.coordinates.insert(set.coordinates.end(), at.begin(), at.end());
+        };
+        for (std::size_t i = 0; i < points; ++i) {
+            const double place = set[i][axis_] * side_;
+            if (place > 0 && place < below_) append(i, side_ - place);
+            if (place < size_ && place > size_ - above_) append(i, 2.0 * size_ - place);
         }
     }
 

@@ -60,6 +60,16 @@ double seen_ink(const std::filesystem::path& file)
     return ink / static_cast<double>(png.values.size());
 }
 
+/// x, y and radius of each circle.
+std::vector<std::array<double, 3>> circles_of(const std::string& svg)
+{
+    std::vector<std::array<double, 3>> circles;
+    const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"([0-9.]+)\"/>");
+    for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at)
+        circles.push_back({std::stod((*at)[1]), std::stod((*at)[2]), std::stod((*at)[3])});
+    return circles;
+}
+
 /// Dots of radius r that are cut off at the frame lose 8 r / (3 pi L) of the ink on average; that part varies with some
 /// 250 dots there, each by a fifth of its area or so. Rounding of half a million grey pixels by 0.0026 is less.
 TEST_F(DistributeStipple, ShowsTheInkThatIsAskedFor)
@@ -135,20 +145,58 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
     EXPECT_EQ(points.size(), 200U);
     for (const double coordinate : points.coordinates) EXPECT_LE(coordinate, 0.5);
     // The file for plotters has a circle for each point, and all circles lie on the sheet. A disk with the area of two
-    // pixels of 2 mm has a radius of 1.596 mm. The picture shrinks to leave room for dots that reach beyond it.
+    // pixels of 2 mm has a radius of 1.596 mm, and margins are twice as wide.
     const std::string svg = content_of(folder_.path() / "dots.svg");
-    EXPECT_THAT(svg, HasSubstr("width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\""));
-    std::size_t circles = 0;
-    const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"([0-9.]+)\"/>");
-    for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at, ++circles) {
-        const double x = std::stod((*at)[1]), y = std::stod((*at)[2]), r = std::stod((*at)[3]);
-        EXPECT_LE(r, 1.596);
-        EXPECT_GT(r, 1.596 * 80 / (80 + 2 * 1.596) - 0.001);
-        EXPECT_GE(std::min(x, y), r - 0.002); // numbers are rounded to 0.001
-        EXPECT_LE(std::max(x, y), 80 - r + 0.002);
+    EXPECT_THAT(svg, HasSubstr("width=\"86.383mm\" height=\"86.383mm\" viewBox=\"0 0 86.383 86.383\""));
+    const auto circles = circles_of(svg);
+    EXPECT_EQ(circles.size(), 200U);
+    for (const auto& [x, y, r] : circles) {
+        EXPECT_EQ(r, 1.596);
+        EXPECT_GE(std::min(x, y), r);
+        EXPECT_LE(std::max(x, y), 86.383 - r);
     }
-    EXPECT_EQ(circles, 200U);
-    EXPECT_THAT(outcome.error, HasSubstr("80 x 80 mm; the pen's way between marks is "));
+    EXPECT_THAT(outcome.error, HasSubstr("86.38 x 86.38 mm; the pen's way between marks is "));
+}
+
+/// Separations of colours have equal sheets, wherever their dots lie and however many they are: pixels of 2.5 mm, dots
+/// of 3 pixels, and margins of 7.5 mm. As their number is whole, n dots differ in area from what is asked for by half
+/// of an nth.
+TEST_F(DistributeStipple, HasSheetsThatRegister)
+{
+    std::vector<std::uint8_t> colours(80 * 60 * 3);
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        colours[i] = static_cast<std::uint8_t>(i % 3 == 0 ? i % 240 : i % 3 == 1 ? i / 240 * 4 : (i * i / 240) % 256);
+    write_png(folder_.path() / "colours.png", {80, 60, 3}, [&](int first, int) { return &colours[first * 240]; });
+    std::vector<std::string> boxes;
+    for (const std::string channel : {"R", "G", "B"})
+        for (const std::string by : {"warping", "ranks"}) {
+            const std::vector<std::string> words{"--image", "colours.png", "--image-from", channel,
+                                                 "--dot",   "3",           "--by",         by,
+                                                 "--out",   "dots.svg",    "--json"};
+            std::vector<std::string> on_paper = words;
+            on_paper.insert(on_paper.end(), {"--width", "200mm"});
+            const Outcome outcome = run("stipple", on_paper);
+            ASSERT_EQ(outcome.status, 0) << outcome.error;
+            const std::string svg = content_of(folder_.path() / "dots.svg");
+            EXPECT_THAT(svg, HasSubstr("width=\"215mm\" height=\"165mm\" viewBox=\"0 0 215 165\""));
+            const auto said = nlohmann::json::parse(outcome.out);
+            const auto circles = circles_of(svg);
+            ASSERT_EQ(circles.size(), said.at("marks").get<std::size_t>());
+            EXPECT_GT(circles.size(), 100U);
+            if (by == "warping") {
+                EXPECT_NEAR(circles[0][2], 3.75, 3.75 / 4 / static_cast<double>(circles.size()) + 0.001);
+            }
+            for (const auto& [x, y, r] : circles) {
+                EXPECT_NEAR(r, said.at("mark_width").get<double>() / 2 * 200 / 80, 0.0006); // rounded to 0.001
+                EXPECT_TRUE(x >= 7.5 - 0.001 && x <= 207.5 + 0.001 && y >= 7.5 - 0.001 && y <= 157.5 + 0.001) << x;
+            }
+            ASSERT_EQ(run("stipple", words).status, 0);
+            const std::string plain = content_of(folder_.path() / "dots.svg");
+            std::smatch box;
+            ASSERT_TRUE(std::regex_search(plain, box, std::regex("viewBox=\"[^\"]*\"")));
+            boxes.push_back(box[0]);
+        }
+    EXPECT_THAT(boxes, testing::Each(boxes.front()));
 }
 
 TEST_F(DistributeStipple, SaysWhatIsTooDark)

@@ -1,11 +1,14 @@
 // The files that commands write: standard output, devices, links, and names that say no format.
+#include "base/programs/shell_words.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <regex>
 #include <span>
 
@@ -259,6 +262,58 @@ TEST(OutputFileComments, HasTheCommandThatMakesItAgain)
         ASSERT_EQ(run_program_line(folder.path(), found[1].str() + " --quiet --out b.ply").status, 0) << found[1];
         EXPECT_EQ(content_of(folder.path() / "b.ply"), made) << found[1];
     }
+}
+
+TEST(OutputFileComments, QuoteNamesOfFiles)
+{
+    const TemporaryFolder folder;
+    const std::string tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+    for (const std::string name : {"-a", "two words", "it's \"one\"", "$HOME; #", "-it's a \\"}) {
+        folder.write(name + ".wkt", "POLYGON ((0 0, 9 0, 9 5, 0 0))");
+        std::filesystem::copy_file(tiles, folder.path() / (name + ".ptiles"));
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"distribute", "darts", "--region", name + ".wkt", "--min-distance", "1"},
+              {"tiles", "points", "--torus", "1", "--", name + ".ptiles"}}) {
+            const auto made_by = [&](std::vector<std::string> command, const std::string& out) {
+                command.insert(command.begin() + 2, {"--quiet", "--out", out});
+                EXPECT_EQ(run_program(folder.path(), command).status, 0) << name;
+                return content_of(folder.path() / out);
+            };
+            const std::string made = made_by(words, "a.ply");
+            std::smatch found;
+            ASSERT_TRUE(std::regex_search(made, found, std::regex("comment poissonlab ([^\n]*) --out FILE # ")))
+                << made;
+            const auto again = split_shell_words(found[1]);
+            ASSERT_TRUE(again) << found[1];
+            EXPECT_EQ(made_by(*again, "b.ply"), made) << found[1];
+        }
+    }
+}
+
+/// A command that does not fit into a line is left out: a part of it might end within quotes, and could not be run.
+TEST(OutputFileComments, LeaveOutLongCommands)
+{
+    const TemporaryFolder folder;
+    std::string polygon;
+    for (int i = 0; i < 300; ++i)
+        polygon += fmt::format("{}{:.6f} {:.6f}", i > 0 ? ", " : "", 9 * std::cos(i * 0.02), 9 * std::sin(i * 0.02));
+    const auto made_by = [&](std::vector<std::string> command, const std::string& out) {
+        command.insert(command.end(), {"--seed", "3", "--quiet", "--out", out});
+        EXPECT_EQ(run_program(folder.path(), command).status, 0);
+        return content_of(folder.path() / out);
+    };
+    const std::vector<std::string> darts{"distribute",     "darts", "--region", "POLYGON ((" + polygon + ", 9 0))",
+                                         "--min-distance", "1"};
+    const std::string sentence = " with words that a comment cannot hold, --seed 3: ";
+    const std::string made = made_by(darts, "a.ply");
+    EXPECT_THAT(made, HasSubstr("comment poissonlab distribute darts" + sentence)) << made;
+    EXPECT_EQ(made.substr(0, made.find("end_header")).find('\''), std::string::npos) << made;
+    EXPECT_THAT(made_by(darts, "a.dxf"), StartsWith("999\npoissonlab distribute darts" + sentence));
+    // Names with line breaks would end the comment.
+    std::filesystem::copy_file(source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles",
+                               folder.path() / "a\nb.ptiles");
+    EXPECT_THAT(made_by({"tiles", "points", "a\nb.ptiles", "--torus", "1"}, "b.ply"),
+                HasSubstr("comment poissonlab tiles points" + sentence));
 }
 
 }

@@ -53,7 +53,8 @@ class Kinds(unittest.TestCase):
     def test_stipples_are_plotted(self):
         made = distribute.stipple(image="0.2", points=200, by="warping", engine="reference", width="200mm", pen="0.5mm")
         sheet = ElementTree.fromstring(next(f for f in made.files if f.name == "plot.svg").read_text())
-        self.assertEqual(sheet.get("width"), "200mm")
+        margins = 2 * 200 * made.numbers["mark_width"] / made.pictures["coverage"].shape[1]
+        self.assertAlmostEqual(float(sheet.get("width").removesuffix("mm")), 200 + margins, places=3)
         self.assertEqual(len([e for e in sheet.iter() if e.tag.endswith("circle")]), 200)
         with self.assertRaisesRegex(poissonlab.InputError, "pen = .*needs width"):
             distribute.stipple(image="0.2", points=200, pen="0.5mm")

@@ -63,6 +63,9 @@ TEST(Mixture, IsToldOfWhereSetsDifferFarMoreThanRandomOnes)
     };
     EXPECT_EQ(said(0.06), "");
     EXPECT_THAT(said(0.07), HasSubstr("mean nearest distances is 7 %; sets of random points have 1.7 %"));
+    EXPECT_THAT(said(0.0996), HasSubstr("mean nearest distances is 10 %;"));
+    EXPECT_THAT(said(1.4), HasSubstr("mean nearest distances is 140 %;"));
+    EXPECT_THAT(said(12.34), HasSubstr("mean nearest distances is 1234 %;"));
 }
 
 TEST(Catalogue, KnowsAllNumbersThatAreStored)

@@ -38,11 +38,13 @@ distances 0.5 to 0.9, 0.8 to 5.4 and 1.1 to 2.1. All of it takes 2.7, 0.9 and 0.
 --out, as often as you like: .svg has all dots, .png shows how much of each pixel is covered, encoded as sRGB, so that
 a screen shows the ink that is asked for (--pixels wide, by default as the picture), .dxf has them as circles (release
 12), other files have their middles, in units of the longest side, y upwards.
-For plotters and cutters --width 200mm (or cm, in) makes .svg and .dxf files of that size: dots are circles, as large as
-they print, or with --pen 0.3mm such that the pen's outer edge is the dot's, or with --dots strokes lines of 0.01 mm, which
-the pen makes dots of. Marks come in the order of a short way, always the nearest one that is left, unless --travel as-made
-keeps the sampler's order; both ways are said. Without any of these options an .svg has dots as lines of no length, which is
-the shortest file and what plotters' programs drop.
+For plotters and cutters --width 200mm (or cm, in) makes .svg and .dxf files whose picture is that wide; the sheet is
+wider by a dot's diameter (a stroke's length) on each side, for dots that reach beyond the picture, so that pictures of
+one size with the same --dot have equal sheets. Dots are circles, as large as they print, or with --pen 0.3mm such that
+the pen's outer edge is the dot's, or with --dots strokes lines of 0.01 mm, which the pen makes dots of. Marks come in the
+order of a short way, always the nearest one that is left, unless --travel as-made keeps the sampler's order; both ways are
+said. Without any of these options an .svg has dots as lines of no length, which is the shortest file and what plotters'
+programs drop.
   poissonlab distribute stipple --image photo.jpg --points 40000 --out dots.svg --out dots.png
   poissonlab distribute stipple --image photo.jpg --points 5000 --width 200mm --pen 0.5mm --out plot.svg
   poissonlab distribute stipple --image photo.jpg --dot 3 --ink 0.5 --out dots.ply --json)help";
@@ -85,7 +87,8 @@ void write_marks(const KindOptions& o, const StippleSettings& settings, const In
     const auto [wide, high] = png_size(o, picture);
     std::optional<Plot> plot;
     if (settings.plot || has_file(o, ".dxf"))
-        plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, settings.plot.value_or(PlotSheet{}));
+        plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, stippling.margin,
+                       settings.plot.value_or(PlotSheet{}));
     if (plot && !o.is_quiet()) fmt::print(o.prints_json() ? stderr : stdout, "{}\n", plot_words(*plot));
     for (const std::filesystem::path& file : o.outs.files()) {
         if (file.extension() == ".svg" && settings.plot)

@@ -111,7 +111,7 @@ void check_class_target(const std::filesystem::path& out)
 /// The comment of the file.
 std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region, const std::string& units = "")
 {
-    std::vector<std::string> words{options.file.string()};
+    std::vector<std::string> words{file_word(options.file.string())};
     const auto add = [&](bool is_given, const char* option, const std::string& value) {
         if (!is_given) return;
         words.emplace_back(option);

@@ -124,20 +124,6 @@ std::string group_begin(const Plot& plot, double mark_width)
 
 }
 
-double overhang_of(const MarkGroup& marks, double width, double height)
-{
-    double most = 0;
-    const auto add = [&](double x, double y, double radius) {
-        most = std::max({most, radius - x, radius - y, x + radius - width, y + radius - height});
-    };
-    for (const auto& [x, y, radius] : marks.disks) add(x, y, radius);
-    for (const auto& [x0, y0, x1, y1, wide] : marks.strokes) {
-        add(x0, y0, wide / 2);
-        add(x1, y1, wide / 2);
-    }
-    return most;
-}
-
 std::optional<double> millimetres_of(std::string_view text)
 {
     constexpr double millimetres_an_inch = 25.4;
@@ -150,10 +136,9 @@ std::optional<double> millimetres_of(std::string_view text)
     return number * scale;
 }
 
-Plot plot_of(const MarkGroup& marks, double width, double height, const PlotSheet& sheet)
+Plot plot_of(const MarkGroup& marks, double width, double height, double margin, const PlotSheet& sheet)
 {
-    const double margin = overhang_of(marks, width, height);
-    const double scale = sheet.width > 0 ? sheet.width / (width + 2 * margin) : 1;
+    const double scale = sheet.width > 0 ? sheet.width / width : 1;
     Plot plot{(width + 2 * margin) * scale, (height + 2 * margin) * scale, sheet, {}};
     std::vector<Stroke> strokes = strokes_on(marks, height, margin, scale);
     plot.way_as_made = way_of(strokes);

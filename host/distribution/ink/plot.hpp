@@ -14,9 +14,6 @@
 
 namespace poissonlab {
 
-/// How far the marks reach beyond a picture of this size, at most; 0: none does.
-double overhang_of(const MarkGroup& marks, double width, double height);
-
 /// A length on paper as it was typed: "200mm", "20 cm", "8in". Nothing for other texts.
 std::optional<double> millimetres_of(std::string_view text);
 
@@ -32,9 +29,9 @@ struct Plot
     std::size_t narrow = 0; ///< how many marks are narrower than the pen
 };
 
-/// The plot of marks in a picture of this size in pixels, y upwards. The sheet has room for all of what lies beyond the
-/// picture. Throws Interrupted.
-Plot plot_of(const MarkGroup& marks, double width, double height, const PlotSheet& sheet);
+/// The plot of marks in a picture of this size in pixels, y upwards, in the middle of a sheet that is wider by a margin
+/// of so many pixels on each side. Throws Interrupted.
+Plot plot_of(const MarkGroup& marks, double width, double height, double margin, const PlotSheet& sheet);
 
 /// Tells a person at the plotter the size of the sheet and the way of the pen between marks.
 std::string plot_words(const Plot& plot);

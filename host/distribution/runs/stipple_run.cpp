@@ -100,7 +100,7 @@ std::string placing_words(const StippleSettings& settings, const Stippling& stip
 void add_plot(const StippleSettings& settings, const InkPicture& picture, const Stippling& stippling,
               DistributionFiles& files, DistributionResult& result)
 {
-    const Plot plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, *settings.plot);
+    const Plot plot = plot_of(stippling.marks, picture.ink.width, picture.ink.height, stippling.margin, *settings.plot);
     result.facts.push_back(plot_words(plot));
     write_whole_file(files.add("plot.svg", result), plot_svg(plot));
     write_whole_file(files.add("plot.dxf", result), plot_dxf(plot, mark_label(settings)));

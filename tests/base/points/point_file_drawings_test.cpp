@@ -1,4 +1,5 @@
 // Points as GeoJSON, read back by a JSON library, and as DXF, whose groups are pairs of lines.
+#include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"
@@ -8,6 +9,8 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace poissonlab {
 namespace {
@@ -62,6 +65,25 @@ TEST(PointFileDxf, HasAPointForEach)
               "0\nENDSEC\n0\nEOF\n");
     write_points(folder.path() / "b.dxf", {3, {0.5, 0.25, 0.125}});
     EXPECT_THAT(read_whole_file(folder.path() / "b.dxf"), testing::HasSubstr("\n30\n0.125\n"));
+}
+
+/// Strings of release 12 have at most 255 characters; together the lines are the comment, and no character is cut.
+TEST(PointFileDxf, SplitsLongComments)
+{
+    for (const std::size_t size : {1, 249, 250, 251, 500, 501, 5000}) {
+        std::string comment = "e";
+        while (comment.size() < size) comment += comment.size() % 3 == 0 ? "\xc3\xa9" : "f";
+        std::istringstream dxf(dxf_begin(comment));
+        std::string joined;
+        std::size_t count = 0;
+        for (std::string code, line; std::getline(dxf, code) && code == "999" && std::getline(dxf, line); ++count) {
+            EXPECT_LE(line.size(), 255U);
+            EXPECT_EQ(printable(line), line) << "whole characters of UTF-8";
+            joined += line;
+        }
+        EXPECT_EQ(joined, comment);
+        EXPECT_LE(count, comment.size() / 249 + 1);
+    }
 }
 
 }

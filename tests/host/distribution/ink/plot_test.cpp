@@ -49,7 +49,7 @@ TEST(Plots, HaveLengthsOnPaper)
 
 TEST(Plots, AreCirclesInTheOrderOfAShortWay)
 {
-    const Plot plot = plot_of(three_dots(), 100, 50, {.width = 200});
+    const Plot plot = plot_of(three_dots(), 100, 50, 0, {.width = 200});
     EXPECT_DOUBLE_EQ(plot.way, 4 + 156);
     EXPECT_DOUBLE_EQ(plot.way_as_made, 160 + 156);
     const std::string svg = plot_svg(plot);
@@ -57,35 +57,33 @@ TEST(Plots, AreCirclesInTheOrderOfAShortWay)
     EXPECT_THAT(svg, HasSubstr("fill=\"#000000\" stroke=\"none\""));
     EXPECT_THAT(elements_of(svg, "circle"),
                 ElementsAre(ElementsAre(20, 20, 2), ElementsAre(24, 20, 2), ElementsAre(180, 20, 2)));
-    const Plot as_made = plot_of(three_dots(), 100, 50, {.travel = PenTravel::as_made});
+    const Plot as_made = plot_of(three_dots(), 100, 50, 0, {.travel = PenTravel::as_made});
     EXPECT_DOUBLE_EQ(as_made.way, 80 + 78);
     EXPECT_THAT(elements_of(plot_svg(as_made), "circle"),
                 ElementsAre(ElementsAre(10, 10, 1), ElementsAre(90, 10, 1), ElementsAre(12, 10, 1)));
 }
 
-/// A dot of radius 1 half a pixel from the border reaches half a pixel beyond it: the sheet has 101 x 51 pixels.
-TEST(Plots, HaveRoomForAllOfTheirMarks)
+/// The picture is as wide as the sheet asks for, and the sheet wider by the margin of 1.5 pixels of 2 mm on each side.
+TEST(Plots, HaveMarginsAroundThePicture)
 {
     MarkGroup marks = three_dots();
     marks.disks.push_back({0.5, 40, 1});
-    EXPECT_EQ(overhang_of(marks, 100, 50), 0.5);
-    const Plot plot = plot_of(marks, 100, 50, {.width = 202, .travel = PenTravel::as_made});
-    EXPECT_DOUBLE_EQ(plot.width, 202);
-    EXPECT_DOUBLE_EQ(plot.height, 102);
-    EXPECT_THAT(elements_of(plot_svg(plot), "circle").back(), ElementsAre(2, 21, 2));
-    marks.strokes.push_back({99, 49, 100, 50, 3}); // round ends
-    EXPECT_EQ(overhang_of(marks, 100, 50), 1.5);
+    const Plot plot = plot_of(marks, 100, 50, 1.5, {.width = 200, .travel = PenTravel::as_made});
+    EXPECT_DOUBLE_EQ(plot.width, 206);
+    EXPECT_DOUBLE_EQ(plot.height, 106);
+    EXPECT_THAT(elements_of(plot_svg(plot), "circle").front(), ElementsAre(23, 23, 2));
+    EXPECT_THAT(elements_of(plot_svg(plot), "circle").back(), ElementsAre(4, 23, 2));
 }
 
 /// The outer edge of the pen's line is that of the dot: 4 mm across, so that the line's middle has a radius of 1.75.
 TEST(Plots, AllowForThePen)
 {
-    const Plot plot = plot_of(three_dots(), 100, 50, {.width = 200, .pen = 0.5});
+    const Plot plot = plot_of(three_dots(), 100, 50, 0, {.width = 200, .pen = 0.5});
     EXPECT_EQ(plot.widest_hole, 3);
     EXPECT_THAT(plot_svg(plot), HasSubstr("fill=\"none\" stroke=\"#000000\" stroke-width=\"0.5\""));
     for (const auto& circle : elements_of(plot_svg(plot), "circle")) EXPECT_EQ(circle[2], 1.75);
     // A pen that is wider than the dots draws circles that are there.
-    const Plot wide = plot_of(three_dots(), 100, 50, {.width = 200, .pen = 5});
+    const Plot wide = plot_of(three_dots(), 100, 50, 0, {.width = 200, .pen = 5});
     for (const auto& circle : elements_of(plot_svg(wide), "circle")) EXPECT_EQ(circle[2], 0.005);
     EXPECT_THAT(plot_words(wide), HasSubstr("the pen is wider than 3 marks, which become too dark"));
     EXPECT_EQ(plot.narrow, 0U);
@@ -93,7 +91,7 @@ TEST(Plots, AllowForThePen)
 
 TEST(Plots, MayHaveShortStrokes)
 {
-    const std::string svg = plot_svg(plot_of(three_dots(), 100, 50, {.width = 200, .dots = DotForm::strokes}));
+    const std::string svg = plot_svg(plot_of(three_dots(), 100, 50, 0, {.width = 200, .dots = DotForm::strokes}));
     EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-linecap=\"round\""));
     const auto lines = elements_of(svg, "line");
     ASSERT_EQ(lines.size(), 3U);
@@ -105,7 +103,7 @@ TEST(Plots, TurnStrokesRound)
 {
     MarkGroup marks;
     marks.strokes = {{30, 90, 20, 90, 1}, {40, 90, 50, 90, 1}};
-    const Plot plot = plot_of(marks, 100, 100, {.width = 100, .pen = 0.4});
+    const Plot plot = plot_of(marks, 100, 100, 0, {.width = 100, .pen = 0.4});
     EXPECT_DOUBLE_EQ(plot.way, 10);
     EXPECT_DOUBLE_EQ(plot.way_as_made, 20);
     EXPECT_THAT(elements_of(plot_svg(plot), "line"),
@@ -119,7 +117,7 @@ TEST(Plots, GoToTheNearestMark)
     std::uniform_real_distribution<double> side(0.5, 63.5); // whole disks lie in the picture
     MarkGroup marks;
     for (int i = 0; i < 700; ++i) marks.disks.push_back({side(random), side(random), 0.5});
-    const Plot plot = plot_of(marks, 64, 64, {});
+    const Plot plot = plot_of(marks, 64, 64, 0, {});
     std::vector<std::array<double, 2>> left;
     for (const auto& [x, y, radius] : marks.disks) left.push_back({x, 64 - y});
     std::array<double, 2> pen{0, 0};
@@ -137,7 +135,7 @@ TEST(Plots, GoToTheNearestMark)
 /// DXF is pairs of lines, a group's code and its value; y goes upwards.
 TEST(Plots, AreEntitiesOfDxf)
 {
-    std::istringstream dxf(plot_dxf(plot_of(three_dots(), 100, 50, {.width = 200}), "what"));
+    std::istringstream dxf(plot_dxf(plot_of(three_dots(), 100, 50, 0, {.width = 200}), "what"));
     std::vector<std::pair<std::string, std::string>> groups;
     for (std::string code, value; std::getline(dxf, code) && std::getline(dxf, value);)
         groups.emplace_back(code, value);
