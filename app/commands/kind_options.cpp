@@ -31,7 +31,7 @@ std::string in_capitals(std::string text)
     return text;
 }
 
-/// What a boolean is typed as: "on", "off" and its other words.
+/// Returns the words that a boolean is typed as: "on", "off" and its other words.
 std::vector<std::string> switch_words(const KeySpec& spec)
 {
     std::vector<std::string> words{"on", "off"};

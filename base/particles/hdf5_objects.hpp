@@ -102,7 +102,7 @@ bool has_link(hid_t file, const std::string& name);
 /// InputError without the file's name for one that does not hold numbers.
 std::optional<std::vector<double>> attribute_numbers(hid_t object, const char* name, const std::string& shown);
 
-/// That of a group, GROUP/NAME; nothing where one of them is not there.
+/// Returns the numbers of the attribute `name` of a group; nothing if the group or the attribute is not there.
 std::optional<std::vector<double>> group_numbers(hid_t file, const std::string& group, const char* name);
 
 }

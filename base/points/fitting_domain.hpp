@@ -32,8 +32,8 @@ public:
     std::uint64_t points() const { return points_; }
     const CoordinateRange& along(std::size_t axis) const { return axes_[axis]; }
 
-    /// That of the first axis as longitudes, the shorter way around the globe: from -180 to 180, or, across the
-    /// antimeridian, on beyond 180.
+    /// Returns the range of the first axis as longitudes, the shorter way around the globe: from -180 to 180, or,
+    /// across the antimeridian, on beyond 180.
     CoordinateRange longitudes() const;
 
     /// That of the numbers along all axes together.
@@ -59,8 +59,9 @@ std::string fitting_words(const Extent& extent, const CoordinateRange& range, co
 /// Could the numbers be latitudes, and longitudes up to `most`? Some files have these from 0 to 360.
 bool fits_globe(const Extent& extent, double most = 180);
 
-/// What is wrong with longitude and latitude, and the options that map these to lengths; `lengths` says how a file
-/// marks lengths. No rectangle is suggested that a region of the globe cannot be.
+/// Returns the end of a message that refuses longitude and latitude: the reason, and the options that map degrees to
+/// lengths. `lengths` says how a file marks lengths. The message suggests only rectangles that a region of the globe
+/// can be.
 std::string degrees_words(const Extent& extent, const PointOptions& options, const std::string& lengths);
 
 }

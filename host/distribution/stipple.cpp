@@ -221,10 +221,10 @@ Stippling stipple(const InkPicture& picture, const StippleSettings& settings, st
     if (stippling.places.empty()) throw InputError("no marks: the ranks of so few points are all left out");
     stippling.mark_area = picture.total / (static_cast<double>(stippling.places.size()) / 2);
     stippling.mark_width = std::sqrt(stippling.mark_area / mark_area(settings, 1));
-    stippling.usual_width = settings.mark_width > 0 ? settings.mark_width : stippling.mark_width;
+    stippling.nominal_width = settings.mark_width > 0 ? settings.mark_width : stippling.mark_width;
     // A mark reaches half of its length beyond the picture.
     stippling.margin =
-        std::max(stippling.usual_width, stippling.mark_width / 2) * (settings.has_strokes ? settings.slenderness : 1);
+        std::max(stippling.nominal_width, stippling.mark_width / 2) * (settings.has_strokes ? settings.slenderness : 1);
     add_marks(picture, settings, stippling);
     return stippling;
 }
@@ -265,7 +265,7 @@ MarkPicture mark_picture(const InkPicture& picture, const Stippling& stippling)
     MarkPicture marks;
     marks.width = picture.ink.width + 2 * margin;
     marks.height = picture.ink.height + 2 * margin;
-    const double units = marks.width * std::max(1.0, units_a_mark / stippling.usual_width);
+    const double units = marks.width * std::max(1.0, units_a_mark / stippling.nominal_width);
     marks.pixels = static_cast<int>(std::ceil(std::max(1.0, std::min(units, most_units))));
     MarkGroup& group = marks.groups.emplace_back(stippling.marks);
     for (auto& disk : group.disks)

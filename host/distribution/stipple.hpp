@@ -35,9 +35,10 @@ struct Stippling
     std::size_t asked = 0; ///< marks: by ranks there are some more or fewer
     double mark_area = 0;
     double mark_width = 0; ///< diameter of dots, or width of strokes, in pixels
-    /// What settings ask for; otherwise that of the marks. Marks differ from it so that their number is whole; sheets
-    /// depend on it, so that those of one picture's separations are equal.
-    double usual_width = 0;
+    /// The nominal width is the one that the settings ask for, or else that of the marks. The marks differ from it a
+    /// little, because their number is whole. The size of a sheet follows from it, so that the sheets of one picture's
+    /// separations are equal.
+    double nominal_width = 0;
     double margin = 0; ///< around the picture, in pixels: as wide as marks are long, for what lies beyond the picture
     MarkGroup marks;   ///< in pixels
 };

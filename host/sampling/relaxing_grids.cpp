@@ -26,7 +26,7 @@ constexpr double table_cells_a_point_in_squares = table_cells_a_point / 2;
 /// Parts of the table: more leave fewer darts undecided, and fit the caches less.
 constexpr int most_table_bits = 29;
 
-/// Where squares are filled to less, as where there may be no more of them, their table is coarser.
+/// Squares that the region fills to less get a coarser table; this happens where the number of squares is limited.
 constexpr double least_filled_part = 1.0 / 4;
 
 int cover_bits_in(int dimension) { return dimension == 2 ? 3 : 2; }

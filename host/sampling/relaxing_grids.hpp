@@ -1,4 +1,4 @@
-// How fine the grids of relaxation dart throwing may be: that of its points, and the table of what their disks cover.
+// Limits of the grids of relaxation dart throwing: the grid of its points, and the table of what their disks cover.
 #pragma once
 
 #include "host/sampling/cells/table_blocks.hpp"

@@ -18,7 +18,7 @@ constexpr double most_slow_times = 1.5, least_seen_power = 0.05;
 
 double share_of_new(const TilingJudgement& judgement) { return judgement.novelty[1].value_or(0); }
 
-/// Whether the features of a set that is chosen together break at its edges.
+/// Returns true if the features of a set that is chosen together break at its edges.
 bool is_broken(const TilingJudgement& together, const TilingJudgement& apart, int edge, int size)
 {
     return together.feature > edge && 2 * together.feature <= size && share_of_new(together) > share_of_new(apart);

@@ -1,4 +1,4 @@
-// Which of two constructions of a texture set is better, by what neither of them optimises.
+// The judge of texture sets chooses the better of two constructions, by measures that neither of them optimises.
 //
 // Pieces that are chosen for all tiles together have better seams and repeat less; where what the picture shows is
 // large beside a tile, they can fuse or break it, which measures of seams do not see.

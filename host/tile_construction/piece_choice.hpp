@@ -21,7 +21,7 @@
 
 namespace poissonlab {
 
-// How far the parts of a piece are from the number of points that they should have.
+// The balance of a piece says how far its parts are from the number of points that they should have.
 
 class PieceBalance
 {

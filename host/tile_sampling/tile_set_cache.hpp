@@ -53,7 +53,7 @@ struct TileSetChoice
     double density = 1; ///< part of the points that is kept
 };
 
-/// How many tile sets a series has: its parameter `sets`.
+/// Returns the number of tile sets of a series: its parameter `sets`.
 std::uint32_t sets_of(const Parameters& given);
 
 class SeriesTileSets

@@ -135,9 +135,9 @@ std::optional<ClaimOutcome> has_low_anisotropy(const std::vector<const ReportSer
     const bool have_one_number =
         !all.empty() && std::ranges::all_of(all, [&](const auto* one) { return sets_of(one) == sets_of(all.front()); });
     const std::string chance =
-        have_one_number ? fmt::format(" dB above the {} dB that chance gives K = {} sets",
+        have_one_number ? fmt::format(" dB relative to the {} dB that chance gives K = {} sets",
                                       format_fixed(all.front()->curve.background_db, 1), sets_of(all.front()))
-                        : std::string(" dB above the −10 log₁₀ K dB that chance gives K sets");
+                        : std::string(" dB relative to the −10 log₁₀ K dB that chance gives K sets");
     return over(all, excess, within(-0.5, 0.5), 2, chance);
 }
 

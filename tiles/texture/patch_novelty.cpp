@@ -76,7 +76,7 @@ float nearest_distance(const KnownPatches& known, std::span<const float> patch, 
     return best;
 }
 
-/// Whether all pixels of a patch are neighbours in the exemplar as they are here.
+/// Returns true if the pixels of a patch lie side by side in the exemplar as they do in the tiling.
 bool is_whole_patch(std::span<const SourcePixel> sources, int width, int left, int top, int side)
 {
     const auto source = [&](int x, int y) { return sources[static_cast<std::size_t>(y * width + x)]; };

@@ -1,5 +1,5 @@
-// How many patches of a picture are like nothing in its exemplar: fused shapes, mosaics and broken outlines, which
-// measures of single seams do not see, and which no cut makes fewer on purpose.
+// Novelty is the share of a picture's patches that are like nothing in its exemplar: fused shapes, mosaics and broken
+// outlines, which measures of single seams do not see, and which no cut makes fewer on purpose.
 //
 // Patches are squares in orthonormal opponent colours (with one channel: grey). The distance of two patches compares
 // those coefficients of their orthonormal cosine transform that vary most in the exemplar. No other choice of as many

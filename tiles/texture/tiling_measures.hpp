@@ -45,7 +45,7 @@ double slow_power(const PngPixels& picture, int period);
 /// tiles, of the exemplar and of a tiling. A periodogram depends on its window: without the mean, 8 frequencies of
 /// 256^2 pixels are below 1/128, but 192 of 1024^2, half as many more a pixel. The larger picture is therefore measured
 /// by the mean over windows as large as the smaller one, so that pictures of one law have the same expected share.
-/// Nothing where such a window has no such frequency, or the exemplar no power there.
+/// There is no value if such a window has no such frequency, or if the exemplar has no power there.
 struct SlowPower
 {
     double exemplar = 0;

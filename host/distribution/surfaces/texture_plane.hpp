@@ -53,7 +53,7 @@ TexturePlane texture_plane(const TriangleMesh& mesh, const FixedSurface& surface
 /// The sum of the areas of triangles in the plane, in squares of units of texture coordinates.
 double texture_area(const TriangleMesh& mesh, const FixedSurface& surface);
 
-// How a parametrisation stretches a surface: by the singular values of the map from texture coordinates to space.
+// The stretch of a parametrisation of a surface: the singular values of the map from texture coordinates to space.
 //
 // Sander, Snyder, Gortler, Hoppe, Texture mapping progressive meshes, SIGGRAPH 2001, section 3.
 

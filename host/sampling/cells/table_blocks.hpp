@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// How fine the table is.
+/// The fineness of the table: the widths of its squares, cells and parts.
 struct TableFineness
 {
     int square_shift; ///< squares are 2^square_shift positions wide

@@ -226,7 +226,7 @@ std::vector<Overlay> SiteMove::shown() const
 
 namespace {
 
-/// Where boxes of a site may begin: from the first places to the last ones.
+/// The places where boxes of a site may begin, from the first ones to the last ones.
 struct BoxRange
 {
     int left, top, right, bottom;

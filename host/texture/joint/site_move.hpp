@@ -106,7 +106,7 @@ private:
     int layers_ = 1; ///< tiles that lie over each other
 };
 
-// Where the seams of a site are dearest.
+// The search for the places where the seams of a site are dearest.
 
 /// North-western pixels of boxes.
 using BoxPlaces = std::set<std::pair<int, int>>;

@@ -62,7 +62,7 @@ TEST(PatchNovelty, IsThatOfNumpy)
                                   shuffled(exemplar, 5, 5)};
         for (std::size_t i = 0; i < pictures.size(); ++i)
             EXPECT_NEAR(novelty.share(pictures[i], tested_step), expected[2 + i], 1.5 / 700) << i;
-        // What is spoiled has several times the new patches of what follows the same law.
+        // A spoiled picture has several times as many new patches as another picture by the same law.
         EXPECT_GT(expected[4], 4 * expected[3]);
         EXPECT_LT(expected[2], expected[3]);
     }
@@ -97,7 +97,7 @@ TEST(PatchNovelty, IsTheSameBySources)
     EXPECT_EQ(PatchNovelty(exemplar, tested_side).share(mosaic, 2, sources), share);
 }
 
-/// Of larger exemplars not all patches are compared; those that are whole in them count as known.
+/// Larger exemplars are compared by a part of their patches; patches that are whole in the exemplar count as known.
 TEST(PatchNovelty, KnowsWholePatchesOfLargeExemplars)
 {
     const PngPixels exemplar = test::dead_leaves(330, 310, 1, 3, 9000);

@@ -37,17 +37,25 @@ double power_at(const PngPixels& picture, int u, int v)
     return std::norm(sum);
 }
 
+/// Returns the share of the power, without the mean, at frequencies (u, v) for which `counts` is true.
+double share_of_power(const PngPixels& picture, const auto& counts)
+{
+    double counted = 0, all = 0;
+    for (int v = 0; v < picture.height; ++v)
+        for (int u = 0; u < picture.width; ++u) {
+            if (u == 0 && v == 0) continue;
+            const double power = power_at(picture, u, v);
+            all += power;
+            if (counts(u, v)) counted += power;
+        }
+    return counted / all;
+}
+
 TEST(TilingMeasures, LatticePowerIsThatOfTheTransform)
 {
     const PngPixels picture = test::random_picture(20, 16, 1, 5);
-    double lattice = 0, all = 0;
-    for (int v = 0; v < 16; ++v)
-        for (int u = 0; u < 20; ++u) {
-            if (u == 0 && v == 0) continue;
-            all += power_at(picture, u, v);
-            if (u % 5 == 0 && v % 4 == 0) lattice += power_at(picture, u, v); // multiples of 1/4: 5 and 4 tiles of 4
-        }
-    EXPECT_NEAR(lattice_power(picture, 4), lattice / all, 1e-12);
+    const auto is_on_lattice = [](int u, int v) { return u % 5 == 0 && v % 4 == 0; }; // 5 x 4 tiles of 4 pixels
+    EXPECT_NEAR(lattice_power(picture, 4), share_of_power(picture, is_on_lattice), 1e-12);
 }
 
 TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
@@ -63,15 +71,10 @@ TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
 TEST(TilingMeasures, SlowPowerIsThatOfTheTransform)
 {
     const PngPixels picture = test::random_picture(20, 16, 1, 5);
-    double slow = 0, all = 0;
-    for (int v = 0; v < 16; ++v)
-        for (int u = 0; u < 20; ++u) {
-            if (u == 0 && v == 0) continue;
-            const double power = power_at(picture, u, v);
-            all += power;
-            if (std::hypot(std::min(u, 20 - u) / 20.0, std::min(v, 16 - v) / 16.0) < 1.0 / 7) slow += power;
-        }
-    EXPECT_NEAR(slow_power(picture, 7), slow / all, 1e-12);
+    const auto is_slow = [](int u, int v) {
+        return std::hypot(std::min(u, 20 - u) / 20.0, std::min(v, 16 - v) / 16.0) < 1.0 / 7;
+    };
+    EXPECT_NEAR(slow_power(picture, 7), share_of_power(picture, is_slow), 1e-12);
     EXPECT_EQ(slow_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 4), 0);
     // A tile again and again has no power below its own frequency; a picture of at most two tiles has none to compare.
     EXPECT_NEAR(slow_power(repeated_picture(test::random_picture(8, 8, 3, 6), 5, 4), 16), 0, 1e-12);

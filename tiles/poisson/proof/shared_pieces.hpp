@@ -79,8 +79,8 @@ private:
     std::array<std::vector<std::vector<UnitPosition>>, 8> pieces_; ///< by axes and variant
 };
 
-// How far the pieces of a tile set reach, and how far points are apart at least whose cells have no tile in common:
-// the second part of the proof in tile_certificate.hpp.
+// The reach of the pieces of a tile set, and the least distance of points whose cells have no tile in common: the
+// second part of the proof in tile_certificate.hpp.
 
 /// The smallest and largest coordinates of points, relative to the base of their cell.
 struct Extents

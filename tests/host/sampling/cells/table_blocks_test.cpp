@@ -2,6 +2,7 @@
 // definitions.
 #include "base/regions/region_squares.hpp"
 #include "base/regions/region_text.hpp"
+#include "base/regions/space_region.hpp"
 #include "host/sampling/cells/cells_around.hpp"
 #include "host/sampling/cells/table_blocks.hpp"
 
@@ -51,30 +52,39 @@ TEST(CellsAround, AreThoseOfTheGrid)
 
 /// Each position of a square has the part of the table that its coordinates say, and no other square has this part,
 /// unless it lies there as well.
-TEST(TableBlocks, HaveThePartsOfEachSquare)
+template <std::size_t D, class Region>
+void expect_parts(const Region& region, int cover_bits)
 {
-    const FixedRegion region(read_region("POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))"));
-    const RegionSquares<FixedRegion> squares = squares_of(region, 1 << 14);
+    const RegionSquares<Region> squares = squares_of(region, 1 << 14);
+    ASSERT_GT(squares.corners.size(), 100u);
     for (const int grid_bits : {1, 32 - squares.shift - 5, 32 - squares.shift, 32 - squares.shift + 3}) {
-        const TableFineness fineness{squares.shift, grid_bits, 3};
+        const TableFineness fineness{squares.shift, grid_bits, cover_bits};
         const TableBlocks table = table_blocks(squares.corners, fineness);
-        const int block_bits = fineness.block_bits(), part_shift = 32 - grid_bits - 3;
-        ASSERT_EQ(table.corners.size(), 2 * block_count(squares.corners, fineness));
+        const int block_bits = fineness.block_bits(), part_shift = 32 - grid_bits - cover_bits;
+        ASSERT_EQ(table.corners.size(), D * block_count(squares.corners, fineness));
         ASSERT_EQ(table.first_parts.size(), squares.corners.size());
-        EXPECT_EQ(part_count(squares.corners, fineness), (table.corners.size() / 2) << 2 * block_bits);
-        std::set<std::array<std::uint32_t, 2>> corners;
-        for (std::size_t i = 0; i < table.corners.size(); i += 2)
-            EXPECT_TRUE(corners.insert({table.corners[i], table.corners[i + 1]}).second);
+        EXPECT_EQ(part_count(squares.corners, fineness), (table.corners.size() / D)
+                                                             << static_cast<int>(D) * block_bits);
+        std::set<std::vector<std::uint32_t>> corners;
+        for (auto corner = table.corners.begin(); corner != table.corners.end(); corner += D)
+            EXPECT_TRUE(corners.emplace(corner, corner + D).second);
         for (std::size_t i = 0; i < squares.corners.size(); ++i) {
-            const std::uint32_t block = table.first_parts[i] >> 2 * block_bits;
-            for (std::size_t k = 0; k < 2; ++k) {
+            const std::uint32_t block = table.first_parts[i] >> static_cast<int>(D) * block_bits;
+            for (std::size_t k = 0; k < D; ++k) {
                 const std::uint32_t in_block =
                     table.first_parts[i] >> static_cast<int>(k) * block_bits & ((1u << block_bits) - 1);
-                EXPECT_EQ(squares.corners[i][k] >> part_shift, (table.corners[2 * block + k] << 3) + in_block);
+                EXPECT_EQ(squares.corners[i][k] >> part_shift, (table.corners[D * block + k] << cover_bits) + in_block);
             }
         }
     }
 }
+
+TEST(TableBlocks, HaveThePartsOfEachSquare)
+{
+    expect_parts<2>(FixedRegion(read_region("POLYGON ((0 0, 900 700, 900 703, 0 3, 0 0))")), 3);
+}
+
+TEST(TableBlocks, HaveThePartsOfEachCube) { expect_parts<3>(FixedSpace(read_space_region("box 0 0 0 900 2 1"), 0), 2); }
 
 }
 }
