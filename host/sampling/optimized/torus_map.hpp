@@ -19,6 +19,9 @@ struct TorusMap
     double between(double x, double y) const;
 };
 
+/// The numbers exp(-k^2 / (2 sigma^2)) for k from 0 to six sigma, each over the sum of all on both sides.
+std::vector<double> gaussian_taps(double sigma);
+
 /// The map convolved with a Gaussian of this standard deviation, in cells, which is cut off at six of them; at most a
 /// sixth of the map's size.
 TorusMap blurred(const TorusMap& map, double sigma);
