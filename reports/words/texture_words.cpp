@@ -118,7 +118,7 @@ std::string textures_verdict(const std::vector<const DistributionResult*>& textu
     std::string words = good.empty() ? "None of these passes" : "Take: " + good.front();
     if (good.size() > 1) words += fmt::format(". Good as well: {}", fmt::join(good.begin() + 1, good.end(), "; "));
     for (const auto& [faults, labels] : others)
-        words += fmt::format(". Rejected, as it {}: {}", faults, fmt::join(labels, "; "));
+        words += fmt::format(". Rejected ({}): {}", faults, fmt::join(labels, "; "));
     return words + ".";
 }
 

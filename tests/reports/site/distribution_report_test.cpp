@@ -110,9 +110,8 @@ TEST_F(DistributionReport, SaysWhichTextureToTake)
         texture("first", {{"recurrence", 0.02}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.01}}),
         texture("unknown", {})};
     const std::string text = page();
-    EXPECT_THAT(text,
-                HasSubstr("Take: First. Good as well: Second. Rejected, as it repeats: Copy. Rejected, as it blurs "
-                          "edges: Blend. Rejected, as it breaks shapes: Shuffle."));
+    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Rejected (repeats): Copy. Rejected (blurs edges): "
+                                "Blend. Rejected (breaks shapes): Shuffle."));
     EXPECT_THAT(text, HasSubstr("Edges kept; recurs faintly every 64 pixels; shapes whole."));
     EXPECT_THAT(text, HasSubstr("Edges kept; repeats every 512 pixels; shapes whole."));
     EXPECT_THAT(text, HasSubstr("Edges blurred; nothing recurs; some shapes fused or broken."));
