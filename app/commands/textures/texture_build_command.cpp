@@ -4,6 +4,7 @@
 #include "experiment/run/progress.hpp"
 #include "host/device/device.hpp"
 #include "host/device/kernel.hpp"
+#include "host/distribution/textures/texture_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/exemplar_pictures.hpp"
@@ -11,8 +12,6 @@
 #include "host/texture/texture_build.hpp"
 #include "results/own_files.hpp"
 #include "tiles/texture/texture_certificate.hpp"
-#include "tiles/texture/texture_tiling.hpp"
-#include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,21 +44,12 @@ struct TextureBuildOptions : KindOptions
     std::filesystem::path out;
 };
 
-/// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.
-std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t seed)
-{
-    if (set.classes > 1) return std::nullopt;
-    constexpr std::uint64_t side = 16;
-    const TextureWindow window = texture_window(set, {0, 0, side, side}, seed);
-    return repetition(texture_window_pixels(set, window, set.values, set.exemplar.channels), set.exemplar, set.size);
-}
-
 void print_built(const TextureBuildOptions& options, const BuiltTexture& built, double seconds)
 {
     if (options.is_quiet() && !options.prints_json()) return;
     const TextureSet& set = built.set;
     const TextureCertificate proof = certify_texture(set);
-    const std::optional<Repetition> repeated = repetition_of(set, options.seed());
+    const std::optional<double> recurs = set_recurrence(set, options.seed());
     if (options.prints_json()) {
         nlohmann::ordered_json json{{"folder", printable(options.out.string())},
                                     {"tiles", set.tiles.size()},
@@ -72,10 +62,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
         json["joint"] = built.is_joint;
         if (!built.choice.empty()) json["choice"] = built.choice;
         for (const CompanionMap& map : set.companions) json["companions"].push_back(printable(map.atlas_file));
-        if (repeated) {
-            json["exemplar_power"] = repeated->exemplar_power;
-            json["repetition"] = repeated->times;
-        }
+        if (recurs) json["recurrence"] = *recurs;
         fmt::print("{}\n", json.dump(2));
         return;
     }
@@ -88,10 +75,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                    ? ""
                    : fmt::format(", {:.2f} pixels a pair beside corners that do not fit",
                                  static_cast<double>(proof.exceptions) / static_cast<double>(proof.tile_pairs)));
-    if (repeated)
-        fmt::print("A tiling repeats {:.1f} times as much as the picture itself: {:.1f} % of its power recur with each "
-                   "tile, of the picture's {:.1f} %\n",
-                   repeated->times, 100 * repeated->times * repeated->exemplar_power, 100 * repeated->exemplar_power);
+    if (recurs) fmt::print("{}\n", recurrence_words(set, *recurs));
     for (const CompanionMap& map : set.companions)
         fmt::print("{}: {}, {} of {}, at the same sources\n", printable(map.atlas_file),
                    map.is_original ? "the exemplar's own numbers" : "a companion",

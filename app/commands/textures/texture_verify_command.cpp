@@ -1,6 +1,7 @@
 // poissonlab texture verify: proves from the files of a texture set that its tiles fit together.
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "host/distribution/textures/texture_values.hpp"
 #include "tiles/texture/companion_maps.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
@@ -21,7 +22,8 @@ Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
 larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line runs between two columns
 or two rows of a tile.
-A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
+What recurs with each tile is the share of the power of 32 x 32 tiles at whole multiples of one over a tile's side, less
+what chance gives. A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
 from all patches of the exemplar is larger than that of 90 % of the patches in one half of the exemplar from the other
 half. Fragments are connected pieces of the exemplar that are smaller than its features, where these are at most half as
 large as a tile. Sets with marked exemplars are not compared.)";
@@ -82,6 +84,7 @@ void verify_texture(const TextureVerifyOptions& options)
         companions.emplace_back(map.atlas_file, certify_companion(options.folder, set, map));
     const SeamMeasures seams = seam_measures(set);
     const std::optional<TilingJudgement> found = judged_tiling(set, 1);
+    const std::optional<double> recurs = set_recurrence(set, 1);
     if (options.json) {
         nlohmann::ordered_json json{{"folder", options.folder.string()},
                                     {"kind", texture_kinds[set.kind]},
@@ -102,6 +105,7 @@ void verify_texture(const TextureVerifyOptions& options)
                                     {"largest_seam_line", seams.largest_line},
                                     {"longest_seam_line", seams.longest_line},
                                     {"coverage", seams.coverage}};
+        if (recurs) json["recurrence"] = *recurs;
         if (found) json.update(judgement_json(*found));
         for (const auto& [file, pixels] : companions) json["companions"][file] = pixels;
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -121,6 +125,7 @@ void verify_texture(const TextureVerifyOptions& options)
     fmt::print("On average {:.1f} % of the pairs across a line of a tile are seams, at most {:.1f} %; the longest "
                "straight seam has {} pixels\n",
                100 * seams.mean_line, 100 * seams.largest_line, seams.longest_line);
+    if (recurs) fmt::print("{}\n", recurrence_words(set, *recurs));
     if (found) print_judgement(*found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);

@@ -105,7 +105,7 @@ std::string endless_label(const EndlessRequest& request, const std::string& exem
 
 std::vector<std::string> endless_shows(EndlessMethod method)
 {
-    std::vector<std::string> words{"exemplar", "tiling"};
+    std::vector<std::string> words{"exemplar", "tiling", "plane"};
     if (method == EndlessMethod::blended) words.emplace_back("gaussian");
     if (method == EndlessMethod::quilted) words.emplace_back("pieces");
     return words;

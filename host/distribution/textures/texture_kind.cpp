@@ -198,7 +198,7 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
     const bool has_places =
         request.kind == TextureKind::corner ||
         (request.kind == TextureKind::wang && request.tiles == "complete" && request.classes() == 1);
-    const bool is_mapped = has_places && (request.size & (request.size - 1)) == 0;
+    const bool is_power_of_two = (request.size & (request.size - 1)) == 0, is_mapped = has_places && is_power_of_two;
     if (!is_mapped && s.has_timing)
         throw keys.invalid("timing", "is for complete sets of tiles whose size is a power of two");
     if (!keys.is_given("show")) return;
@@ -206,10 +206,10 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
     for (const char* word : {"marks", "tiling-marks"})
         if (s.marked_exemplar.empty() && is_shown(word))
             throw keys.invalid("show", fmt::format("\"{}\" needs marked_exemplar", word));
-    for (const char* word : {"levels", "plane"})
-        if (!is_mapped && is_shown(word))
-            throw keys.invalid("show",
-                               fmt::format("\"{}\" is for complete sets of tiles whose size is a power of two", word));
+    if (!is_mapped && is_shown("levels"))
+        throw keys.invalid("show", "\"levels\" is for complete sets of tiles whose size is a power of two");
+    if (!is_power_of_two && is_shown("plane"))
+        throw keys.invalid("show", "\"plane\" is for tiles whose size is a power of two");
 }
 
 void texture_keys(Keys& keys, TextureSettings& s)
@@ -241,7 +241,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
         throw keys.invalid("window", "must have at most 64 tiles along each side");
     s.columns = static_cast<std::uint64_t>(window[0]);
     s.rows = static_cast<std::uint64_t>(window[1]);
-    s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "gradients"};
+    s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "plane", "gradients"};
     keys.words("show", s.show, texture_shows(), "the pictures");
     keys.flag("timing", s.has_timing, "whether frames a second, and nanoseconds a pixel, are measured");
     keys.flag("compare", s.is_compared,
