@@ -1,7 +1,5 @@
 #include "host/sampling/optimized/torus_map.hpp"
 
-#include "base/gaussian_taps.hpp"
-
 #include <tbb/parallel_for.h>
 
 #include <cmath>
