@@ -60,10 +60,11 @@ struct TextureRequest
     /// corners, and where there are as many of both, from either. Wang: tiles are multiplied by the marks of their
     /// corners (marked_tiles.hpp).
     int split = 0;
-    bool joint = false;     ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
-    bool is_judged = false; ///< joint: only if that is better than one piece after another (judged_texture.hpp)
-    int rounds = 12;        ///< joint: how often a better window is looked for at each corner, edge and tile
-    bool smooth = false;    ///< corner and omega: the middles of tiles take on the colours around them
+    bool joint = false;        ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
+    bool is_judged = false;    ///< joint: only if that is better than one piece after another (judged_texture.hpp)
+    int rounds = 12;           ///< joint: how often a better window is looked for at each corner, edge and tile
+    bool smooth = false;       ///< corner and omega: the middles of tiles take on the colours around them
+    std::optional<bool> blend; ///< seams become slopes (seam_blending.hpp); nothing: where the exemplar is smooth
     std::uint64_t seed = 1;
 
     /// Classes of colours: marked or not.

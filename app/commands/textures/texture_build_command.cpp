@@ -36,6 +36,8 @@ number for number. An exemplar of 16 bits or floating-point numbers, NAME, is ch
 has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
 number for each tile, and their joints run through. exemplar.png is the straightened picture then.
+Light that differs over more than a tile is evened (--flatten off keeps it), and exemplar.png is the flattened picture then;
+companions stay as they are. Seams of smooth pictures are blended (--blend off leaves them).
   poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
 
 struct TextureBuildOptions : KindOptions
@@ -102,7 +104,9 @@ ExemplarPictures exemplar_pictures(const TextureSettings& asked)
         } catch (const InputError& error) {
             throw error.moved_to({asked.exemplar.string()});
         }
-    } else if (request.joint) {
+    }
+    flatten(pictures, request.size, asked.is_flattened);
+    if (!asked.is_straightened && request.joint) {
         const std::string note = regularity_note(pictures.exemplar, request.size);
         if (!note.empty()) pictures.notes.push_back(note);
     }
@@ -125,6 +129,7 @@ BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSett
         for (const std::string& note : built.notes) options.say_note(note);
         built.set.companions = std::move(pictures.companions);
         if (asked.is_straightened) built.set.parameters["straighten"] = "true";
+        if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
         return built;
     } catch (const InputError& error) {
         throw error.moved_to({asked.exemplar.string()});

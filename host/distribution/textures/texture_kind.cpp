@@ -104,6 +104,9 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
         .otherwise("0.36, with one stage 0");
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
     joint_keys(keys, r);
+    keys.flag("blend", r.blend,
+              "give both sides of each seam a part of their difference, over the length at which the picture changes")
+        .otherwise("auto: where the picture is smooth");
 }
 
 void marked_exemplar_key(Keys& keys, TextureSettings& s)
@@ -137,6 +140,16 @@ void straighten_key(Keys& keys, TextureSettings& s)
         throw keys.invalid("straighten", "cannot be combined with " + keys.name_of("marked_exemplar"));
 }
 
+void flatten_key(Keys& keys, TextureSettings& s)
+{
+    keys.flag("flatten", s.is_flattened,
+              "make the light even that differs over more than a tile: subtract what a Gaussian blur of half a tile "
+              "shows, and add the mean")
+        .otherwise("auto: where that light has more of the picture's variation than chance gives");
+    if (s.is_flattened.value_or(false) && !s.marked_exemplar.empty())
+        throw keys.invalid("flatten", "cannot be combined with " + keys.name_of("marked_exemplar"));
+}
+
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
@@ -145,6 +158,7 @@ void texture_set_keys(Keys& keys, TextureSettings& s)
     marked_exemplar_key(keys, s);
     also_key(keys, s);
     straighten_key(keys, s);
+    flatten_key(keys, s);
     if (keys.is_read()) keys.check([&] { check(s.request); });
 }
 
@@ -167,9 +181,9 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
             if (keys.is_given(name)) throw keys.invalid(name, allowed);
     };
     if (s.endless) {
-        refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
-                "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also",
-                "straighten"},
+        refuse({"colors",   "vertical_colors", "tiles", "ring",    "diversity",  "stages",  "candidates",
+                "attempts", "weight",          "cut",   "overlap", "core",       "joint",   "rounds",
+                "smooth",   "marked_exemplar", "marks", "also",    "straighten", "flatten", "blend"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
         check_keys_of_method(keys, s.endless->method, "kind");
     } else {
@@ -230,6 +244,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
     marked_exemplar_key(keys, s);
     also_key(keys, s);
     straighten_key(keys, s);
+    flatten_key(keys, s);
     keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
         .otherwise("corners are marked at random");
     if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");
@@ -270,8 +285,10 @@ std::string texture_label(const TextureSettings& settings)
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
     if (settings.is_straightened) label += ", straightened";
+    if (settings.is_flattened) label += *settings.is_flattened ? ", flattened" : ", light as it is";
     if (request.joint && !request.is_judged) label += ", chosen together";
     if (request.smooth) label += ", smoothed";
+    if (request.blend) label += *request.blend ? ", blended" : ", not blended";
     if (request.weight == SeamWeight::gradient) label += ", gradient weights";
     if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";
     return label;

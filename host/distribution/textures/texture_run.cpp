@@ -213,6 +213,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
         result.parameters = parameters_for_claims(settings);
         built.set.companions = pictures.companions;
         if (settings.is_straightened) built.set.parameters["straighten"] = "true";
+        if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
         add_set(settings, built, place, files, result);
         if (!built.choice.empty()) result.facts.push_back(built.choice);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());

@@ -7,14 +7,6 @@
 namespace poissonlab {
 namespace {
 
-/// exp(-t) for small t, by its series.
-double decay(double t)
-{
-    double sum = 1;
-    for (int n = 20; n > 0; --n) sum = 1 - t / n * sum;
-    return sum;
-}
-
 /// Adds tap * (a + b) to a row.
 void add_pair(double* row, std::size_t size, double tap, const double* a, const double* b)
 {
@@ -77,20 +69,6 @@ double TorusMap::between(double x, double y) const
         return at(wrapped(left), r) * (1 - part_x) + at(wrapped(left + 1), r) * part_x;
     };
     return along_row(low) * (1 - part_y) + along_row(low + 1) * part_y;
-}
-
-std::vector<double> gaussian_taps(double sigma)
-{
-    const double first = decay(1 / (2 * sigma * sigma));
-    std::vector<double> taps{1};
-    double sum = 1, ratio = first;
-    while (static_cast<double>(taps.size()) <= 6 * sigma) {
-        taps.push_back(taps.back() * ratio);
-        sum += 2 * taps.back();
-        ratio *= first * first;
-    }
-    for (double& tap : taps) tap /= sum;
-    return taps;
 }
 
 TorusMap blurred(const TorusMap& map, double sigma)

@@ -2,6 +2,8 @@
 // order, so that they are the same on every machine.
 #pragma once
 
+#include "base/gaussian_taps.hpp"
+
 #include <cstddef>
 #include <vector>
 
@@ -18,9 +20,6 @@ struct TorusMap
     /// The number at a place, linear between middles of cells; 0 <= x, y < 1.
     double between(double x, double y) const;
 };
-
-/// The numbers exp(-k^2 / (2 sigma^2)) for k from 0 to six sigma, each over the sum of all on both sides.
-std::vector<double> gaussian_taps(double sigma);
 
 /// The map convolved with a Gaussian of this standard deviation, in cells, which is cut off at six of them; at most a
 /// sixth of the map's size.

@@ -24,6 +24,7 @@ struct TextureSettings
     std::filesystem::path marks;             ///< a picture whose lighter part is marked; empty: corners are at random
     std::vector<std::filesystem::path> also; ///< pictures over the exemplar that are cut as well
     bool is_straightened = false;            ///< a regular exemplar becomes straight, and fits tiles
+    std::optional<bool> is_flattened;        ///< its light becomes even; nothing: if it differs over more than a tile
     std::string pattern;                     ///< one of exemplar_patterns()
     int pattern_size = 256;                  ///< pixels along a side
     int sets = 1;                            ///< with other patches each, over which measures are averaged
