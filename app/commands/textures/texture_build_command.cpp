@@ -6,6 +6,8 @@
 #include "host/device/kernel.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
+#include "host/texture/advice/advice_words.hpp"
+#include "host/texture/comparison/light_map.hpp"
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/texture_build.hpp"
@@ -18,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstdio>
 
 namespace poissonlab {
 namespace {
@@ -37,12 +40,20 @@ number for number. An exemplar of 16 bits or floating-point numbers, NAME, is ch
 has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
 number for each tile, and their joints run through. exemplar.png is the straightened picture then.
-  poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
+Without --colors and --size the picture decides, as texture advise says; a note says where --size is against that.
+  poissonlab texture build corner --exemplar gravel.png --out gravel)";
 
 struct TextureBuildOptions : KindOptions
 {
     using KindOptions::KindOptions;
     std::filesystem::path out;
+};
+
+/// A set, and what was said of its picture.
+struct AdvisedTexture
+{
+    BuiltTexture built;
+    std::vector<std::string> advice;
 };
 
 /// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.
@@ -54,9 +65,10 @@ std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t see
     return repetition(texture_window_pixels(set, window, set.values, set.exemplar.channels), set.exemplar, set.size);
 }
 
-void print_built(const TextureBuildOptions& options, const BuiltTexture& built, double seconds)
+void print_built(const TextureBuildOptions& options, const AdvisedTexture& made, double seconds)
 {
     if (options.is_quiet() && !options.prints_json()) return;
+    const BuiltTexture& built = made.built;
     const TextureSet& set = built.set;
     const TextureCertificate proof = certify_texture(set);
     const std::optional<Repetition> repeated = repetition_of(set, options.seed());
@@ -70,6 +82,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                                     {"exceptions", proof.exceptions},
                                     {"seconds", seconds}};
         json["joint"] = built.is_joint;
+        if (!made.advice.empty()) json["advice"] = made.advice;
         if (!built.choice.empty()) json["choice"] = built.choice;
         for (const CompanionMap& map : set.companions) json["companions"].push_back(printable(map.atlas_file));
         if (repeated) {
@@ -107,41 +120,60 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// Reads the exemplar, with a note where a set that is chosen together could have joints that run through.
-ExemplarPictures exemplar_pictures(const TextureSettings& asked)
+/// Takes what is not given from the picture, and says so before the work begins; a note says where a size that is given
+/// is against the advice. Returns what was said.
+std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, TextureSettings& asked,
+                                           const ExemplarPictures& pictures)
 {
-    const TextureRequest& request = asked.request;
-    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
-    if (asked.is_straightened) {
-        try {
-            straighten(pictures, request.size);
-        } catch (const InputError& error) {
-            throw error.moved_to({asked.exemplar.string()});
-        }
-    } else if (request.joint) {
-        const std::string note = regularity_note(pictures.exemplar, request.size);
-        if (!note.empty()) pictures.notes.push_back(note);
-    }
-    return pictures;
+    const PngPixels& picture = pictures.exemplar;
+    const TextureAdvice advice =
+        advise_texture(pictures.split > 0 ? picture_part(picture, 0, 0, pictures.split, picture.height) : picture);
+    take_advice(asked.request, advice, asked.is_size_open, asked.are_colors_open);
+    check(asked.request);
+    const std::string note = advice_note(advice, asked.request);
+    std::vector<std::string> lines;
+    if (asked.is_size_open)
+        lines = advice_lines(advice);
+    else if (!note.empty())
+        lines.push_back(note);
+    if (options.prints_json() || options.is_quiet()) return lines;
+    if (!asked.is_size_open) options.say_note(note);
+    for (const std::string& line : lines)
+        if (asked.is_size_open) fmt::print("{}\n", line);
+    std::fflush(stdout);
+    return lines;
 }
 
-BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)
+/// Straightens the exemplar where that is asked for, or adds a note where a set that is chosen together could have
+/// joints that run through.
+void straighten_as_asked(ExemplarPictures& pictures, const TextureSettings& asked)
+{
+    if (asked.is_straightened) {
+        straighten(pictures, asked.request.size);
+    } else if (asked.request.joint) {
+        const std::string note = regularity_note(pictures.exemplar, asked.request.size);
+        if (!note.empty()) pictures.notes.push_back(note);
+    }
+}
+
+AdvisedTexture built_texture(const TextureBuildOptions& options, TextureSettings asked)
 {
     const DistributionPlace place = options.place();
-    TextureRequest request = asked.request;
-    request.seed = options.seed();
-    ExemplarPictures pictures = exemplar_pictures(asked);
-    request.split = pictures.split;
-    for (const std::string& note : pictures.notes) options.say_note(note);
     const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {
         place.on_step(fmt::format("{}: {} of {}", stage, done, total));
     };
+    asked.request.seed = options.seed();
+    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
     try {
-        BuiltTexture built = build_texture(request, pictures.exemplar, tell, harmonic_solver(place));
+        const std::vector<std::string> advice = settle_by_picture(options, asked, pictures);
+        straighten_as_asked(pictures, asked);
+        asked.request.split = pictures.split;
+        for (const std::string& note : pictures.notes) options.say_note(note);
+        BuiltTexture built = build_texture(asked.request, pictures.exemplar, tell, harmonic_solver(place));
         for (const std::string& note : built.notes) options.say_note(note);
         built.set.companions = std::move(pictures.companions);
         if (asked.is_straightened) built.set.parameters["straighten"] = "true";
-        return built;
+        return {std::move(built), advice};
     } catch (const InputError& error) {
         throw error.moved_to({asked.exemplar.string()});
     }
@@ -152,10 +184,10 @@ void build_texture_tiles(const TextureBuildOptions& options)
     const KindSettings read = options.settings();
     check_output_folder(options.out, "texture build: ");
     const auto begin = std::chrono::steady_clock::now();
-    const BuiltTexture built = built_texture(options, read.as<TextureSettings>());
+    const AdvisedTexture made = built_texture(options, read.as<TextureSettings>());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    write_texture_set(options.out, built.set);
-    print_built(options, built, seconds);
+    write_texture_set(options.out, made.built.set);
+    print_built(options, made, seconds);
 }
 
 }
