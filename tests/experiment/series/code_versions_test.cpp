@@ -54,6 +54,7 @@ bool may_change(const std::string& version, const std::string& file)
     for (const char* folder : {"experiment/config/", "base/crew/", "experiment/store/", "host/settings/"})
         if (is_in(folder)) return true;
     if (version == "analysis_version") return is_in("experiment/exhibits/") || is_in("host/") || is_in("tiles/");
+    if (version == "distribution_version" && is_in("analysis/")) return false; // curves are stored with the points
     if (version == "picture_version" && is_in("host/distribution/")) return true;
     if (version == "construction_version" && is_in("host/distribution/")) return true;
     if (version == "sampling_version" && (is_in("experiment/exhibits/") || is_in("host/kinds/"))) return true;
@@ -89,6 +90,7 @@ TEST(CodeVersions, CoverWhatDecidesResults)
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/distribution/regions/region_points.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("analysis/regions/framed_region.cpp"));
     EXPECT_THAT(versions.at("distribution_version"), Contains("host/distribution/even_points.cpp"));
+    EXPECT_THAT(versions.at("distribution_version"), Contains("analysis/regions/framed_region.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("analysis/spectra/fast_periodogram.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("experiment/measuring/series_analysis.cpp"));
 }
