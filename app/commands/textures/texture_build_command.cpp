@@ -40,7 +40,7 @@ number for number. An exemplar of 16 bits or floating-point numbers, NAME, is ch
 has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
 number for each tile, and their joints run through. exemplar.png is the straightened picture then.
-Without --colors and --size the picture decides, as texture advise says; a note says where --size is against that.
+Without --colors and --size the picture decides, as texture advise says; or a line says where they are against that.
   poissonlab texture build corner --exemplar gravel.png --out gravel)";
 
 struct TextureBuildOptions : KindOptions
@@ -120,8 +120,8 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// Takes what is not given from the picture, and says so before the work begins; a note says where a size that is given
-/// is against the advice. Returns what was said.
+/// Takes what is not given from the picture, and says so before the work begins, or where a size that is given is
+/// against the advice. Returns what was said.
 std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, TextureSettings& asked,
                                            const ExemplarPictures& pictures)
 {
@@ -137,9 +137,7 @@ std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, T
     else if (!note.empty())
         lines.push_back(note);
     if (options.prints_json() || options.is_quiet()) return lines;
-    if (!asked.is_size_open) options.say_note(note);
-    for (const std::string& line : lines)
-        if (asked.is_size_open) fmt::print("{}\n", line);
+    for (const std::string& line : lines) fmt::print("{}\n", line);
     std::fflush(stdout);
     return lines;
 }
