@@ -89,12 +89,13 @@ std::string advice_json(const TextureAdvice& advice)
 
 std::string advice_note(const TextureAdvice& advice, const TextureRequest& request)
 {
-    if (!advice.is_texture()) return fmt::format("Do not tile this picture: {}", obstacle_words(advice).first);
     const int room = std::min(advice.width, advice.height);
+    if (request.size > room) return ""; // which is refused
+    if (!advice.is_texture()) return fmt::format("Do not tile this picture: {}", obstacle_words(advice).first);
     if (request.size < advice.size && advice.scale && request.size < least_tile_scales * *advice.scale)
         return fmt::format("The scale of the picture is {:.0f} pixels: --size {} is advised, {} was given",
                            *advice.scale, advice.size, request.size);
-    if (request.size > advice.size && 2 * request.size > room && request.size <= room)
+    if (request.size > advice.size && 2 * request.size > room)
         return fmt::format("The picture has {} x {} pixels: --size {} is advised, {} was given", advice.width,
                            advice.height, advice.size, request.size);
     if (request.kind == TextureKind::corner && request.colors.horizontal < advice.colors && request.split == 0)
