@@ -88,7 +88,7 @@ Plane means_of_rows(const Plane& plane, int step, const std::vector<double>& tap
 /// Subtracts the mean around each pixel, and adds the mean of the plane.
 void flatten(Plane& plane, int size)
 {
-    const int step = size / places_a_tile;
+    const int step = std::max(1, size / places_a_tile);
     const std::vector<double> taps = gaussian_taps(size / 2.0);
     const Plane means = means_of_rows(means_of_rows(plane, step, taps), step, taps);
     double mean = 0;

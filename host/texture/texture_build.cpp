@@ -273,6 +273,7 @@ BuiltTexture chosen_texture(const TextureRequest& request, const PngPixels& exem
                             const HarmonicSolver& solve)
 {
     BuiltTexture together = texture_in_one_way(request, exemplar, progress, solve);
+    together.choice = large_set_note(request);
     if (!request.joint || !request.is_judged) return together;
     TextureRequest one_by_one = request;
     one_by_one.joint = false;

@@ -112,6 +112,19 @@ bool is_compact(const TextureRequest& r)
     return r.kind == TextureKind::wang && (r.tiles == "compact" || r.tiles == random_marks);
 }
 
+/// True if nothing is asked for that cannot be combined with pieces that are chosen together.
+bool goes_with_joint(const TextureRequest& r)
+{
+    if (r.colors.horizontal != r.colors.vertical && !is_compact(r)) return false; // check() refuses these
+    return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
+           !r.smooth;
+}
+
+bool is_large(const TextureRequest& r)
+{
+    return requested_tiles(r).size() > most_tiles_together || pixels_of(r) > most_pixels_together;
+}
+
 void check_marks(const TextureRequest& r)
 {
     if (r.tiles == random_marks && r.split == 0) refuse("tiles", r.tiles, "needs an exemplar for marked corners");
@@ -182,11 +195,19 @@ void check(const TextureRequest& r)
                fmt::format("all tiles have {} pixels: must be at most {}", pixels, most_atlas_pixels));
 }
 
-bool is_joint_by_default(const TextureRequest& r)
+void settle_joint(TextureRequest& r)
 {
-    if (r.colors.horizontal != r.colors.vertical && !is_compact(r)) return false; // check() refuses these
-    return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
-           !r.smooth && requested_tiles(r).size() <= most_tiles_together && pixels_of(r) <= most_pixels_together;
+    if (!r.is_joint_open) return;
+    r.joint = goes_with_joint(r) && !is_large(r);
+    r.is_judged = r.joint && r.has_corners(); // the corners of Wang tiles fit by joint choice alone
+}
+
+std::string large_set_note(const TextureRequest& r)
+{
+    if (!r.is_joint_open || !goes_with_joint(r) || !is_large(r)) return "";
+    return fmt::format("Fitted one after another: by default {} tiles of {} x {} pixels are too many to be chosen "
+                       "together",
+                       requested_tiles(r).size(), r.size, r.size);
 }
 
 std::vector<TextureTile> requested_tiles(const TextureRequest& r)

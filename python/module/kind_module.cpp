@@ -7,6 +7,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "host/settings/toml_reader.hpp"
+#include "host/texture/advice/advice_words.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "reports/drawings/construction_image.hpp"
@@ -189,6 +190,11 @@ py::dict make(const std::string& name, const std::string& table, const std::stri
     return dict;
 }
 
+std::string texture_advice(const std::filesystem::path& picture)
+{
+    return without_lock([&] { return advice_json(advise_file(picture)); });
+}
+
 }
 
 void add_kinds(py::module_& module)
@@ -196,6 +202,7 @@ void add_kinds(py::module_& module)
     module.def("kinds", kind_descriptions, "The kinds of work and their keys, a dict each.");
     module.def("make", make, py::arg("name"), py::arg("table"), py::arg("word"), py::arg("values"), py::arg("seed"),
                py::arg("engine"), py::arg("device"), py::arg("folder"), "Makes a result in a folder.");
+    module.def("texture_advice", texture_advice, py::arg("picture"), "What `texture advise --json` prints.");
 }
 
 }

@@ -76,6 +76,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"aperiodic tile", {"kari --window 0 0 3 2 --engine reference", "tiles"}},
         {"aperiodic tables", {"", "tables"}},
         {"isohedral list", {"", ""}},
+        {"texture advise", {"grey.pgm", "size", "16"}},
         {"texture build",
          {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
         {"texture verify", {"texture", "tiles", "16"}},

@@ -322,6 +322,13 @@ class OtherKinds(unittest.TestCase):
         self.assertEqual(made.numbers["tiles"], 16)
         self.assertIn("tiling", made.pictures)
 
+    def test_textures_are_advised(self):
+        advice = poissonlab.texture.advise(SOURCE / "configs/exemplars/pebbles.png")
+        self.assertEqual((advice["texture"], advice["size"], advice["colors"]), (True, 128, 3))
+        self.assertEqual(poissonlab.texture.advise(SOURCE / "configs/exemplars/cat.png")["obstacle"], "one object")
+        with self.assertRaisesRegex(poissonlab.InputError, r"nothere\.png"):
+            poissonlab.texture.advise("nothere.png")
+
     def test_endless_textures_are_drawn_without_tiles(self):
         small = {"engine": "reference", "pattern": "noise", "pattern_size": 64}
         made = poissonlab.texture.build("hexagons", show=["exemplar", "tiling"], **small, rng=1)

@@ -48,10 +48,9 @@ void joint_keys(Keys& keys, TextureRequest& r)
                                "chooses Wang tiles together; with more than {} tiles or {} pixels, with stages, weight "
                                "or cut other than the default, and with overlap, smooth or marked_exemplar it is false",
                                most_tiles_together, most_pixels_together));
-    const bool is_automatic = keys.is_read() && !asked && is_joint_by_default(r) && !keys.is_given("overlap") &&
-                              !keys.is_given("marked_exemplar");
-    r.joint = asked.value_or(is_automatic);
-    r.is_judged = is_automatic && r.has_corners(); // the corners of Wang tiles fit by joint choice alone
+    r.is_joint_open = keys.is_read() && !asked && !keys.is_given("overlap") && !keys.is_given("marked_exemplar");
+    r.joint = asked.value_or(false);
+    settle_joint(r);
     keys.integer(
         "rounds", r.rounds, 1, most_joint_rounds,
         "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
@@ -62,14 +61,13 @@ void joint_keys(Keys& keys, TextureRequest& r)
         throw keys.invalid("overlap", "cannot be combined with " + keys.name_of("joint"));
 }
 
-/// `is_built`: by the command, which has to be told the size of the set.
-void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
+/// `is_advised`: by the command, which takes numbers that are not given from the picture.
+void request_keys(Keys& keys, TextureRequest& r, bool is_advised = false)
 {
     constexpr auto pixels = "pixels";
     Color colors = r.kind == TextureKind::omega ? 4 : 3;
-    auto said = keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
-                    .otherwise("3; of omega tiles 4");
-    if (is_built) said.required();
+    keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
+        .otherwise(is_advised ? "what texture advise says; of omega tiles 4" : "3; of omega tiles 4");
     std::optional<Color> vertical;
     keys.integer("vertical_colors", vertical, 2, most_texture_colors,
                  "of compact Wang tiles: the number of colours of vertical edges")
@@ -79,7 +77,7 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
     r.tiles = names.front();
     keys.word("tiles", r.tiles, names, "which tiles").otherwise("the first of the kind: complete or 16");
     auto size = keys.integer("size", r.size, least_tile_pixels, most_tile_pixels, "the side T of a tile").unit(pixels);
-    if (is_built) size.required();
+    if (is_advised) size.otherwise("what texture advise says");
     keys.integer("ring", r.ring, 0, most_tile_pixels,
                  "the border that depends on shared colours alone, up to T / 5 - 1")
         .unit(pixels)
@@ -154,6 +152,8 @@ void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
     request_keys(keys, s.request, true);
+    s.is_size_open = !keys.is_given("size");
+    s.are_colors_open = !keys.is_given("colors") && !keys.is_given("vertical_colors");
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     marked_exemplar_key(keys, s);
     also_key(keys, s);

@@ -17,7 +17,9 @@ namespace poissonlab {
 /// A table [[texture]]: tiles from a picture, how well they fit, and a tiling with them.
 struct TextureSettings
 {
-    TextureRequest request;                  ///< without seed
+    TextureRequest request;    ///< without seed
+    bool is_size_open = false; ///< the command has no size, and takes one that fits the picture
+    bool are_colors_open = false;
     std::optional<EndlessRequest> endless;   ///< instead of tiles, whose size T remains the unit of windows
     std::filesystem::path exemplar;          ///< empty: a pattern
     std::filesystem::path marked_exemplar;   ///< of marked corners; empty: none are marked
