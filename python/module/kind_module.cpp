@@ -98,9 +98,12 @@ void draw_scene(const std::filesystem::path& folder, DistributionResult& result)
     }
 }
 
-/// Pictures of marks become pixels beside them.
+/// Pictures of marks become pixels beside them, and curves are files to read.
 void draw_pictures(const std::filesystem::path& folder, DistributionResult& result)
 {
+    for (const DistributionPicture& picture : result.pictures)
+        if (picture.has_curves()) result.files.push_back(picture.file);
+    std::erase_if(result.pictures, [](const DistributionPicture& picture) { return picture.has_curves(); });
     for (DistributionPicture& picture : result.pictures) {
         if (!picture.has_marks()) continue;
         const std::filesystem::path file = folder / picture.file;

@@ -65,7 +65,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
         {"distribute surface", {"square.off --points 5 --quiet --engine reference --out a.ply", "area", "1"}},
         {"distribute mri-mask", {"--shape 32 32 --acceleration 4 --out a.npy", "samples", "256"}},
-        {"distribute dither-mask", {"--size 16 --colors 1 --tile-pixels 4 --out a.png", "least_distance_4"}},
+        {"distribute dither-mask", {"--size 16 --out a.png", "least_distance_4"}},
         {"distribute stipple", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
         {"distribute hatch", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
         {"distribute icons", {"--u=-y --v x --points 16 --method random --out a.csv", "disk_radius"}},

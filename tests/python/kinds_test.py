@@ -153,7 +153,7 @@ class Kinds(unittest.TestCase):
         self.assertEqual(list(numpy.bincount(made.classes)), [10, 40])
         mask = distribute.mri_mask(shape=[32, 24], acceleration=4, calibration=[4, 4], rng=1).mask
         self.assertEqual((mask.shape, mask.dtype, mask.sum()), ((32, 24), numpy.uint8, 192))
-        ranks = distribute.dither_mask(size=32, by="void-and-cluster", rng=1).mask
+        ranks = distribute.dither_mask(size=32, rng=1).mask
         self.assertEqual(sorted(ranks.ravel()), list(range(1024)))
 
     def test_points_lie_on_meshes(self):

@@ -64,7 +64,7 @@ TEST_F(DistributionReport, SaysNumbersOfATableOnce)
     auto result_with_table = result("scheme-noise", "noise");
     result_with_table["numbers"][1]["in_table"] = true;
     json_["schemes"] = {result_with_table};
-    EXPECT_THAT(page(), AllOf(HasSubstr("<dt>count</dt>"), Not(HasSubstr("<dt>part</dt>"))));
+    EXPECT_THAT(page(), AllOf(HasSubstr(">count</th>"), Not(HasSubstr(">part</th>"))));
 }
 
 TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
@@ -83,7 +83,8 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
     // A row has the values of both; their sections do not have them again, as that of the only one of cork does.
     EXPECT_THAT(text,
                 HasSubstr(R"(<td><data value="0.123">0.123</data></td><td><data value="0.789">0.789</data></td>)"));
-    EXPECT_THAT(text, AllOf(Not(HasSubstr("<dt>of gravel</dt>")), HasSubstr("<dt>of cork</dt>")));
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("<th scope=\"row\">of gravel</th><td>0")),
+                            HasSubstr("<th scope=\"row\">of cork</th><td>0")));
     EXPECT_LT(text.find("<h3>a &lt;of&gt; two"), text.find("<h3>c &lt;of&gt; two"));
     EXPECT_LT(text.find("<h3>c &lt;of&gt; two"), text.find("<h3>b &lt;of&gt; two")) << "those of gravel come first";
     EXPECT_THAT(text, HasSubstr(R"(<article id="distribution-3">)")) << "by its place among all distributions";
