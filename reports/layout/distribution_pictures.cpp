@@ -43,13 +43,6 @@ Panel stored_curves(const std::filesystem::path& file, const std::string& captio
 
 }
 
-bool is_of_textures(const ReportDistribution& distribution) { return distribution.stored->is_texture(); }
-bool is_of_packings(const ReportDistribution& distribution) { return distribution.stored->kind == "packing"; }
-bool is_of_densities(const ReportDistribution& distribution)
-{
-    return !is_of_textures(distribution) && !is_of_packings(distribution);
-}
-
 void lay_out_curves(ReportDistribution& distribution)
 {
     const DistributionResult& stored = *distribution.stored;

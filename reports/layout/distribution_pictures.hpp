@@ -20,9 +20,14 @@ struct ReportDistribution
 };
 
 /// Texture tiles and tile packings have sections of their own.
-bool is_of_textures(const ReportDistribution& distribution);
-bool is_of_packings(const ReportDistribution& distribution);
-bool is_of_densities(const ReportDistribution& distribution); ///< neither
+inline bool is_of_textures(const ReportDistribution& distribution) { return distribution.stored->is_texture(); }
+inline bool is_of_packings(const ReportDistribution& distribution) { return distribution.stored->kind == "packing"; }
+
+/// Is true of all others.
+inline bool is_of_densities(const ReportDistribution& distribution)
+{
+    return !is_of_textures(distribution) && !is_of_packings(distribution);
+}
 
 /// Reads what curves show, where there are some. Throws InputError when stored files are not what they should be.
 void lay_out_curves(ReportDistribution& distribution);

@@ -5,6 +5,18 @@
 
 namespace poissonlab {
 
+void lay_out_curves(ReportDistribution& /*distribution*/) { throw MissingModule("regions"); }
+
+void draw_distribution_pictures(const ReportDistribution& /*distribution*/, PictureStore& /*store*/)
+{
+    throw MissingModule("regions");
+}
+
+std::filesystem::path png_of(const ReportDistribution& /*distribution*/, const DistributionPicture& /*picture*/)
+{
+    throw MissingModule("regions");
+}
+
 PageData distribution_section(const ReportDistribution& /*distribution*/, const std::string& /*anchor*/,
                               const std::filesystem::path& /*from*/, PageNumbers /*numbers*/)
 {
