@@ -7,12 +7,14 @@
 // are added in the order of the sorted points, row of cells by row of cells, so that bytes are the same on every
 // device, whichever points share a work-item.
 //
-// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3) and ADAPTIVE (0 or 1): whether there is
-// a density, which points follow, see host/sampling/optimized/gaussian_field.hpp.
+// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3), ADAPTIVE (0 or 1): whether there is
+// a density, which points follow, see host/sampling/optimized/gaussian_field.hpp, and LISTED (0 or 1): whether only
+// some cells are there, as listed_cells.clh has them.
 
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/grid_part.clh"
+#include "kernels/common/listed_cells.clh"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #if ADAPTIVE
@@ -21,6 +23,26 @@
 
 #define ALWAYS_INLINE __attribute__((always_inline))
 #define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
+
+/// The sorted points by grid cells. The rows of a plane come after those of the plane below.
+typedef struct
+{
+    const struct GridPart* part;
+    global const uint* starts;
+#if LISTED
+    global const uint *row_starts, *columns;
+#endif
+} SortedCells;
+
+/// The number of points before a cell of a row; before the end of the row where the column is that of no cell.
+ALWAYS_INLINE uint points_before(const SortedCells* cells, uint row, uint column)
+{
+#if LISTED
+    return cells->starts[number_of_listed(cells->row_starts, cells->columns, row, column)];
+#else
+    return cells->starts[place_of_cell(cells->part, row * cells->part->grid_size) + column];
+#endif
+}
 
 /// Points that are side by side in a row of cells, and their sums over neighbours.
 typedef struct
@@ -105,71 +127,72 @@ double squared_gap(const Block* b, int axis, Span span, int cell, int grid_size)
     return gap * gap;
 }
 
-/// Adds the points of a row of `n` cells, up to some distance along it, in the order of the grid.
-ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, int n, global const int* coordinates,
-                           global const uint* row_starts, double reach, bool may_be_near)
+/// Adds the points of a row of cells, up to some distance along it, in the order of the grid.
+ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, const SortedCells* sorted,
+                           global const int* coordinates, uint row, double reach, bool may_be_near)
 {
+    const int n = (int)sorted->part->grid_size;
     const Span cells = span_around(b->low[0], b->high[0], reach, n);
     FOR_EACH_AXIS(k) b->row_force[k] = 0;
     b->row_energy = 0;
     if (cells.behind > 0)
-        add_points(b, coordinates, g->stride, row_starts[0], row_starts[cells.count - cells.behind], may_be_near);
+        add_points(b, coordinates, g->stride, points_before(sorted, row, 0),
+                   points_before(sorted, row, (uint)(cells.count - cells.behind)), may_be_near);
     const int first = wrapped_cell(cells.first, n);
     const int end = first + (cells.behind > 0 ? cells.behind : cells.count);
-    add_points(b, coordinates, g->stride, row_starts[first], row_starts[end], may_be_near);
+    add_points(b, coordinates, g->stride, points_before(sorted, row, (uint)first),
+               points_before(sorted, row, (uint)end), may_be_near);
     FOR_EACH_AXIS(k) b->force[k] += b->row_force[k];
     b->energy += b->row_energy;
 }
 
-/// Adds the points of the plane of cells that begins with `plane` and is `squared_distance` away, up to
+/// Adds the points of the plane of cells whose first row is `plane`, and which is `squared_distance` away, up to
 /// `squared_reach`; in cells.
-ALWAYS_INLINE void add_plane(Block* b, const struct Gaussians* g, const struct GridPart* part,
-                             global const int* coordinates, global const uint* starts, uint plane,
-                             double squared_distance, double squared_reach)
+ALWAYS_INLINE void add_plane(Block* b, const struct Gaussians* g, const SortedCells* sorted,
+                             global const int* coordinates, uint plane, double squared_distance, double squared_reach)
 {
-    const int n = (int)part->grid_size;
+    const int n = (int)sorted->part->grid_size;
     const Span rows = span_around(b->low[1], b->high[1], sqrt(squared_reach - squared_distance), n);
     for (int i = 0; i < rows.count; ++i) {
         const int y = cell_of_span(rows, i);
         const double squared = squared_distance + squared_gap(b, 1, rows, y, n);
         if (squared > squared_reach) continue;
-        global const uint* row_starts = starts + place_of_cell(part, plane + (uint)wrapped_cell(y, n) * n);
+        const uint row = plane + (uint)wrapped_cell(y, n);
         const double reach = sqrt(squared_reach - squared);
         if (squared > (double)g->near * g->near)
-            add_row(b, g, n, coordinates, row_starts, reach, false);
+            add_row(b, g, sorted, coordinates, row, reach, false);
         else
-            add_row(b, g, n, coordinates, row_starts, reach, true);
+            add_row(b, g, sorted, coordinates, row, reach, true);
     }
 }
 
 /// Adds all neighbours of a block, up to some distance in cells.
-ALWAYS_INLINE void add_neighbours(Block* b, const struct Gaussians* g, const struct GridPart* part,
-                                  global const int* coordinates, global const uint* starts, double reach)
+ALWAYS_INLINE void add_neighbours(Block* b, const struct Gaussians* g, const SortedCells* sorted,
+                                  global const int* coordinates, double reach)
 {
 #if DIMENSION == 2
-    add_plane(b, g, part, coordinates, starts, 0, 0, reach * reach);
+    add_plane(b, g, sorted, coordinates, 0, 0, reach * reach);
 #else
-    const int n = (int)part->grid_size;
+    const int n = (int)sorted->part->grid_size;
     const Span planes = span_around(b->low[2], b->high[2], reach, n);
     for (int i = 0; i < planes.count; ++i) {
         const int z = cell_of_span(planes, i);
         const double squared = squared_gap(b, 2, planes, z, n);
         if (squared <= reach * reach)
-            add_plane(b, g, part, coordinates, starts, (uint)wrapped_cell(z, n) * n * n, squared, reach * reach);
+            add_plane(b, g, sorted, coordinates, (uint)wrapped_cell(z, n) * n, squared, reach * reach);
     }
 #endif
 }
 
 /// Takes the points from `first` on that are in its row of cells, up to `end`; no sums yet.
-ALWAYS_INLINE void begin_block(Block* b, uint first, uint end, const struct Gaussians* g,
-                               const struct GridPart* part, global const double* positions,
-                               global const int* coordinates, global const uint* starts)
+ALWAYS_INLINE void begin_block(Block* b, uint first, uint end, const struct Gaussians* g, const SortedCells* sorted,
+                               global const double* positions, global const int* coordinates)
 {
-    const int n = (int)part->grid_size;
+    const int n = (int)sorted->part->grid_size;
     uint row = 0;
     for (int k = DIMENSION - 1; k > 0; --k) row = row * n + min((int)(positions[first * DIMENSION + k] * n), n - 1);
     b->first = first;
-    b->end = min(end, starts[place_of_cell(part, row * n) + n]);
+    b->end = min(end, points_before(sorted, row, (uint)n));
     FOR_EACH_AXIS(k) {
         b->place[k] = vload8(0, coordinates + k * g->stride + first);
         b->low[k] = n;
@@ -191,26 +214,39 @@ double reach_of(float exponent, uint grid_size)
     return (sqrt(CUT_EXPONENT / exponent) * 1.000001 + 2) * 0x1p-32 * grid_size;
 }
 
-/// One work-item owns BLOCK_POINTS points, of those that are asked about: their displacements, the Gaussians of all others there, and the squared
-/// distances of the nearest of them, of the torus' side; too large where it is farther away than Gaussians.near. With a
-/// density, a point's own width of Gaussians counts for all of its pairs.
+/// One work-item owns BLOCK_POINTS points, of those that are asked about: their displacements, the Gaussians of all
+/// others there, and the squared distances of the nearest of them, of the torus' side; too large where it is farther
+/// away than Gaussians.near. With a density, a point's own width of Gaussians counts for all of its pairs.
 kernel void sum_gaussians(struct Gaussians g, struct GridPart part, global const double* positions,
-                          global const int* coordinates, global const uint* starts, global double* displacements, global double* energies,
-                          global double* squared_near
+                          global const int* coordinates, global const uint* starts, global double* displacements,
+                          global double* energies, global double* squared_near
 #if ADAPTIVE
                           ,
                           global const struct DensityCell* density_cells, uint density_size
 #endif
+#if LISTED
+                          ,
+                          global const uint* row_starts, global const uint* columns
+#endif
 )
 {
+#if LISTED
+    const SortedCells sorted = {&part, starts, row_starts, columns};
+#else
+    const SortedCells sorted = {&part, starts};
+#endif
     const uint begin = g.first + (uint)get_global_id(0) * BLOCK_POINTS;
     const uint end = min(begin + BLOCK_POINTS, g.end);
     for (uint first = begin; first < end;) {
         Block b;
-        begin_block(&b, first, end, &g, &part, positions, coordinates, starts);
+        begin_block(&b, first, end, &g, &sorted, positions, coordinates);
         double reach = reach_of(g.exponent, part.grid_size);
 #if ADAPTIVE
+#if LISTED
+        const DensityField field = {density_cells, (int)density_size, row_starts, columns};
+#else
         const DensityField field = {density_cells, (int)density_size};
+#endif
         float exponents[BLOCK_POINTS] = {0};
         reach = 0;
         for (uint i = first; i < b.end; ++i) {
@@ -219,7 +255,7 @@ kernel void sum_gaussians(struct Gaussians g, struct GridPart part, global const
         }
         b.exponent = vload8(0, exponents);
 #endif
-        add_neighbours(&b, &g, &part, coordinates, starts, reach);
+        add_neighbours(&b, &g, &sorted, coordinates, reach);
         float force[DIMENSION][BLOCK_POINTS], energy[BLOCK_POINTS], near[BLOCK_POINTS];
         FOR_EACH_AXIS(k) vstore8(b.force[k], 0, force[k]);
         vstore8(b.energy, 0, energy);

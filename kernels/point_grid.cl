@@ -7,33 +7,49 @@
 //   gather_points  the points of each cell in order of their ids, which makes the result independent of the schedule
 // sort_few does all of that in one work-item where there are few points: launches would take longer.
 //
-// Needs DIMENSION (2 or 3) and DOUBLES (0 or 1), see reals.clh.
+// Needs DIMENSION (2 or 3), DOUBLES (0 or 1), see reals.clh, and LISTED (0 or 1): whether only some cells are there, as
+// listed_cells.clh has them. Rows of a
+// plane come after those of the plane below.
 
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/grid_part.clh"
+#include "kernels/common/listed_cells.clh"
 #include "kernels/common/reals.clh"
 
 #define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
 
+#if LISTED
+#define LISTED_CELLS , global const uint *row_starts, global const uint *columns
+#define THE_LISTED_CELLS , row_starts, columns
+#else
+#define LISTED_CELLS
+#define THE_LISTED_CELLS
+#endif
+
 /// The place of the cell that a point is in.
-uint cell_of_point(global const real* positions, uint id, const struct GridPart* part)
+uint cell_of_point(global const real* positions, uint id, const struct GridPart* part LISTED_CELLS)
 {
-    uint cell = 0;
+    uint row = 0, column = 0;
     for (int k = DIMENSION - 1; k >= 0; --k) {
         const uint c = uint_of(times(positions[id * DIMENSION + k], real_of_uint(part->grid_size)));
-        cell = cell * part->grid_size + min(c, part->grid_size - 1); // just below 1, the product rounds up
+        row = row * part->grid_size + column;
+        column = min(c, part->grid_size - 1); // just below 1, the product rounds up
     }
-    return place_of_cell(part, cell);
+#if LISTED
+    return number_of_listed(row_starts, columns, row, column);
+#else
+    return place_of_cell(part, row * part->grid_size + column);
+#endif
 }
 
 /// One work-item owns one point. `counts` is clear before; all points are in cells that are held.
 kernel void count_points(global const real* positions, uint point_count, struct GridPart part, global uint* counts,
-                         global uint* cells, global uint* places)
+                         global uint* cells, global uint* places LISTED_CELLS)
 {
     const uint id = get_global_id(0);
     if (id >= point_count) return;
-    const uint cell = cell_of_point(positions, id, &part);
+    const uint cell = cell_of_point(positions, id, &part THE_LISTED_CELLS);
     cells[id] = cell;
     places[id] = atomic_inc(&counts[cell]);
 }
@@ -129,6 +145,7 @@ kernel void gather_points(global const real* positions, global const uint* ids, 
                     stride);
 }
 
+#if !LISTED
 /// The first work-item owns everything.
 kernel void sort_few(global const real* positions, global const uint* ids, uint point_count, struct GridPart part,
                      global uint* counts, global uint* cells, global uint* starts, global uint* order,
@@ -147,3 +164,4 @@ kernel void sort_few(global const real* positions, global const uint* ids, uint 
                     stride);
     }
 }
+#endif

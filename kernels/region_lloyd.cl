@@ -17,6 +17,7 @@
 
 #define ALWAYS_INLINE __attribute__((always_inline))
 
+#include "kernels/common/listed_cells.clh"
 #include "kernels/common/regions/region_lloyd.h"
 
 /// The grid, and which of its cells are listed: a row's columns ascend from `row_starts` on.
@@ -128,15 +129,7 @@ ALWAYS_INLINE double2 relative(uint2 position, uint2 site)
 ALWAYS_INLINE uint number_of_cell(const SiteCells* grid, uint row, uint column)
 {
     if (!grid->is_listed) return row * grid->columns + column;
-    uint low = grid->row_starts[row], high = grid->row_starts[row + 1];
-    while (low < high) {
-        const uint middle = low + (high - low) / 2;
-        if (grid->listed_columns[middle] < column)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
+    return number_of_listed(grid->row_starts, grid->listed_columns, row, column);
 }
 
 /// Cuts the cell by the sites of the grid's cells in a row, from one column to another.

@@ -99,16 +99,20 @@ const std::vector<Measure>& texture_measures()
         texture_row("coverage", "coverage", "of the exemplar", higher, three,
                     "The part of the exemplar's pixels that some tile shows."),
         texture_row(
-            "lattice_power", "repetition at 1/T", "of the power", lower, three,
-            "The part of the power of a tiling of 16 x 16 tiles at whole multiples of one over the side of a tile. "
-            "Independent tiles have 1/256; one tile again and again has 1."),
-        texture_row(
-            "exemplar_power", "the exemplar's own", "of the power", neither, three,
-            "The same of the exemplar itself, which has fewer tiles: chance alone gives one over their number."),
-        texture_row("repetition", "repetition", "times the exemplar's own", lower, three,
-                    "Repetition at 1/T of windows that are as large as the exemplar, over the exemplar's own: 1 is "
-                    "natural. Of exemplars of 2 x 2 tiles and more."),
-        texture_row("double_lattice_power", "repetition at 1/2T", "of the power", lower, three,
+            "recurrence", "what recurs", "of the power", lower, three,
+            "The part of a texture's power at whole multiples of one over the width and the height of what could "
+            "recur, "
+            "beyond what chance gives: 0 for independent pieces, 1 for a picture again and again. That is a tile, of "
+            "omega tiles 2 x 2, over 32 x 32 tiles; of plain repetition the exemplar; of methods without tiles their "
+            "squares, hexagons or blocks. With regular waves that fit the tiles, beside the exemplar's means at their "
+            "phase. Above 0.05 an eye notices it."),
+        texture_row("recurrence_width", "what recurs is as wide as", "pixels", neither, whole,
+                    "The width of the tile, or of what else could recur."),
+        texture_row("lattice_power", "power at 1/T", "of the power", lower, three,
+                    "The part of the power of a tiling of 16 x 16 tiles at whole multiples of one over the side of a "
+                    "tile, with "
+                    "what chance gives. Independent tiles have 1/256; one tile again and again has 1."),
+        texture_row("double_lattice_power", "power at 1/2T", "of the power", lower, three,
                     "The same for two tiles: sets whose colours alternate hide at 1/T. Independent tiles have 1/64."),
         texture_row(
             "color_distance", "colour distance", "levels", lower, three,
@@ -156,6 +160,23 @@ const std::vector<Measure>& texture_measures()
                     "`timing = true`, of the first set."),
     };
     return all;
+}
+
+const std::vector<TextureGate>& texture_gates()
+{
+    static const std::vector<TextureGate> all{
+        {"recurrence", 0.05, "repeats"},
+        {"gradient_spread", 2, "blurs edges"},
+        {"novelty", 0.2, "breaks shapes"},
+    };
+    return all;
+}
+
+const TextureGate& texture_gate(std::string_view key)
+{
+    const auto gate = std::ranges::find(texture_gates(), key, &TextureGate::key);
+    if (gate == texture_gates().end()) throw std::out_of_range("no gate of textures is called " + std::string(key));
+    return *gate;
 }
 
 std::optional<MeasuredValue> texture_value(const Measure& measure, const DistributionResult& texture)

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poissonlab {
@@ -16,6 +17,23 @@ const std::vector<Measure>& texture_measures();
 
 /// The value that a texture has of a measure.
 std::optional<MeasuredValue> texture_value(const Measure& measure, const DistributionResult& texture);
+
+/// What a person notices in a texture at 12 x 12 tiles: a value beyond the limit fails, and no other number makes up
+/// for it. Limits are judgements; docs/texture-tiles.md says from which textures they come.
+struct TextureGate
+{
+    std::string_view key; ///< of the measure
+    double limit;         ///< the largest value that passes
+    const char* fault;    ///< what a texture does that fails: "repeats"
+
+    bool passes(double value) const { return value <= limit; }
+};
+
+/// Repetition, which a copy fails; edges, which a blend fails; new patches, which shuffled pieces fail.
+const std::vector<TextureGate>& texture_gates();
+
+/// The gate of a measure that has one. Throws std::out_of_range for others.
+const TextureGate& texture_gate(std::string_view key);
 
 /// A number as results hold it, by the key of its row. Throws std::out_of_range for others.
 DistributionNumber texture_number(const std::string& key, double value, std::optional<double> standard_error);

@@ -108,6 +108,7 @@ Command export_command();
 Command diff_command();
 Command tiling_command();
 Command packing_command();
+Command texture_advise_command();
 Command texture_build_command();
 Command texture_verify_command();
 Command texture_tile_command();

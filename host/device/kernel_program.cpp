@@ -36,6 +36,7 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant reach{"REACH", {"2", "3"}};
     static const KernelConstant large_disks{"LARGE_DISKS", {"0", "1"}};
     static const KernelConstant bricks{"BRICKS", {"0", "1"}};
+    static const KernelConstant listed{"LISTED", {"0", "1"}};
     static const std::vector<KernelFile> files{
         {"averaged_tiles.cl", "averaged-tiles", doubles, {}},
         {"beatty_tiling.cl", "aperiodic tile", {}, {}},
@@ -46,13 +47,13 @@ const std::vector<KernelFile>& kernel_files()
         {"darts_in_order.cl", "dart-throwing", {}, {dimension, reach, large_disks, {"BRICKS", {"0"}}}},
         {"darts_in_rounds.cl", "dart-throwing", {}, {dimension, reach, large_disks, bricks}},
         {"farthest_point.cl", "farthest-point", doubles, {}},
-        {"gaussian_blue_noise.cl", "gaussian-blue-noise", doubles, {dimension, {"ADAPTIVE", {"0", "1"}}}},
+        {"gaussian_blue_noise.cl", "gaussian-blue-noise", doubles, {dimension, {"ADAPTIVE", {"0", "1"}}, listed}},
         {"gradient_domain.cl", "texture build", doubles, {}},
         {"instances.cl", "distribute instances", doubles, {}},
         {"joint_nulling.cl", "tiles build", doubles, {dimension}},
         {"objects.cl", "object distribution", {}, {}},
         {"penrose.cl", "penrose", {}, {}},
-        {"point_grid.cl", "relaxation", {}, {dimension, with_doubles}},
+        {"point_grid.cl", "relaxation", {}, {dimension, with_doubles, listed}},
         {"polyominoes.cl", "polyominoes", {}, {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", "equal-areas", doubles, {}},
         {"recursive_tiles.cl", "recursive-wang-tiles", doubles, {}},
@@ -63,10 +64,7 @@ const std::vector<KernelFile>& kernel_files()
          {},
          {dimension, {"COVER_BITS", {"2", "3"}}, {"REGION", {"0", "1", "2"}}}},
         {"repulsion.cl", "repulsion", {}, {dimension, with_doubles}},
-        {"sample_elimination.cl",
-         "sample-elimination",
-         doubles,
-         {dimension, {"FACTORS", {"0", "1"}}, {"LISTED", {"0", "1"}}}},
+        {"sample_elimination.cl", "sample-elimination", doubles, {dimension, {"FACTORS", {"0", "1"}}, listed}},
         {"sector_darts.cl", "sector-darts", doubles, {}},
         {"self_similar.cl", "distribute rank", {}, {}},
         {"surfaces/surface_darts.cl", "distribute surface", {}, {}},
@@ -78,7 +76,8 @@ const std::vector<KernelFile>& kernel_files()
           {"CHANNELS", {"1", "3"}},
           {"EXPONENT", {"7"}, true},
           {"GAIN", {"2"}, true},
-          {"RESTORED", {"0", "1"}}}},
+          {"RESTORED", {"0", "1"}},
+          {"TURNED", {"0", "1"}}}},
         {"textures/endless_texture.cl",
          "texture endless",
          {},
@@ -89,6 +88,7 @@ const std::vector<KernelFile>& kernel_files()
           {"EXPONENT", {"7"}, true},
           {"GAIN", {"2"}, true},
           {"RESTORED", {"0", "1"}},
+          {"TURNED", {"0", "1"}},
           {"COLORS", {"3"}, true}}},
         {"textures/texture_map.cl",
          "texture map",

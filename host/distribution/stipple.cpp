@@ -172,6 +172,14 @@ double tone_error(const PixelValues& ink, const Coverage& coverage)
 
 }
 
+double ink_of_lightness(double ink)
+{
+    constexpr double linear_end = 216.0 / 24'389; // (6 / 29)^3
+    const double light = 1 - ink;
+    const double root = light > linear_end ? std::cbrt(light) : (24'389.0 / 27 * light + 16) / 116;
+    return std::clamp(1.16 * (1 - root), 0.0, 1.0);
+}
+
 InkPicture read_ink(const StippleSettings& settings)
 {
     InkPicture picture{middle_of(values_of_text(settings.image, settings.from, 1, 1), settings.zoom), {}, 0};
@@ -181,6 +189,7 @@ InkPicture read_ink(const StippleSettings& settings)
             throw InputError(fmt::format("image {}: {}: ink {}: must be from 0, white, to 1, black",
                                          printable(shortened(settings.image)), pixel_name(ink.width, ink.height, i),
                                          ink.values[i]));
+        if (settings.tones == InkTones::lightness) ink.values[i] = ink_of_lightness(ink.values[i]);
         ink.values[i] *= settings.ink;
         picture.total += ink.values[i];
     }

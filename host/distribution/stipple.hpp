@@ -24,6 +24,12 @@ struct InkPicture
     double total = 0; ///< the sum over pixels
 };
 
+/// What the ranks of the self-similar tile show.
+inline constexpr auto lattice_words = "whose copies show as a lattice where the ink hardly changes";
+
+/// 1 - the lightness of what has this ink, by CIE 1976 L*.
+double ink_of_lightness(double ink);
+
 /// The ink that settings ask for: the middle of the picture, by the zoom. Throws InputError for what cannot be read,
 /// for ink below 0 or above 1, and for none.
 InkPicture read_ink(const StippleSettings& settings);

@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/texture/exemplar.hpp"
+#include "host/texture/flattening.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "tiles/texture/companion_maps.hpp"
 
@@ -114,6 +115,32 @@ void straighten(ExemplarPictures& pictures, int size)
     pictures.exemplar = straightened(pictures.exemplar, map);
     for (CompanionMap& companion : pictures.companions) set_picture(companion, straightened(companion.picture, map));
     pictures.notes.push_back(straightening_note(map));
+}
+
+void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked)
+{
+    // Pictures of marked corners have a light of their own, and those that are smaller than a tile make no tiles.
+    if (pictures.split > 0 || std::min(pictures.exemplar.width, pictures.exemplar.height) < size) return;
+    std::size_t clipped = 0;
+    PngPixels flat = flattened(pictures.exemplar, size, clipped);
+    const UnevenLight light = uneven_light(pictures.exemplar, flat, size);
+    if (!light.is_uneven() && !is_asked.value_or(false)) return;
+    const std::string differs =
+        fmt::format("the light differs over more than a tile: {:.0f} % of its variation", 100 * light.share);
+    if (!is_asked.value_or(true)) {
+        pictures.notes.push_back(differs + "; bright and dark parts show as a pattern (--flatten evens them)");
+        return;
+    }
+    pictures.exemplar = std::move(flat);
+    bool has_others = false;
+    for (CompanionMap& companion : pictures.companions) {
+        if (companion.is_original) set_picture(companion, flattened(companion.picture, size));
+        has_others = has_others || !companion.is_original;
+    }
+    pictures.notes.push_back(fmt::format("{}; flattened{}{}{}", differs, is_asked ? "" : " (--flatten off keeps it)",
+                                         clipped > 0 ? fmt::format(", {} values are clipped", clipped) : "",
+                                         has_others ? ", companions are as they were" : ""));
+    pictures.is_flattened = true;
 }
 
 }

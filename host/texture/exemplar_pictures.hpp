@@ -4,6 +4,7 @@
 #include "tiles/texture/texture_set.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct ExemplarPictures
     int split = 0;                        ///< the column where that of marked corners begins; 0: there is none
     std::vector<CompanionMap> companions; ///< an exemplar of more than 8 bits as its file has it, then those asked for
     std::vector<std::string> notes;       ///< lines that a person should read
+    bool is_flattened = false;            ///< see flatten()
 };
 
 /// Checks names and sizes of companions from their headers, before any work. Throws InputError that begins with the
@@ -29,5 +31,10 @@ ExemplarPictures read_exemplar_pictures(const std::filesystem::path& exemplar,
 
 /// Straightens all pictures of a set for tiles of that size. Throws InputError as straightening_for() does.
 void straighten(ExemplarPictures& pictures, int size);
+
+/// Flattens the exemplar for tiles of that size, and its original, where that is asked for; where nothing is asked for,
+/// if its light differs over more than a tile. Other companions stay as they are: what varies slowly in heights or
+/// normals is no light. A note says what is done.
+void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked);
 
 }

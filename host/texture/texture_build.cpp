@@ -4,6 +4,7 @@
 #include "base/random/random.hpp"
 #include "host/texture/corner_texture.hpp"
 #include "host/texture/judged_texture.hpp"
+#include "host/texture/seam_blending.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>
@@ -267,13 +268,12 @@ BuiltTexture texture_in_one_way(const TextureRequest& request, const PngPixels& 
     return built;
 }
 
-}
-
-BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
-                           const HarmonicSolver& solve)
+/// Makes the set; of both ways, where the request says so, the better one.
+BuiltTexture chosen_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                            const HarmonicSolver& solve)
 {
-    check(request);
     BuiltTexture together = texture_in_one_way(request, exemplar, progress, solve);
+    together.choice = large_set_note(request);
     if (!request.joint || !request.is_judged) return together;
     TextureRequest one_by_one = request;
     one_by_one.joint = false;
@@ -285,6 +285,23 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     BuiltTexture& kept = choice.is_together ? together : apart;
     kept.choice = choice.words;
     return std::move(kept);
+}
+
+}
+
+BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                           const HarmonicSolver& solve)
+{
+    check(request);
+    BuiltTexture built = chosen_texture(request, exemplar, progress, solve);
+    if (request.blend ? *request.blend : is_smooth(exemplar) && can_blend(request)) {
+        blend_seams(built.set);
+        built.set.parameters["blend"] = "true";
+        built.notes.push_back(
+            fmt::format("seams are blended over {:.0f} pixels{}", fading_length(exemplar, request.size),
+                        request.blend ? "" : ", since the picture is smooth (--blend off leaves them)"));
+    }
+    return built;
 }
 
 }

@@ -15,7 +15,7 @@ struct BuiltTexture
     std::vector<ExemplarWindow> windows; ///< all patches or samples, then pieces that are shown
     std::size_t patches = 0;             ///< how many of them are patches or samples
     std::vector<std::string> notes;      ///< lines that a person should read
-    std::string choice{};                ///< of a set that was judged: which construction is kept, and why
+    std::string choice{};                ///< which construction is kept, and why, where nobody asks for one
     bool is_joint = false;               ///< patches and cuts were chosen together
 };
 

@@ -1,6 +1,7 @@
 #include "host/texture/texture_request.hpp"
 
 #include "base/errors/errors.hpp"
+#include "host/texture/seam_blending.hpp"
 #include "tiles/tilings/tile_set.hpp"
 
 #include <fmt/format.h>
@@ -111,6 +112,19 @@ bool is_compact(const TextureRequest& r)
     return r.kind == TextureKind::wang && (r.tiles == "compact" || r.tiles == random_marks);
 }
 
+/// True if nothing is asked for that cannot be combined with pieces that are chosen together.
+bool goes_with_joint(const TextureRequest& r)
+{
+    if (r.colors.horizontal != r.colors.vertical && !is_compact(r)) return false; // check() refuses these
+    return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
+           !r.smooth;
+}
+
+bool is_large(const TextureRequest& r)
+{
+    return requested_tiles(r).size() > most_tiles_together || pixels_of(r) > most_pixels_together;
+}
+
 void check_marks(const TextureRequest& r)
 {
     if (r.tiles == random_marks && r.split == 0) refuse("tiles", r.tiles, "needs an exemplar for marked corners");
@@ -169,17 +183,31 @@ void check(const TextureRequest& r)
     check_joint(r);
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
+    if (r.blend.value_or(false) && !can_blend(r))
+        refuse(
+            "blend", "true",
+            fmt::format("is for corner and omega tiles with a ring, and Wang tiles that are chosen together, without "
+                        "marked corners and smooth, of at most {} pixels",
+                        most_blended_pixels));
     const std::size_t pixels = pixels_of(r);
     if (pixels > most_atlas_pixels)
         refuse("size", std::to_string(r.size),
                fmt::format("all tiles have {} pixels: must be at most {}", pixels, most_atlas_pixels));
 }
 
-bool is_joint_by_default(const TextureRequest& r)
+void settle_joint(TextureRequest& r)
 {
-    if (r.colors.horizontal != r.colors.vertical && !is_compact(r)) return false; // check() refuses these
-    return r.split == 0 && r.stages == 3 && r.weight == SeamWeight::plain && r.cut == QuiltingCut::minimum_cut &&
-           !r.smooth && requested_tiles(r).size() <= most_tiles_together && pixels_of(r) <= most_pixels_together;
+    if (!r.is_joint_open) return;
+    r.joint = goes_with_joint(r) && !is_large(r);
+    r.is_judged = r.joint && r.has_corners(); // the corners of Wang tiles fit by joint choice alone
+}
+
+std::string large_set_note(const TextureRequest& r)
+{
+    if (!r.is_joint_open || !goes_with_joint(r) || !is_large(r)) return "";
+    return fmt::format("Fitted one after another: by default {} tiles of {} x {} pixels are too many to be chosen "
+                       "together",
+                       requested_tiles(r).size(), r.size, r.size);
 }
 
 std::vector<TextureTile> requested_tiles(const TextureRequest& r)

@@ -60,10 +60,12 @@ struct TextureRequest
     /// corners, and where there are as many of both, from either. Wang: tiles are multiplied by the marks of their
     /// corners (marked_tiles.hpp).
     int split = 0;
-    bool joint = false;     ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
-    bool is_judged = false; ///< joint: only if that is better than one piece after another (judged_texture.hpp)
-    int rounds = 12;        ///< joint: how often a better window is looked for at each corner, edge and tile
-    bool smooth = false;    ///< corner and omega: the middles of tiles take on the colours around them
+    bool is_joint_open = false; ///< nobody says whether pieces are chosen together: settle_joint() does
+    bool joint = false;         ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
+    bool is_judged = false;     ///< joint: only if that is better than one piece after another (judged_texture.hpp)
+    int rounds = 12;            ///< joint: how often a better window is looked for at each corner, edge and tile
+    bool smooth = false;        ///< corner and omega: the middles of tiles take on the colours around them
+    std::optional<bool> blend;  ///< seams become slopes (seam_blending.hpp); nothing: where the exemplar is smooth
     std::uint64_t seed = 1;
 
     /// Classes of colours: marked or not.
@@ -82,8 +84,12 @@ const std::vector<std::string>& texture_tile_names(TextureKind kind);
 /// Checks everything that does not depend on the exemplar. Throws InputError that begins with the parameter's name.
 void check(const TextureRequest& request);
 
-/// A set is chosen together where nobody says otherwise, what is asked for goes with that, and it is not large.
-bool is_joint_by_default(const TextureRequest& request);
+/// Decides whether a set is chosen together where nobody says it: if what is asked for goes with that, and the set is
+/// not large.
+void settle_joint(TextureRequest& request);
+
+/// A sentence that says that a set is too large to be chosen together by default; empty if its size is not the reason.
+std::string large_set_note(const TextureRequest& request);
 
 /// The tiles of the set that is asked for.
 std::vector<TextureTile> requested_tiles(const TextureRequest& request);

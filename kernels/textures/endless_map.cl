@@ -5,7 +5,7 @@
 // section 1.5, for tables back of each level. The plain twin is host/texture/mapping/endless_map_reference.cpp: no
 // library function but square root and floor of double precision, which are exact, and the same order of sums.
 //
-// Needs METHOD, CHANNELS (1 or 3), EXPONENT, GAIN and RESTORED (0 or 1) of EndlessTexture.
+// Needs METHOD, CHANNELS (1 or 3), EXPONENT, GAIN, RESTORED and TURNED (0 or 1) of EndlessTexture.
 
 #include "kernels/common/fields/endless_map.h"
 #include "kernels/common/fields/endless_texture.h"
@@ -25,7 +25,8 @@ typedef struct
     global const float* encoded;  ///< numbers from 0 to 255 by the root of light
     global const float* light;    ///< of these numbers, then half the second derivatives of it
     global const float* means;    ///< of the channels, encoded, at each level
-    global const float* inverse;  ///< tables back at each level: means and variances of each coordinate
+    global const float* inverse;  ///< tables back at each level: means and variances of each coordinate; of turned
+                                  ///< hexagons cosines and sines
 } Exemplar;
 
 /// Two levels, and the part of the upper one.
@@ -77,6 +78,13 @@ INLINE void look_up_piece(Exemplar from, Level level, uint x, uint y, double dx,
     const uint hash = ttiles_mix(ttiles_mix(ttiles_mix(plane->seed) + x) + y);
     double column = plane->reach_x + (int)(((hash & 0xffffu) * (uint)plane->choices_x) >> 16);
     double row = plane->reach_y + (int)(((hash >> 16) * (uint)plane->choices_y) >> 16);
+    if (TURNED) {
+        const uint turn = ttiles_mix(hash) >> 24;
+        const double cosine = from.inverse[turn], sine = from.inverse[TURNS + turn];
+        const double right = (cosine * dx - sine * dy) / TURN_UNIT;
+        dy = (sine * dx + cosine * dy) / TURN_UNIT;
+        dx = right;
+    }
     if (plane->is_tileable) {
         column += dx;
         row += dy;

@@ -6,8 +6,8 @@
 // host/texture/endless; the plain twin is endless_reference.cpp there.
 //
 // Needs METHOD of the contract, CHANNELS (1 or 3), CELL and ROW, the plane's cell and row, by which so much is divided
-// that they are known when the kernel is built, EXPONENT, GAIN and RESTORED (0 or 1) of EndlessTexture, and COLORS of
-// tiles.
+// that they are known when the kernel is built, EXPONENT, GAIN, RESTORED and TURNED (0 or 1) of EndlessTexture, and
+// COLORS of tiles.
 
 #include "runtime/texture_tiles.h"
 
@@ -36,9 +36,42 @@ INLINE uint piece_texel(struct EndlessPlane plane, uint x, uint y, int dx, int d
     return (uint)row * (uint)plane.width + (uint)column;
 }
 
-/// Texels and weights of the corners of the triangle around a pixel; `x` and `y` from the window's lattice point.
-INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window, int x, int y, uint* texels,
-                          float* weights)
+/// What a turned piece shows: between the four texels of the exemplar around a place, in 256ths of them, as bytes of
+/// the channels.
+INLINE uint turned_texel(struct EndlessPlane plane, global const uint* texels, global const float* turns, uint x,
+                         uint y, int dx, int dy)
+{
+    const uint hash = ttiles_mix(ttiles_mix(ttiles_mix(plane.seed) + x) + y), turn = ttiles_mix(hash) >> 24;
+    const int cosine = (int)turns[turn], sine = (int)turns[TURNS + turn];
+    const int right = (cosine * dx - sine * dy + 64) >> 7, down = (sine * dx + cosine * dy + 64) >> 7;
+    const int east = right & 255, south = down & 255;
+    int column = plane.reach_x + (int)(((hash & 0xffffu) * (uint)plane.choices_x) >> 16) + (right >> 8);
+    int row = plane.reach_y + (int)(((hash >> 16) * (uint)plane.choices_y) >> 16) + (down >> 8);
+    int columns[2], rows[2];
+    for (int k = 0; k < 2; ++k) {
+        columns[k] = column + k;
+        rows[k] = row + k;
+        if (plane.is_tileable) {
+            columns[k] = (columns[k] + plane.width) % plane.width;
+            rows[k] = (rows[k] + plane.height) % plane.height;
+        }
+    }
+    uint bytes = 0;
+    for (int c = 0; c < CHANNELS; ++c) {
+        int sum = 1 << 15;
+        for (int k = 0; k < 4; ++k) {
+            const uint texel = texels[rows[k / 2] * plane.width + columns[k % 2]];
+            sum += (k % 2 ? east : 256 - east) * (k / 2 ? south : 256 - south) * (int)((texel >> (8 * c)) & 0xffu);
+        }
+        bytes |= (uint)(sum >> 16) << (8 * c);
+    }
+    return bytes;
+}
+
+/// Texels and weights of the corners of the triangle around a pixel, or what turned pieces show there; `x` and `y` from
+/// the window's lattice point.
+INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window, global const uint* exemplar,
+                          global const float* turns, int x, int y, uint* texels, float* weights)
 {
     const int whole = 2 * CELL * ROW;
     const int j = y / ROW, dy = y - j * ROW;
@@ -52,8 +85,10 @@ INLINE void find_triangle(struct EndlessPlane plane, struct EndlessWindow window
                           is_upper ? whole - fa : fa};
     const int east[3] = {is_upper, is_upper, 1 - is_upper}, south[3] = {is_upper, 1 - is_upper, is_upper};
     for (int k = 0; k < 3; ++k) {
-        texels[k] = piece_texel(plane, window.cell_x + (uint)(i + east[k]), window.cell_y + (uint)(j + south[k]),
-                                x - (i + east[k]) * CELL - south[k] * (CELL / 2), dy - south[k] * ROW);
+        const uint u = window.cell_x + (uint)(i + east[k]), v = window.cell_y + (uint)(j + south[k]);
+        const int right = x - (i + east[k]) * CELL - south[k] * (CELL / 2), down = dy - south[k] * ROW;
+        texels[k] =
+            TURNED ? turned_texel(plane, exemplar, turns, u, v, right, down) : piece_texel(plane, u, v, right, down);
         weights[k] = power((float)parts[k] * plane.inverse_unit, EXPONENT);
     }
 }
@@ -92,7 +127,7 @@ INLINE uint rounded_byte(float v)
 INLINE uint blended_bytes(struct EndlessPlane plane, global const uint* texels, const uint* places, float* weights)
 {
     uint found[PIECES];
-    for (int k = 0; k < PIECES; ++k) found[k] = texels[places[k]];
+    for (int k = 0; k < PIECES; ++k) found[k] = TURNED ? places[k] : texels[places[k]];
     if (METHOD == METHOD_HEXAGONS)
         for (int k = 0; k < PIECES; ++k)
             weights[k] = weights[k] * (1.0f + plane.falloff * (lightness(found[k]) - 1.0f));
@@ -167,7 +202,7 @@ kernel void color_pixels(struct EndlessPlane plane, struct EndlessWindow window,
         uint places[PIECES];
         float weights[PIECES];
         if (METHOD >= METHOD_HEXAGONS)
-            find_triangle(plane, window, x, y, places, weights);
+            find_triangle(plane, window, texels, inverse, x, y, places, weights);
         else
             find_square(plane, window, x, y, places, weights);
         bytes = METHOD == METHOD_BLENDED ? gaussian_bytes(plane, texels, inverse, places, weights)

@@ -7,6 +7,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "host/settings/toml_reader.hpp"
+#include "host/texture/advice/advice_words.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "reports/drawings/construction_image.hpp"
@@ -97,9 +98,12 @@ void draw_scene(const std::filesystem::path& folder, DistributionResult& result)
     }
 }
 
-/// Pictures of marks become pixels beside them.
+/// Pictures of marks become pixels beside them, and curves are files to read.
 void draw_pictures(const std::filesystem::path& folder, DistributionResult& result)
 {
+    for (const DistributionPicture& picture : result.pictures)
+        if (picture.has_curves()) result.files.push_back(picture.file);
+    std::erase_if(result.pictures, [](const DistributionPicture& picture) { return picture.has_curves(); });
     for (DistributionPicture& picture : result.pictures) {
         if (!picture.has_marks()) continue;
         const std::filesystem::path file = folder / picture.file;
@@ -189,6 +193,11 @@ py::dict make(const std::string& name, const std::string& table, const std::stri
     return dict;
 }
 
+std::string texture_advice(const std::filesystem::path& picture)
+{
+    return without_lock([&] { return advice_json(advise_file(picture)); });
+}
+
 }
 
 void add_kinds(py::module_& module)
@@ -196,6 +205,7 @@ void add_kinds(py::module_& module)
     module.def("kinds", kind_descriptions, "The kinds of work and their keys, a dict each.");
     module.def("make", make, py::arg("name"), py::arg("table"), py::arg("word"), py::arg("values"), py::arg("seed"),
                py::arg("engine"), py::arg("device"), py::arg("folder"), "Makes a result in a folder.");
+    module.def("texture_advice", texture_advice, py::arg("picture"), "What `texture advise --json` prints.");
 }
 
 }

@@ -15,6 +15,10 @@ namespace {
 constexpr double tile_size = 32;
 constexpr double tile_gap = 8;
 
+/// Tiles of larger pictures are too small for letters.
+constexpr std::size_t most_lettered = 256;
+constexpr double number_size = 6, number_height = 0.36; ///< the height of a figure's middle over its foot, in sizes
+
 /// The distance from one tile to the next.
 double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? tile_gap : 0); }
 
@@ -27,6 +31,61 @@ void add_tile(std::vector<Shape>& shapes, const auto& tile, const DrawnSquare& s
     }
 }
 
+/// The number of a colour around a place, black, or white on dark colours.
+Shape color_number(Color color, const DrawingPoint& at)
+{
+    const auto [red, green, blue] = color_channels(tile_color(color));
+    const bool is_dark = 299 * red + 587 * green + 114 * blue < 110'000;
+    return {Text{{at[0], at[1] + number_height * number_size}, number_size, std::to_string(color), true},
+            is_dark ? "#ffffff" : "#000000",
+            {}};
+}
+
+/// Where the number of a shape stands, between its first corners and the middle of a tile.
+TilePoint number_place(const WangTile&, std::size_t side)
+{
+    constexpr double inwards = 0.17;
+    const std::array<TilePoint, 4> places{{{0.5, inwards}, {1 - inwards, 0.5}, {0.5, 1 - inwards}, {inwards, 0.5}}};
+    return places[side];
+}
+
+TilePoint number_place(const CornerTile&, std::size_t corner)
+{
+    constexpr double inwards = 5 / tile_size;
+    const std::array<TilePoint, 4> places{
+        {{inwards, inwards}, {1 - inwards, inwards}, {1 - inwards, 1 - inwards}, {inwards, 1 - inwards}}};
+    return places[corner];
+}
+
+TilePoint number_place(const Domino&, std::size_t half) { return {0.25 + 0.5 * static_cast<double>(half), 0.5}; }
+
+/// Tiles of a tiling share their corners, of which each has one number: that of the tile to the north-east, or beyond
+/// the last column and above the first row of others.
+bool has_number(const TileGrid& grid, std::size_t tile, std::size_t corner)
+{
+    const bool is_last_column = tile % grid.columns + 1 == grid.columns, is_first_row = tile < grid.columns;
+    return corner == 0 || (corner == 1 && is_last_column) || (corner == 2 && is_last_column && is_first_row) ||
+           (corner == 3 && is_first_row);
+}
+
+/// Numbers of colours in their shapes, as figures of the dissertation have them in disks.
+template <class Tile>
+void add_color_numbers(std::vector<Shape>& shapes, const TileGrid& grid, std::span<const Tile> tiles)
+{
+    if (tiles.size() > most_lettered) return;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const std::vector<TileShape> of = shapes_of(tiles[i]);
+        for (std::size_t k = 0; k < of.size(); ++k) {
+            const bool is_shared = std::is_same_v<Tile, CornerTile> && !grid.has_gaps;
+            if (is_shared && !has_number(grid, i, k)) continue;
+            const auto [x, y] = is_shared ? of[k].corners.front() : number_place(tiles[i], k);
+            const DrawingPoint at = tile_square(grid, i).at(x, y);
+            if (is_shared) shapes.push_back({Disk{at, 0.8 * number_size}, tile_color(of[k].color), {}}); // over borders
+            shapes.push_back(color_number(of[k].color, at));
+        }
+    }
+}
+
 /// Tiles at their places, with their borders.
 template <class Tile>
 Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles)
@@ -35,6 +94,7 @@ Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles)
     for (std::size_t i = 0; i < tiles.size(); ++i) add_tile(drawing.shapes, tiles[i], tile_square(grid, i));
     group_by_fill(drawing.shapes);
     add_tile_borders(drawing.shapes, grid, 1);
+    add_color_numbers(drawing.shapes, grid, tiles);
     return drawing;
 }
 

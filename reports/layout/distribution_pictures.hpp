@@ -16,7 +16,7 @@ struct ReportDistribution
     const Run* run = nullptr; ///< the runs outlive this
     const DistributionResult* stored = nullptr;
     std::filesystem::path pictures; ///< folder of its pictures
-    std::vector<Panel> curves{};    ///< of points in a region
+    std::vector<Panel> curves{};    ///< of points in a region, and those that it stores
 };
 
 /// Texture tiles and tile packings have sections of their own.
@@ -29,6 +29,13 @@ void lay_out_curves(ReportDistribution& distribution);
 
 /// The PNG of a picture: drawn, or the stored one.
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture);
+
+/// True of pictures in dots or strokes, which are as dark as the ink that is asked for.
+bool shows_tones(const ReportDistribution& distribution);
+
+/// A copy of such a picture whose bytes are light, not sRGB: browsers take means of bytes where they scale a picture,
+/// and the page's filter encodes what they show.
+std::filesystem::path light_copy_of(const ReportDistribution& distribution, const DistributionPicture& picture);
 
 /// Writes a PNG, and an SVG unless there is a ground, for each picture of marks. Throws InputError when stored files
 /// are not what they should be.

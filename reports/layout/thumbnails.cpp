@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace poissonlab {
@@ -27,8 +28,8 @@ fs::path run_picture(const ReportRun& run)
     if (!run.constructions.empty()) return run.constructions.front().pictures / "construction.png";
     for (const auto* all : {&run.distributions, &run.schemes})
         for (const ReportDistribution& distribution : *all)
-            if (!distribution.stored->pictures.empty())
-                return png_of(distribution, distribution.stored->pictures.back());
+            for (const DistributionPicture& picture : std::views::reverse(distribution.stored->pictures))
+                if (!picture.has_curves()) return png_of(distribution, picture);
     return {};
 }
 

@@ -15,12 +15,14 @@ namespace {
 constexpr int distribution_digits = 4;
 
 PageData picture_data(const ReportDistribution& distribution, const DistributionPicture& picture,
-                      const std::filesystem::path& page_folder)
+                      const std::string& anchor, const std::filesystem::path& page_folder)
 {
     PageData data;
-    const std::string png = relative_link(page_folder, png_of(distribution, picture));
-    data.set("source", png);
-    data.set("png", png);
+    const std::filesystem::path png = png_of(distribution, picture);
+    const bool is_light = shows_tones(distribution);
+    data.set("source", relative_link(page_folder, is_light ? light_copy_of(distribution, picture) : png));
+    data.set("png", relative_link(page_folder, png));
+    data.set("style", is_light ? fmt::format(" style=\"filter: url(#{}-light)\"", anchor) : "");
     data.set("caption", picture.caption);
     data.set("alt", fmt::format("{}. {}", distribution.stored->label, picture.caption));
     return data;
@@ -101,9 +103,12 @@ PageData distribution_section(const ReportDistribution& distribution, const std:
     for (const std::string& fact : stored.facts) facts << PageData(fact);
     for (const DistributionNumber& number : stored.numbers)
         if (shown == PageNumbers::shown && !number.is_in_table) numbers << number_data(number);
+    std::size_t shown_pictures = 0;
     for (const DistributionPicture& picture : stored.pictures) {
-        pictures << picture_data(distribution, picture, page_folder);
-        if (picture.has_marks()) files << file_data(distribution, picture.file, page_folder);
+        if (picture.file.ends_with(".json")) files << file_data(distribution, picture.file, page_folder);
+        if (picture.has_curves()) continue;
+        ++shown_pictures;
+        pictures << picture_data(distribution, picture, anchor, page_folder);
     }
     for (const std::string& file : stored.files) files << file_data(distribution, file, page_folder);
     data.set("label", stored.label);
@@ -112,8 +117,9 @@ PageData distribution_section(const ReportDistribution& distribution, const std:
     data.set("numbers", numbers);
     data.set("has_numbers", numbers.is_non_empty_list());
     data.set("pictures", pictures);
-    data.set("has_pictures", !stored.pictures.empty());
-    data.set("grid", grid_of_pictures(stored.pictures.size()));
+    data.set("has_pictures", shown_pictures > 0);
+    data.set("shows_tones", shows_tones(distribution));
+    data.set("grid", grid_of_pictures(shown_pictures));
     PageData curves{PageData::type::list};
     for (const Panel& panel : distribution.curves) curves << curve_data(distribution, panel, page_folder);
     data.set("curves", curves);

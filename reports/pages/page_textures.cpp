@@ -1,9 +1,10 @@
-// A run's textures: those of one exemplar beside each other, in a table of the measures that they have.
+// A run's textures: those of one exemplar beside each other, with a verdict above and the measures below.
 #include "reports/layout/distribution_pictures.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
+#include "reports/words/texture_words.hpp"
 #include "results/texture_measures.hpp"
 
 #include <fmt/format.h>
@@ -16,101 +17,84 @@
 namespace poissonlab {
 namespace {
 
-/// Distances from the exemplar by which textures are ranked, and what else they are chosen by.
-constexpr std::array ranked_measures = {"histogram_spread", "contrast_spread", "gradient_spread",
-                                        "structure_spread", "peak_times",      "contrast_peak_times"};
-constexpr std::array cost_measures = {"contrast", "atlas_bytes", "fetches", "pixel_nanoseconds"};
+/// What the verdict goes by, and what else textures are chosen by.
+constexpr std::array shown_measures = {"recurrence",        "gradient_spread", "novelty",
+                                       "conspicuous_seams", "contrast",        "structure_spread",
+                                       "atlas_bytes",       "fetches",         "pixel_nanoseconds"};
+
+/// Places of textures in a run's list.
+using TexturePlaces = std::vector<std::size_t>;
 
 const Measure& texture_measure(const std::string& key)
 {
     return *std::ranges::find(texture_measures(), key, &Measure::key);
 }
 
-std::optional<double> measured(const ReportRun& run, std::size_t place, const std::string& key)
+std::vector<const DistributionResult*> textures_at(const ReportRun& run, const TexturePlaces& places)
 {
-    const auto value = texture_value(texture_measure(key), *run.distributions[place].stored);
-    return value ? std::optional(value->value) : std::nullopt;
+    std::vector<const DistributionResult*> textures;
+    for (const std::size_t place : places) textures.push_back(run.distributions[place].stored);
+    return textures;
 }
 
-/// 1 for the least value; equal ones share the mean of their ranks.
-double rank_among(const std::vector<double>& values, double value)
+/// Places in the order in which a person should look at their textures.
+TexturePlaces judged_places(const ReportRun& run, const TexturePlaces& places)
 {
-    const auto below = std::ranges::count_if(values, [&](double other) { return other < value; });
-    const auto equal = std::ranges::count(values, value);
-    return static_cast<double>(below) + (static_cast<double>(equal) + 1) / 2;
+    TexturePlaces judged;
+    for (const std::size_t i : judged_order(textures_at(run, places))) judged.push_back(places[i]);
+    return judged;
 }
 
-struct RankedTexture
-{
-    std::size_t place = 0;
-    double rank = 0; ///< mean over measures
-};
+std::string texture_anchor(std::size_t place) { return fmt::format("distribution-{}", place + 1); }
 
-std::vector<RankedTexture> ranked_textures(const ReportRun& run, const std::vector<std::size_t>& places)
-{
-    std::vector<RankedTexture> ranked;
-    for (const std::size_t place : places)
-        if (std::ranges::all_of(ranked_measures,
-                                [&](const char* key) { return measured(run, place, key).has_value(); }))
-            ranked.push_back({place, 0});
-    for (const char* key : ranked_measures) {
-        std::vector<double> values;
-        for (const RankedTexture& texture : ranked) values.push_back(*measured(run, texture.place, key));
-        for (std::size_t i = 0; i < ranked.size(); ++i)
-            ranked[i].rank += rank_among(values, values[i]) / static_cast<double>(ranked_measures.size());
-    }
-    std::ranges::stable_sort(ranked, {}, &RankedTexture::rank);
-    return ranked;
-}
-
-PageData ranking_cell(const ReportRun& run, std::size_t place, const char* key)
+PageData number_cell(const Measure& measure, const DistributionResult& texture, bool has_failed)
 {
     PageData cell;
-    const Measure& measure = texture_measure(key);
-    const auto value = texture_value(measure, *run.distributions[place].stored);
+    const auto value = texture_value(measure, texture);
     const std::string shown = value ? words_of(measure, *value).shown : std::string();
-    cell.set("shown", shown.empty() ? PageData(false) : PageData(shown));
+    cell.set("shown", optional_text(shown));
     cell.set("exact", value ? format_exact(value->value) : "");
+    cell.set("failed", has_failed);
     return cell;
 }
 
-PageData ranking_row(const ReportRun& run, const RankedTexture& texture, const std::string& anchor)
+PageData number_row(const DistributionResult& texture, const std::string& anchor)
 {
     PageData row, cells{PageData::type::list};
-    row.set("label", run.distributions[texture.place].stored->label);
-    row.set("anchor", fmt::format("{}{}", anchor, texture.place + 1));
-    row.set("rank", fmt::format("{:.1f}", texture.rank));
-    for (const char* key : ranked_measures) cells << ranking_cell(run, texture.place, key);
-    for (const char* key : cost_measures) cells << ranking_cell(run, texture.place, key);
+    row.set("label", label_of_method(texture));
+    row.set("anchor", anchor);
+    const auto failed = failed_gates(texture);
+    for (const char* key : shown_measures)
+        cells << number_cell(texture_measure(key), texture,
+                             std::ranges::any_of(failed, [&](const auto* gate) { return gate->key == key; }));
     row.set("cells", cells);
     return row;
 }
 
-/// The table, `places` being those of textures in the run's list: heads, rows; false unless two textures or more have
-/// all distances from their exemplar. `anchor` is a prefix, to which a texture's place + 1 is added.
-PageData texture_ranking(const ReportRun& run, const std::vector<std::size_t>& places, const std::string& anchor)
+/// The limit of a measure that has a gate, in words.
+std::string limit_words(std::string_view key)
 {
-    const std::vector<RankedTexture> ranked = ranked_textures(run, places);
-    if (ranked.size() < 2) return PageData(false);
+    const auto gate = std::ranges::find(texture_gates(), key, &TextureGate::key);
+    if (gate == texture_gates().end()) return "";
+    return fmt::format("at most {}", gate->limit);
+}
+
+/// The numbers behind the sentences: a row a texture.
+PageData texture_numbers(const ReportRun& run, const TexturePlaces& places)
+{
     PageData data, heads{PageData::type::list}, rows{PageData::type::list};
-    const auto add_head = [&](const char* key) {
+    for (const char* key : shown_measures) {
         PageData head;
         head.set("name", texture_measure(key).name);
         head.set("unit", texture_measure(key).unit);
+        head.set("limit", optional_text(limit_words(key)));
         heads << head;
-    };
-    for (const char* key : ranked_measures) add_head(key);
-    for (const char* key : cost_measures) add_head(key);
-    for (const RankedTexture& texture : ranked) rows << ranking_row(run, texture, anchor);
+    }
+    for (const std::size_t place : places) rows << number_row(*run.distributions[place].stored, texture_anchor(place));
     data.set("heads", heads);
     data.set("rows", rows);
     return data;
 }
-
-/// The numbers that stand under a tiling.
-constexpr std::array tiling_measures = {"seam_mismatch", "novelty",          "longest_run", "border_exceptions",
-                                        "lattice_power", "exemplar_power",   "repetition",  "color_distance",
-                                        "contrast",      "structure_spread", "peak_times"};
 
 /// Tables with more textures would be wider than pages: the others go into tables of their own.
 constexpr std::size_t textures_in_a_table = 6;
@@ -141,9 +125,6 @@ PageData texture_note(const Measure& measure)
     return data;
 }
 
-/// Places of textures in a run's list.
-using TexturePlaces = std::vector<std::size_t>;
-
 /// The textures of each exemplar, in the order of the first ones.
 std::vector<TexturePlaces> textures_by_exemplar(const ReportRun& run)
 {
@@ -160,8 +141,6 @@ std::vector<TexturePlaces> textures_by_exemplar(const ReportRun& run)
     }
     return groups;
 }
-
-std::string texture_anchor(std::size_t place) { return fmt::format("distribution-{}", place + 1); }
 
 /// A measure with its values of all textures; false where none has it.
 PageData texture_row(const Measure& measure, const ReportRun& run, const TexturePlaces& places)
@@ -191,45 +170,59 @@ const DistributionPicture* texture_picture(const ReportDistribution& texture, co
     return found == pictures.end() ? nullptr : &*found;
 }
 
-PageData tiling_numbers(const DistributionResult& texture)
+/// What a card shows of a texture: a tiling, a view to the horizon, a sentence.
+PageData texture_card(const ReportDistribution& texture, const std::string& anchor,
+                      const std::filesystem::path& page_folder)
+{
+    PageData card, faults{PageData::type::list};
+    const std::string label = label_of_method(*texture.stored);
+    const auto set_picture = [&](const std::string& name, const std::string& file) {
+        const auto* const picture = texture_picture(texture, file);
+        card.set(name, picture ? PageData(relative_link(page_folder, png_of(texture, *picture))) : PageData(false));
+        card.set(name + "_alt", picture ? fmt::format("{}. {}", label, picture->caption) : "");
+    };
+    set_picture("near", "tiling.png");
+    set_picture("far", "plane.png");
+    for (const TextureGate* gate : failed_gates(*texture.stored)) faults << PageData(std::string(gate->fault));
+    card.set("label", label);
+    card.set("anchor", anchor);
+    card.set("sentence", optional_text(texture_sentence(*texture.stored)));
+    card.set("faults", faults);
+    card.set("failed", faults.is_non_empty_list());
+    return card;
+}
+
+/// The exemplar, and the cards of its textures, to be seen side by side.
+PageData texture_cards(const ReportRun& run, const TexturePlaces& places, const std::filesystem::path& page_folder)
 {
     PageData list{PageData::type::list};
-    for (const Measure& measure : texture_measures()) {
-        const auto value = texture_value(measure, texture);
-        if (!value || std::ranges::find(tiling_measures, measure.key) == tiling_measures.end()) continue;
-        PageData number;
-        number.set("name", measure.name);
-        number.set("value", words_of(measure, *value).shown);
-        list << number;
-    }
+    for (const std::size_t place : places)
+        if (const auto* exemplar = texture_picture(run.distributions[place], "exemplar.png")) {
+            PageData card;
+            card.set("near", relative_link(page_folder, png_of(run.distributions[place], *exemplar)));
+            card.set("near_alt", exemplar->caption);
+            card.set("far", false);
+            card.set("far_alt", false);
+            card.set("label", "Exemplar");
+            card.set("anchor", false);
+            card.set("sentence", "What all others are made of.");
+            card.set("faults", false);
+            card.set("failed", false);
+            list << card;
+            break;
+        }
+    for (const std::size_t place : places)
+        list << texture_card(run.distributions[place], texture_anchor(place), page_folder);
     return list;
 }
 
-/// The exemplar and the tilings of all its textures, to be seen side by side.
-PageData texture_tilings(const ReportRun& run, const TexturePlaces& places, const std::filesystem::path& page_folder)
+/// True if cards do not show all pictures of a texture.
+bool has_other_pictures(const DistributionResult& texture)
 {
-    PageData list{PageData::type::list};
-    const auto add = [&](const ReportDistribution& texture, const DistributionPicture& picture,
-                         const std::string& label, const std::string& anchor, const PageData& numbers) {
-        PageData data;
-        data.set("source", relative_link(page_folder, png_of(texture, picture)));
-        data.set("alt", fmt::format("{}. {}", label, picture.caption));
-        data.set("label", label);
-        data.set("anchor", anchor);
-        data.set("numbers", numbers);
-        list << data;
-    };
-    for (const std::size_t place : places)
-        if (const auto* exemplar = texture_picture(run.distributions[place], "exemplar.png")) {
-            add(run.distributions[place], *exemplar, "Exemplar", texture_anchor(place), PageData(false));
-            break;
-        }
-    for (const std::size_t place : places) {
-        const ReportDistribution& texture = run.distributions[place];
-        if (const auto* tiling = texture_picture(texture, "tiling.png"))
-            add(texture, *tiling, texture.stored->label, texture_anchor(place), tiling_numbers(*texture.stored));
-    }
-    return list;
+    return std::ranges::any_of(texture.pictures, [](const DistributionPicture& picture) {
+        const std::string name = std::filesystem::path(picture.file).filename().string();
+        return name != "exemplar.png" && name != "tiling.png" && name != "plane.png";
+    });
 }
 
 /// A row for each measure, a column for each texture.
@@ -276,16 +269,22 @@ void set_textures(PageData& page, const ReportRun& run, const std::filesystem::p
     for (const TexturePlaces& places : textures_by_exemplar(run)) {
         const bool has_table = places.size() > 1;
         has_tables = has_tables || has_table;
-        PageData group, textures{PageData::type::list};
-        for (const std::size_t place : places)
-            textures << distribution_section(run.distributions[place], texture_anchor(place), page_folder,
-                                             has_table ? PageNumbers::elsewhere : PageNumbers::shown);
+        PageData group, textures{PageData::type::list}, rows{PageData::type::list};
+        for (const std::size_t place : places) {
+            const PageData section = distribution_section(run.distributions[place], texture_anchor(place), page_folder,
+                                                          has_table ? PageNumbers::elsewhere : PageNumbers::shown);
+            (has_table && !has_other_pictures(*run.distributions[place].stored) ? rows : textures) << section;
+        }
+        const TexturePlaces judged = judged_places(run, places);
         group.set("title", group_title(run, places));
         group.set("has_tables", has_table);
-        group.set("tilings", has_table ? texture_tilings(run, places, page_folder) : PageData(false));
+        group.set("verdict", has_table ? optional_text(textures_verdict(textures_at(run, judged))) : PageData(false));
+        group.set("cards", has_table ? texture_cards(run, judged, page_folder) : PageData(false));
+        group.set("numbers", has_table ? texture_numbers(run, judged) : PageData(false));
         group.set("tables", has_table ? texture_tables(run, places) : PageData(false));
-        group.set("ranking", texture_ranking(run, places, "distribution-"));
         group.set("textures", textures);
+        group.set("has_rows", rows.is_non_empty_list());
+        group.set("rows", rows);
         groups << group;
     }
     for (const Measure& measure : texture_measures()) notes << texture_note(measure);

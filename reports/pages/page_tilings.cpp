@@ -140,7 +140,9 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
                             colors.autocorrelation.lags, format_count(stored.statistics->size), format_exact(shown_z)));
         }
     data.set("autocorrelations", pictures);
-    data.set("measures", measures_of(stored));
+    const PageData measures = measures_of(stored);
+    data.set("measures", measures);
+    data.set("has_measures", measures.is_non_empty_list());
     data.set("png", relative_link(page_folder, tiling.pictures / "tiles.png"));
     data.set("svg", relative_link(page_folder, tiling.pictures / "tiles.svg"));
     data.set("text", relative_link(page_folder, tiling.run->folder / stored.file));

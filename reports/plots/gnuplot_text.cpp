@@ -19,11 +19,13 @@ constexpr int key_line_height = 16;
 constexpr int room_below_axis = 56; // for the numbers and the words of the horizontal axis
 constexpr std::size_t most_key_characters = 68;
 
-std::string line_style(std::size_t index)
+std::string color_of(const PlotCurve& curve) { return curve.color.empty() ? curve_color(curve.index) : curve.color; }
+
+std::string line_style(const PlotCurve& curve)
 {
-    std::string dashes = curve_dashes(index);
+    std::string dashes = curve_dashes(curve.index);
     std::ranges::replace(dashes, ' ', ',');
-    return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index), dashes.empty() ? "1" : "(" + dashes + ")");
+    return fmt::format("lw 1.3 lc rgb '{}' dt {}", color_of(curve), dashes.empty() ? "1" : "(" + dashes + ")");
 }
 
 /// The step between ticks of a linear axis, 1, 2 or 5 times a power of ten, at which numbers of four digits or more do
@@ -129,14 +131,14 @@ std::string data_block(const PlotCurve& curve, std::size_t place)
 /// Gnuplot's elements of a curve: its band or bars, its line (of a single place there is only a dot), its dots.
 std::string curve_text(const PlotCurve& curve, std::size_t place)
 {
-    const auto color = curve_color(curve.index);
+    const auto color = color_of(curve);
     const auto data = fmt::format("$curve{}", place);
     std::string text;
     if (!curve.low.empty() && !curve.has_bars)
         text += fmt::format("{} using 1:3:4 with filledcurves fc rgb '{}' fs transparent solid 0.25 noborder notitle, ",
                             data, color);
     text += fmt::format("{} using 1:2 with {} {} notitle", data,
-                        curve.x.size() == 1 ? "linespoints pt 7 ps 0.5" : "lines", line_style(curve.index));
+                        curve.x.size() == 1 ? "linespoints pt 7 ps 0.5" : "lines", line_style(curve));
     if (!curve.dots.empty())
         text += fmt::format(", {} using 1:5 with points pt 7 ps 0.4 lc rgb '{}' notitle", data, color);
     if (curve.has_bars)
@@ -164,10 +166,10 @@ std::string plot_command(const Plot& plot)
     return command;
 }
 
-/// A key at the foot of a picture of that height; the plot keeps its place and its size.
-std::string key_place(int height)
+/// A key at the foot of a picture of that height, below a plot of this one, which keeps its place and its size.
+std::string key_place(int height, int plot_height)
 {
-    const double below = height - overlay_height;
+    const double below = height - plot_height;
     return fmt::format("set bmargin at screen {:.6f}\n"
                        "set key at screen 0.09, screen {:.6f} left top Left reverse maxcols 1 samplen 2.5 spacing 1.15 "
                        "font ',9'\n",
@@ -190,13 +192,15 @@ GnuplotPicture gnuplot_picture(const Plot& plot, const std::filesystem::path& st
 {
     auto text = frame(plot);
     for (std::size_t i = 0; i < plot.curves.size(); ++i) text += data_block(plot.curves[i], i);
-    if (!plot.is_overlay) return {text + plot_command(plot), panel_width, panel_height, stem};
-    const int height = overlay_height + key_line_height * (static_cast<int>(plot.curves.size()) + 1);
-    text += key_place(height) + plot_command(plot);
+    const int width = plot.is_overlay ? overlay_width : panel_width;
+    const int plot_height = plot.is_overlay ? overlay_height : panel_height;
+    if (!plot.is_overlay && !plot.has_key) return {text + plot_command(plot), width, plot_height, stem};
+    const int height = plot_height + key_line_height * (static_cast<int>(plot.curves.size()) + 1);
+    text += key_place(height, plot_height) + plot_command(plot);
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
-        text += fmt::format(", keyentry with lines {} title {} noenhanced", line_style(plot.curves[i].index),
+        text += fmt::format(", keyentry with lines {} title {} noenhanced", line_style(plot.curves[i]),
                             gnuplot_quoted(key_label(plot.curves[i].label, i + 1)));
-    return {text, overlay_width, height, stem};
+    return {text, width, height, stem};
 }
 
 }

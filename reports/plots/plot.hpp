@@ -22,6 +22,7 @@ struct PlotCurve
     std::vector<double> dots = {}; ///< values that are drawn as dots beside the line
     bool has_bars = false;         ///< low and high are bars, in every plot
     double end = 0;                ///< where an axis that shows this curve ends
+    std::string color = {};        ///< "#rrggbb", of what is no series; empty: that of its number
 };
 
 struct PlotAxis
@@ -84,6 +85,7 @@ struct Plot
 
     /// Plots of several curves have a key below; the page shows a legend instead and cuts the key off.
     bool is_overlay = false;
+    bool has_key = false; ///< of a plot that is no overlay: below it, for few short names
 };
 
 /// Width and height in pixels: of the plot of a series, and of an overlay without its key.

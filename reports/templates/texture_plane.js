@@ -7,7 +7,7 @@ const bytesOf = (element) => Uint8Array.from(atob(element.textContent.trim()), (
 const canvas = byId("view");
 
 /** Where the camera is: `start`, 0 to 1, in `tile`; angles in degrees, the height in tiles. */
-const state = { seed: 1, tile: [0, 0], start: [0.5, 0.5], above: 2, pitch: 15, yaw: 0, field: 60, look: "packed" };
+const state = { seed: 1, tile: [0, 0], start: [0.5, 0.5], above: 2, pitch: 15, yaw: 0, field: 60, look: "exact" };
 const heights = [0.05, 200];
 let plane = null;
 
@@ -33,19 +33,32 @@ function lift(factor) {
   state.above = within(state.above * factor, heights);
 }
 
-const digits = (value) => Number(value.toFixed(3));
+const rounded = (value) => Number(value.toFixed(4));
 
-function describe() {
-  const { tile, above, pitch, yaw, seed, field } = state;
-  byId("status").textContent = `Above tile (${tile.join(", ")}), ${digits(above)} tiles high, ${digits(pitch)}° below the horizon, ${digits(yaw)}° from north`;
-  byId("command").textContent = `poissonlab texture map ${about.name} --tile ${tile.join(" ")} --above ${digits(above)} --pitch ${digits(pitch)} --yaw ${digits(yaw)} --field ${field} --seed ${seed} --out plane.png`;
+/** The view that is drawn: numbers have the digits that its command has, so that the command draws the same. */
+function shown() {
+  const ratio = window.devicePixelRatio || 1;
+  const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio].map(Math.round);
+  const [above, pitch, yaw] = [state.above, state.pitch, state.yaw].map(rounded);
+  return { ...state, start: state.start.map(rounded), above, pitch, yaw, width, height };
+}
+
+/** The command that draws a view. Hardware filters of packed atlases are anisotropic, and round weights to 8 bits. */
+function commandOf({ tile, start, above, pitch, yaw, field, seed, look, width, height }) {
+  const filter = look === "packed" ? "anisotropic --lookup packed" : "mipmap --lookup exact";
+  return `poissonlab texture map ${about.name} --size ${width} ${height} --tile ${tile.join(" ")} --start ${start.join(" ")} --above ${above} --pitch ${pitch} --yaw ${yaw} --field ${field} --seed ${seed} --filter ${filter} --out plane.png`;
+}
+
+function describe(view) {
+  byId("status").textContent = `Above tile (${view.tile.join(", ")}), ${view.above} tiles high, ${view.pitch}° below the horizon, ${view.yaw}° from north`;
+  byId("command").textContent = commandOf(view);
 }
 
 function drawNow() {
-  const ratio = window.devicePixelRatio || 1;
-  [canvas.width, canvas.height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio].map(Math.round);
-  plane.draw({ ...state, borders: byId("borders").checked, width: canvas.width, height: canvas.height });
-  describe();
+  const view = shown();
+  [canvas.width, canvas.height] = [view.width, view.height];
+  plane.draw({ ...view, borders: byId("borders").checked });
+  describe(view);
 }
 
 let isAsked = false;

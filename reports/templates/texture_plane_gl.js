@@ -25,6 +25,38 @@ vec3 encoded(vec3 light)
 {
     return mix(12.92 * light, 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }
+// Where a pixel covers whole tiles, blocks of 2 x 2 and 4 x 4 of them are its texels, and then the mean of all.
+const int far_levels = 2;
+vec3 block_light(ivec2 tile, vec2 inside, int block)
+{
+    ivec2 within = ivec2(uvec2(tile) % uint(block));
+    vec2 at = (vec2(within) + inside) / float(block) - 0.5, part = at - floor(at);
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 4; ++k) {
+        ivec2 step = ivec2(k % 2, k / 2), corner = tile - within + (ivec2(floor(at)) + step) * block;
+        vec3 light = vec3(0.0);
+        for (int n = 0; n < block * block; ++n)
+            light += ttiles_packed_texel(atlas, seed, corner + ivec2(n % block, n / block), ivec2(0), TTILES_LEVELS - 1).rgb;
+        sum += (step.x == 1 ? part.x : 1.0 - part.x) * (step.y == 1 ? part.y : 1.0 - part.y) / float(block * block) * light;
+    }
+    return sum;
+}
+vec3 level_light(ivec2 tile, vec2 inside, int level)
+{
+    int beyond = level - (TTILES_LEVELS - 1);
+    if (beyond > far_levels) return mean;
+    if (beyond > 0) return block_light(tile, inside, 1 << beyond);
+    return look == 1 ? ttiles_packed_level(atlas, seed, tile, inside, level).rgb
+                     : ttiles_layer_level(layers, seed, tile, inside, level).rgb;
+}
+vec3 exact_light(ivec2 tile, vec2 inside, float texels)
+{
+    int level = 0;
+    for (; texels >= 2.0 && level < TTILES_LEVELS + far_levels; texels /= 2.0) ++level;
+    vec3 light = level_light(tile, inside, level);
+    float upper = clamp(texels - 1.0, 0.0, 1.0);
+    return upper > 0.0 ? mix(light, level_light(tile, inside, level + 1), upper) : light;
+}
 void main()
 {
     vec3 pixel = vec3(1.0, gl_FragCoord.x, goes_up ? size.y - gl_FragCoord.y : gl_FragCoord.y);
@@ -35,11 +67,12 @@ void main()
     ivec2 tile = home + ivec2(floor(at));
     vec2 inside = at - floor(at);
     float texels = has_levels ? max(length(dx), length(dy)) * float(TTILES_SIZE) : 1.0;
-    vec3 light = look == 0 ? ttiles_packed(atlas, seed, tile, inside, dx, dy).rgb
-               : look == 1 ? ttiles_exact(atlas, seed, tile, inside, texels).rgb
-                           : ttiles_layered(layers, seed, tile, inside, texels).rgb;
-    // Where a pixel covers whole tiles, colours go over to the mean of all.
-    light = mix(light, mean, clamp(log2(texels / float(TTILES_SIZE)) / 2.0, 0.0, 1.0));
+    vec3 light;
+    if (look == 0) { // hardware has no levels beyond a tile's: colours go over to the mean of all
+        light = ttiles_packed(atlas, seed, tile, inside, dx, dy).rgb;
+        light = mix(light, mean, clamp(log2(texels / float(TTILES_SIZE)) / 2.0, 0.0, 1.0));
+    } else
+        light = exact_light(tile, inside, texels);
     vec2 border = min(inside, 1.0 - inside) / max(abs(dx), abs(dy));
     if (shows_borders && min(border.x, border.y) < 0.75) light = mix(light, vec3(1.0, 0.4, 0.0), 0.7);
     color = vec4(encoded(light), 1.0);

@@ -11,4 +11,12 @@ void DistributionFiles::add_marks(const std::string& name, const MarkPicture& pi
     result.pictures.push_back({name, caption});
 }
 
+void DistributionFiles::add_curves(const std::string& name, const CurveChart& chart, const std::string& caption,
+                                   DistributionResult& result)
+{
+    const std::string file = name + curves_ending;
+    write_whole_file(add(file), curve_chart_json(chart));
+    result.pictures.push_back({file, caption});
+}
+
 }

@@ -1,6 +1,7 @@
 // The files that a distribution or scheme consists of, while it is made.
 #pragma once
 
+#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "results/pictures/mark_picture.hpp"
 
@@ -37,6 +38,11 @@ public:
     /// Writes a picture of marks, and lists it in the result.
     void add_marks(const std::string& name, const MarkPicture& picture, const std::string& caption,
                    DistributionResult& result);
+
+    /// Writes curves, to `name`-curves.json, and lists them as a picture of the result. The caption's first sentence is
+    /// their title.
+    void add_curves(const std::string& name, const CurveChart& chart, const std::string& caption,
+                    DistributionResult& result);
 
     const std::vector<std::string>& names() const { return names_; }
 

@@ -27,7 +27,10 @@ struct DistributionNumber
 
 using DistributionNumbers = std::vector<DistributionNumber>;
 
-/// A picture: pixels as they are (.png), or marks that reports draw (.json, see mark_picture.hpp).
+/// How names of files of curves end, see curve_chart.hpp.
+inline constexpr auto curves_ending = "-curves.json";
+
+/// A picture: pixels as they are (.png), or what reports draw, marks (.json, see mark_picture.hpp) or curves.
 struct DistributionPicture
 {
     std::string file; ///< relative to the run's folder
@@ -35,7 +38,8 @@ struct DistributionPicture
 
     bool operator==(const DistributionPicture&) const = default;
 
-    bool has_marks() const { return file.ends_with(".json"); }
+    bool has_curves() const { return file.ends_with(curves_ending); }
+    bool has_marks() const { return file.ends_with(".json") && !has_curves(); }
 };
 
 /// Words in rows and columns.

@@ -57,8 +57,8 @@ TEST(DistributeMasks, WriteFilesOfOtherPrograms)
     EXPECT_EQ(run_program(folder.path(), {"distribute", "mri-mask", "--acceleration", "8", "--out", "c.npy"}).out,
               "8192 samples of 256 x 256 pixels, acceleration 8; 0 of them in the calibration area\n");
     const Outcome thresholds =
-        run_program(folder.path(), {"distribute", "dither-mask", "--size", "32", "--colors", "2", "--tile-pixels", "4",
-                                    "--out", "b.ptiles", "--out", "b.png", "--quiet"});
+        run_program(folder.path(), {"distribute", "dither-mask", "--size", "32", "--by", "tiles", "--colors", "2",
+                                    "--tile-pixels", "4", "--out", "b.ptiles", "--out", "b.png", "--quiet"});
     EXPECT_EQ(thresholds.status, 0) << thresholds.error;
     const PoissonTileSet tiles = read_tile_set(folder.path() / "b.ptiles");
     EXPECT_EQ(tiles.ranks.size(), 16U * 16);

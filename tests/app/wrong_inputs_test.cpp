@@ -109,6 +109,7 @@ protected:
         std::string picture = "P2 32 32 255\n";
         for (int i = 0; i < 32 * 32; ++i) picture += std::to_string(i * 7 % 256) + "\n";
         folder_.write("grey.pgm", picture);
+        folder_.write("tiny.pgm", "P2 2 1 255\n0 255\n");
         folder_.write("text.txt", "this is no picture, no tile set and no point set\n");
         folder_.write("points.txt", "0.1 0.1\n0.6 0.1\n0.1 0.6\n0.6 0.6\n");
         folder_.write("three.txt", "0.1 0.1\n0.6 0.1\n0.1 0.6\n");

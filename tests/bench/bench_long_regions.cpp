@@ -139,7 +139,7 @@ int main(int argc, char** argv)
     using namespace poissonlab::bench;
     std::vector<Ratio> ratios;
     for (const RegionMethod method : {RegionMethod::darts, RegionMethod::relaxation, RegionMethod::elimination,
-                                      RegionMethod::lloyd, RegionMethod::bridson})
+                                      RegionMethod::lloyd, RegionMethod::gaussian, RegionMethod::bridson})
         add_shapes(ratios, region_methods[method],
                    [=](benchmark::State& state, const std::string& shape, std::size_t points) {
                        make_points(state, method, shape, points);

@@ -153,7 +153,7 @@ class Kinds(unittest.TestCase):
         self.assertEqual(list(numpy.bincount(made.classes)), [10, 40])
         mask = distribute.mri_mask(shape=[32, 24], acceleration=4, calibration=[4, 4], rng=1).mask
         self.assertEqual((mask.shape, mask.dtype, mask.sum()), ((32, 24), numpy.uint8, 192))
-        ranks = distribute.dither_mask(size=32, by="void-and-cluster", rng=1).mask
+        ranks = distribute.dither_mask(size=32, rng=1).mask
         self.assertEqual(sorted(ranks.ravel()), list(range(1024)))
 
     def test_points_lie_on_meshes(self):
@@ -321,6 +321,13 @@ class OtherKinds(unittest.TestCase):
                                         show=["tiling"], engine="reference", rng=1)
         self.assertEqual(made.numbers["tiles"], 16)
         self.assertIn("tiling", made.pictures)
+
+    def test_textures_are_advised(self):
+        advice = poissonlab.texture.advise(SOURCE / "configs/exemplars/pebbles.png")
+        self.assertEqual((advice["texture"], advice["size"], advice["colors"]), (True, 128, 3))
+        self.assertEqual(poissonlab.texture.advise(SOURCE / "configs/exemplars/cat.png")["obstacle"], "one object")
+        with self.assertRaisesRegex(poissonlab.InputError, r"nothere\.png"):
+            poissonlab.texture.advise("nothere.png")
 
     def test_endless_textures_are_drawn_without_tiles(self):
         small = {"engine": "reference", "pattern": "noise", "pattern_size": 64}

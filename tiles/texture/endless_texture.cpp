@@ -38,4 +38,6 @@ std::uint32_t endless_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y)
     return ttiles_mix(ttiles_mix(ttiles_mix(seed) + x) + y);
 }
 
+std::uint32_t endless_turn(std::uint32_t word) { return ttiles_mix(word) >> 24; }
+
 }

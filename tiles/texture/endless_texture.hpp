@@ -23,4 +23,7 @@ std::uint32_t endless_texel(TileKind kind, std::uint32_t seed, Color colors, std
 /// The word of a lattice point, of which its colour is the remainder.
 std::uint32_t endless_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y);
 
+/// The number below 256 of the angle by which the piece of a lattice point with this word turns.
+std::uint32_t endless_turn(std::uint32_t word);
+
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -91,22 +92,29 @@ private:
         return tiles;
     }
 
+    std::span<const std::uint8_t> shown(std::size_t tile, std::size_t pixel) const
+    {
+        const auto channels = static_cast<std::size_t>(set_.exemplar.channels);
+        return set_.values_of(tile).subspan(pixel * channels, channels);
+    }
+
     bool is_in_ring(std::size_t pixel) const
     {
         const int x = static_cast<int>(pixel) % set_.size, y = static_cast<int>(pixel) / set_.size;
         return std::min({x, y, set_.size - 1 - x, set_.size - 1 - y}) < set_.ring;
     }
 
+    /// Pixels are those of their sources, unless they were changed.
     void check_values() const
     {
+        if (set_.is_blended) return;
         const auto channels = static_cast<std::size_t>(set_.exemplar.channels);
         for (std::size_t tile = 0; tile < set_.tiles.size(); ++tile)
             for (std::size_t pixel = 0; pixel < set_.pixels_a_tile(); ++pixel) {
                 if (set_.is_smoothed && !is_in_ring(pixel)) continue;
                 const SourcePixel source = set_.sources_of(tile)[pixel];
-                const auto shown = set_.values_of(tile).subspan(pixel * channels, channels);
                 if (!std::ranges::equal(
-                        shown,
+                        shown(tile, pixel),
                         std::span(set_.exemplar.values).subspan(set_.exemplar.at(source.x, source.y, 0), channels)))
                     throw InputError(fmt::format("{}: the pixel in column {}, row {} is not its source's",
                                                  tile_name(set_, tile), pixel % static_cast<std::size_t>(set_.size),
@@ -141,7 +149,8 @@ private:
                     for (int along = 0; along < set_.size; ++along) {
                         if (!belongs_to_side(set_, side, along, depth)) continue;
                         const std::size_t pixel = pixel_at(set_, side, along, depth);
-                        if (set_.sources_of(tile)[pixel] != set_.sources_of(tiles[0])[pixel])
+                        if (set_.sources_of(tile)[pixel] != set_.sources_of(tiles[0])[pixel] ||
+                            !std::ranges::equal(shown(tile, pixel), shown(tiles[0], pixel)))
                             throw InputError(fmt::format("{}: its ring of {} pixels is not that of {} in the {}, with "
                                                          "the same colours there",
                                                          tile_name(set_, tile), set_.ring, tile_name(set_, tiles[0]),

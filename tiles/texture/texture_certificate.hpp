@@ -21,8 +21,8 @@ struct TextureCertificate
 };
 
 /// Compares all pairs of tiles that fit, pixel by pixel; all rings of the same colours; and all pixels with their
-/// sources, of smoothed sets those in rings; corners of tiles with the exemplar of their mark. Throws InputError for
-/// the first that is not as it must be.
+/// sources, of smoothed sets those in rings, of blended sets none; corners of tiles with the exemplar of their mark.
+/// Throws InputError for the first that is not as it must be.
 TextureCertificate certify_texture(const TextureSet& set);
 
 }

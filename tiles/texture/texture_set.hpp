@@ -67,7 +67,8 @@ struct TextureSet
     int ring = 4;             ///< w: so many pixels at its sides depend on the shared colours alone
     int classes = 1;          ///< of corners: 2, unmarked and marked ones, see marked_tiles.hpp
     int marked_column = 0;    ///< of two classes: where the exemplar of marked corners begins; 0: not known
-    bool is_smoothed = false; ///< whether pixels differ from their sources
+    bool is_smoothed = false; ///< whether pixels inside of the ring differ from their sources
+    bool is_blended = false;  ///< whether all pixels may, those of the ring in all tiles alike
     PngPixels exemplar;       ///< of one or three channels
     std::vector<TextureTile> tiles;
     std::vector<SourcePixel> sources;              ///< T^2 a tile, tile after tile

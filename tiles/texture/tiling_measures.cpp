@@ -148,22 +148,22 @@ StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size)
     return map;
 }
 
-double lattice_power(const PngPixels& tiling, int size)
+double lattice_power(const PngPixels& tiling, int width, int height)
 {
-    const int columns = tiling.width / size, rows = tiling.height / size;
-    const auto side = static_cast<std::size_t>(size);
+    const int columns = tiling.width / width, rows = tiling.height / height;
+    const auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
     double lattice = 0, all = 0;
     for (int c = 0; c < tiling.channels; ++c) {
-        std::vector<double> folded(side * side);
+        std::vector<double> folded(wide * high);
         double sum = 0, squares = 0;
-        for (int y = 0; y < rows * size; ++y)
-            for (int x = 0; x < columns * size; ++x) {
+        for (int y = 0; y < rows * height; ++y)
+            for (int x = 0; x < columns * width; ++x) {
                 const double value = tiling.values[tiling.at(x, y, c)];
-                folded[static_cast<std::size_t>(y % size) * side + static_cast<std::size_t>(x % size)] += value;
+                folded[static_cast<std::size_t>(y % height) * wide + static_cast<std::size_t>(x % width)] += value;
                 sum += value;
                 squares += value * value;
             }
-        const double copies = static_cast<double>(columns) * rows, pixels = copies * size * size;
+        const double copies = static_cast<double>(columns) * rows, pixels = copies * static_cast<double>(folded.size());
         const double mean = sum / pixels;
         for (const double value : folded)
             lattice += (value / copies - mean) * (value / copies - mean) / static_cast<double>(folded.size());
@@ -172,18 +172,18 @@ double lattice_power(const PngPixels& tiling, int size)
     return all > 0 ? lattice / all : 0;
 }
 
-std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& exemplar, int size)
+double beyond_chance(double share, double squares, double pixels)
 {
-    const int width = exemplar.width / size * size, height = exemplar.height / size * size;
-    if (width < 2 * size || height < 2 * size || tiling.width < width || tiling.height < height) return std::nullopt;
-    const double own = lattice_power(exemplar, size);
-    if (own == 0) return std::nullopt;
-    double sum = 0;
-    int count = 0;
-    for (int y = 0; y + height <= tiling.height; y += height)
-        for (int x = 0; x + width <= tiling.width; x += width, ++count)
-            sum += lattice_power(part_of(tiling, x, y, width, height), size);
-    return Repetition{own, sum / count / own};
+    const double chance = (pixels - 1) / (squares * pixels - 1);
+    return (share - chance) / (1 - chance);
+}
+
+std::optional<double> recurrence(const PngPixels& tiling, int width, int height)
+{
+    const double squares = static_cast<double>(tiling.width / width) * (tiling.height / height);
+    const double share = squares < 2 ? 0 : lattice_power(tiling, width, height);
+    if (share == 0) return std::nullopt;
+    return beyond_chance(share, squares, static_cast<double>(width) * height);
 }
 
 double slow_power(const PngPixels& picture, int period)

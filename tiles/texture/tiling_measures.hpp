@@ -21,21 +21,19 @@ struct StepMap
 /// The map of a tiling of whole tiles of size x size pixels, with the exemplar's channels.
 StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size);
 
-/// The part of the tiling's power, without its mean, at frequencies that are whole multiples of one over `size` pixels:
-/// by Parseval's theorem the variance of the mean over all squares of this size, over that of all pixels. Sums over
-/// channels. Squares that are independent have 1 over their number.
-double lattice_power(const PngPixels& tiling, int size);
+/// The part of the tiling's power, without its mean, at frequencies that are whole multiples of one over `width` pixels
+/// to the east and of one over `height` pixels to the south: by Parseval's theorem the variance of the mean over all
+/// rectangles of this size, over that of all pixels. Sums over channels. What does not fill a rectangle takes no part.
+double lattice_power(const PngPixels& tiling, int width, int height);
 
-/// Says how many times more a tiling repeats than its exemplar: lattice_power() of windows that are as large as the
-/// exemplar, averaged over as many as the tiling holds side by side, divided by the exemplar's own. Both have as many
-/// squares, so that chance adds as much to either. Nothing where the exemplar has fewer than 2 x 2 squares, or the
-/// tiling is smaller, or the exemplar has no power there.
-struct Repetition
-{
-    double exemplar_power = 0; ///< lattice_power() of the exemplar
-    double times = 0;
-};
-std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& exemplar, int size);
+/// What a share of the power on a lattice is beyond chance. Of `squares` rectangles of `pixels` pixels the lattice has
+/// pixels - 1 of squares x pixels - 1 frequencies, and white noise as large a share of the power: this is 0 for it on
+/// average, and 1 for one rectangle again and again. `squares` and `pixels` are at least 2.
+double beyond_chance(double share, double squares, double pixels);
+
+/// Says how much of a tiling recurs: lattice_power() beyond chance. There is no value for fewer than two rectangles,
+/// and without any power.
+std::optional<double> recurrence(const PngPixels& tiling, int width, int height);
 
 /// The part of a picture's power, without its mean, at frequencies below one over `period` pixels, in any direction: of
 /// its periodogram, summed over channels.

@@ -40,8 +40,8 @@ TilePoint beside_side(std::size_t side, double along, double inwards)
 
 std::string tile_color(Color color)
 {
-    static const std::array<std::string, 8> known{"#ff0000", "#ffff00", "#00ff00", "#00ffff",
-                                                  "#0000ff", "#ff00ff", "#ff8000", "#808080"};
+    static const std::array<std::string, 8> known{"#d55e00", "#f0e442", "#009e73", "#56b4e9",
+                                                  "#0072b2", "#cc79a7", "#e69f00", "#808080"};
     if (color < known.size()) return known[color];
     const double turns = color * 0.6180339887498949; // golden section: far from those before
     return fmt::format("#{:02x}{:02x}{:02x}", channel(turns), channel(turns - 1.0 / 3), channel(turns - 2.0 / 3));

@@ -1,7 +1,8 @@
-// Tiles as coloured polygons in the unit square, in the papers' colours: what all pictures of tiles are made of.
+// Tiles as coloured polygons in the unit square: what all pictures of tiles are made of.
 //
-// After Lagae, Tile-Based Methods in Computer Graphics, 2007, section 2.7 (colours) and figures 2.3 to 2.7: Wang tiles
-// are four triangles in the colours of their edges, corner tiles have a quarter of a disk in the colour of each corner.
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 2.3 to 2.7: Wang tiles are four triangles in the
+// colours of their edges, corner tiles have a quarter of a disk in the colour of each corner. The order of hues is that
+// of section 2.7, the hues are those that Okabe and Ito chose so that colour-blind people tell them apart.
 #pragma once
 
 #include "tiles/tilings/tile_index.hpp"
@@ -20,8 +21,8 @@ struct TileShape
     std::vector<TilePoint> corners; ///< of a polygon
 };
 
-/// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
-/// grey, and from 8 on shades all around the colour circle.
+/// "#d55e00" and so on: vermilion, yellow, green, sky blue, blue for 0 to 4; then reddish purple, orange, grey, and
+/// from 8 on shades all around the colour circle.
 std::string tile_color(Color color);
 
 /// Four triangles that meet in the middle, from the southern one counterclockwise.

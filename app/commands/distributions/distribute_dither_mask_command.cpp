@@ -16,13 +16,14 @@ constexpr auto distribute_dither_mask_notes =
     R"help(A mask has a threshold for each pixel: the pixels below any of them are spread evenly (blue noise), and those below a
 lower one are among them. A picture is dithered by comparing each pixel with the mask, which repeats.
 --by says how pixels get their ranks:
-  tiles              corner tiles of --colors and --tile-pixels, ranked together: as many pixels of each tile are below
-                     any threshold, and masks of any size take the time of the tiles; 16 pixels make 256 thresholds
-  void-and-cluster   Ulichney 1993, of the whole mask: as many thresholds as pixels
+  void-and-cluster   Ulichney 1993, of the whole mask: as many thresholds as pixels (the default)
+  tiles              corner tiles of --colors and --tile-pixels, ranked together, for masks that never repeat: as many
+                     pixels of each tile are below any threshold; where tiles meet, pixels below low thresholds may
+                     touch; 16 pixels make 256 thresholds
 --out, as often as you like: .png (8 bits for up to 256 thresholds, else 16), .npy (uint32, ranks), and by tiles .ptiles:
 the ranked tile set, whose points are the middles of pixels, for an endless mask by the runtime headers.
-  poissonlab distribute dither-mask --out mask.png
-  poissonlab distribute dither-mask --size 256 --by void-and-cluster --out mask.npy --json)help";
+  poissonlab distribute dither-mask --size 256 --out mask.png --out mask.npy --json
+  poissonlab distribute dither-mask --by tiles --out mask.png --out mask.ptiles)help";
 
 void make_thresholds(const KindOptions& o)
 {

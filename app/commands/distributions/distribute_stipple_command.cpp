@@ -128,6 +128,11 @@ void stipple_picture(const KindOptions& o)
     check_plot(o, settings);
     const InkPicture picture = read_ink(settings);
     o.say_note(picture.ink.note);
+    if (settings.by == MarkPlaces::ranks && settings.method.tiles.empty())
+        o.say_note(
+            fmt::format("--by ranks: without --tiles, of the self-similar tile, {}; ranked tiles, of tiles build "
+                        "--ranked, do not",
+                        lattice_words));
     const DistributionPlace place = o.place();
     const Stippling stippling = stipple(picture, settings, o.seed(), place);
     const Coverage coverage = coverage_of(stippling.marks, picture.ink.width, picture.ink.height, 1);

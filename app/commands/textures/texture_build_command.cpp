@@ -4,20 +4,22 @@
 #include "experiment/run/progress.hpp"
 #include "host/device/device.hpp"
 #include "host/device/kernel.hpp"
+#include "host/distribution/textures/texture_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
+#include "host/texture/advice/advice_words.hpp"
+#include "host/texture/comparison/light_map.hpp"
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/texture_build.hpp"
 #include "results/own_files.hpp"
 #include "tiles/texture/texture_certificate.hpp"
-#include "tiles/texture/texture_tiling.hpp"
-#include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstdio>
 
 namespace poissonlab {
 namespace {
@@ -37,7 +39,10 @@ number for number. An exemplar of 16 bits or floating-point numbers, NAME, is ch
 has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
 number for each tile, and their joints run through. exemplar.png is the straightened picture then.
-  poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
+Light that differs over more than a tile is evened (--flatten off keeps it), and exemplar.png is the flattened picture then;
+companions stay as they are. Seams of smooth pictures are blended (--blend off leaves them).
+Without --colors and --size the picture decides, as texture advise says; or a line says where they are against that.
+  poissonlab texture build corner --exemplar gravel.png --out gravel)";
 
 struct TextureBuildOptions : KindOptions
 {
@@ -45,21 +50,20 @@ struct TextureBuildOptions : KindOptions
     std::filesystem::path out;
 };
 
-/// Measures how much a tiling by the set's own seed repeats: the tiling that tables [[texture]] measure.
-std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t seed)
+/// A set, and what was said of its picture.
+struct AdvisedTexture
 {
-    if (set.classes > 1) return std::nullopt;
-    constexpr std::uint64_t side = 16;
-    const TextureWindow window = texture_window(set, {0, 0, side, side}, seed);
-    return repetition(texture_window_pixels(set, window, set.values, set.exemplar.channels), set.exemplar, set.size);
-}
+    BuiltTexture built;
+    std::vector<std::string> advice;
+};
 
-void print_built(const TextureBuildOptions& options, const BuiltTexture& built, double seconds)
+void print_built(const TextureBuildOptions& options, const AdvisedTexture& made, double seconds)
 {
     if (options.is_quiet() && !options.prints_json()) return;
+    const BuiltTexture& built = made.built;
     const TextureSet& set = built.set;
     const TextureCertificate proof = certify_texture(set);
-    const std::optional<Repetition> repeated = repetition_of(set, options.seed());
+    const std::optional<double> recurs = set_recurrence(set, options.seed());
     if (options.prints_json()) {
         nlohmann::ordered_json json{{"folder", printable(options.out.string())},
                                     {"tiles", set.tiles.size()},
@@ -70,12 +74,10 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                                     {"exceptions", proof.exceptions},
                                     {"seconds", seconds}};
         json["joint"] = built.is_joint;
+        if (!made.advice.empty()) json["advice"] = made.advice;
         if (!built.choice.empty()) json["choice"] = built.choice;
         for (const CompanionMap& map : set.companions) json["companions"].push_back(printable(map.atlas_file));
-        if (repeated) {
-            json["exemplar_power"] = repeated->exemplar_power;
-            json["repetition"] = repeated->times;
-        }
+        if (recurs) json["recurrence"] = *recurs;
         fmt::print("{}\n", json.dump(2));
         return;
     }
@@ -88,10 +90,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                    ? ""
                    : fmt::format(", {:.2f} pixels a pair beside corners that do not fit",
                                  static_cast<double>(proof.exceptions) / static_cast<double>(proof.tile_pairs)));
-    if (repeated)
-        fmt::print("A tiling repeats {:.1f} times as much as the picture itself: {:.1f} % of its power recur with each "
-                   "tile, of the picture's {:.1f} %\n",
-                   repeated->times, 100 * repeated->times * repeated->exemplar_power, 100 * repeated->exemplar_power);
+    if (recurs) fmt::print("{}\n", recurrence_words(set, *recurs));
     for (const CompanionMap& map : set.companions)
         fmt::print("{}: {}, {} of {}, at the same sources\n", printable(map.atlas_file),
                    map.is_original ? "the exemplar's own numbers" : "a companion",
@@ -107,41 +106,58 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// Reads the exemplar, with a note where a set that is chosen together could have joints that run through.
-ExemplarPictures exemplar_pictures(const TextureSettings& asked)
+/// Takes what is not given from the picture, and says so before the work begins, or where a size that is given is
+/// against the advice. Returns what was said.
+std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, TextureSettings& asked,
+                                           const ExemplarPictures& pictures)
 {
-    const TextureRequest& request = asked.request;
-    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
-    if (asked.is_straightened) {
-        try {
-            straighten(pictures, request.size);
-        } catch (const InputError& error) {
-            throw error.moved_to({asked.exemplar.string()});
-        }
-    } else if (request.joint) {
-        const std::string note = regularity_note(pictures.exemplar, request.size);
-        if (!note.empty()) pictures.notes.push_back(note);
-    }
-    return pictures;
+    const PngPixels& picture = pictures.exemplar;
+    const TextureAdvice advice =
+        advise_texture(pictures.split > 0 ? picture_part(picture, 0, 0, pictures.split, picture.height) : picture);
+    take_advice(asked.request, advice, asked.is_size_open, asked.are_colors_open);
+    check(asked.request);
+    const std::string note = advice_note(advice, asked.request);
+    std::vector<std::string> lines;
+    if (asked.is_size_open)
+        lines = advice_lines(advice);
+    else if (!note.empty())
+        lines.push_back(note);
+    if (options.prints_json() || options.is_quiet()) return lines;
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+    std::fflush(stdout);
+    return lines;
 }
 
-BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)
+/// Straightens and flattens the exemplar as asked. Adds a note if a set that is chosen together could have joints that run
+/// through.
+void prepare_exemplar(ExemplarPictures& pictures, const TextureSettings& asked)
+{
+    if (asked.is_straightened) straighten(pictures, asked.request.size);
+    flatten(pictures, asked.request.size, asked.is_flattened);
+    if (asked.is_straightened || !asked.request.joint) return;
+    const std::string note = regularity_note(pictures.exemplar, asked.request.size);
+    if (!note.empty()) pictures.notes.push_back(note);
+}
+
+AdvisedTexture built_texture(const TextureBuildOptions& options, TextureSettings asked)
 {
     const DistributionPlace place = options.place();
-    TextureRequest request = asked.request;
-    request.seed = options.seed();
-    ExemplarPictures pictures = exemplar_pictures(asked);
-    request.split = pictures.split;
-    for (const std::string& note : pictures.notes) options.say_note(note);
     const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {
         place.on_step(fmt::format("{}: {} of {}", stage, done, total));
     };
+    asked.request.seed = options.seed();
+    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
     try {
-        BuiltTexture built = build_texture(request, pictures.exemplar, tell, harmonic_solver(place));
+        const std::vector<std::string> advice = settle_by_picture(options, asked, pictures);
+        prepare_exemplar(pictures, asked);
+        asked.request.split = pictures.split;
+        for (const std::string& note : pictures.notes) options.say_note(note);
+        BuiltTexture built = build_texture(asked.request, pictures.exemplar, tell, harmonic_solver(place));
         for (const std::string& note : built.notes) options.say_note(note);
         built.set.companions = std::move(pictures.companions);
         if (asked.is_straightened) built.set.parameters["straighten"] = "true";
-        return built;
+        if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
+        return {std::move(built), advice};
     } catch (const InputError& error) {
         throw error.moved_to({asked.exemplar.string()});
     }
@@ -152,10 +168,10 @@ void build_texture_tiles(const TextureBuildOptions& options)
     const KindSettings read = options.settings();
     check_output_folder(options.out, "texture build: ");
     const auto begin = std::chrono::steady_clock::now();
-    const BuiltTexture built = built_texture(options, read.as<TextureSettings>());
+    const AdvisedTexture made = built_texture(options, read.as<TextureSettings>());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    write_texture_set(options.out, built.set);
-    print_built(options, built, seconds);
+    write_texture_set(options.out, made.built.set);
+    print_built(options, made, seconds);
 }
 
 }

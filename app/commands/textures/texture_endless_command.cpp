@@ -16,11 +16,12 @@ as well. Every pixel of the plane follows from its place and the seed, X to the 
   repeated  the exemplar side by side
   offsets   squares at random places of the exemplar, smoothly blended at their borders (Quilez): four texels a pixel
   hexagons  hexagons at random places, whose weights have a power and follow lightness (Mikkelsen 2022): three texels.
-            --gain 2 has more contrast between weights, --restored gives back the variance that blending takes
+            --gain 2 has more contrast between weights, --restored gives back the variance that blending takes, and by
+            --turn 1 hexagons turn by any angle
   blended   by-example noise (Heitz and Neyret 2018, Deliot and Heitz 2019): three texels of a Gaussian exemplar at equal
             variance, and a table back for each channel. --exponent 4 blends less (Burley 2019)
   quilted   blocks that fit, cut along paths (Efros and Freeman 2001): no function of the plane, X and Y are 0
-The exemplar need not fit to itself: pieces lie inside of it, unless it is --tileable. Nothing is turned or mirrored.
+The exemplar need not fit to itself: pieces lie inside of it, unless it is --tileable. Nothing is mirrored.
   poissonlab texture endless hexagons --exemplar gravel.png --window 0 0 1920 1080 --out plain.png
   poissonlab texture endless blended --exemplar gravel.png --seed 3 --out noise.png)";
 

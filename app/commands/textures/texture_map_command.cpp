@@ -30,8 +30,8 @@ or is the exemplar of an endless texture by another --method, as `texture endles
 far as one can see; 64 x 64 pixels count as a tile. As on graphics cards, pieces of the exemplar are looked up at levels,
 and what they show is blended: where a pixel sees many small pieces of a large exemplar, it shows one of them. With --laid,
 a window of N x N tiles around the camera is blended first, has levels of its own, and is repeated beyond, with seams.
-Quilted pictures are always such a window, from tile 0 on. The camera is above the middle of a tile and looks to the north; a
---pitch of 90 looks straight down. Filters:
+Quilted pictures are always such a window, from tile 0 on. The camera is above the middle of a tile, or where --start
+says, and looks to the north; a --pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
   mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance
@@ -62,6 +62,8 @@ struct TextureMapSettings
 void texture_map_keys(Keys& keys, TextureMapSettings& s)
 {
     TextureCamera& camera = s.camera;
+    keys.numbers("start", camera.start, {{0, 1}}, {"X", "Y"}, "the place in the tile that the camera is above")
+        .unit("tiles");
     keys.number("above", camera.above, {0.01, 10'000}, "the camera's height over the plane").unit("tiles");
     keys.number("pitch", camera.pitch, {0, 90}, "how far the camera looks below the horizon").unit("degrees");
     keys.number("yaw", camera.yaw, {-360, 360}, "how far it looks to the right of north").unit("degrees");

@@ -1,6 +1,8 @@
 // poissonlab texture verify: proves from the files of a texture set that its tiles fit together.
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "host/distribution/textures/texture_values.hpp"
+#include "host/texture/seam_blending.hpp"
 #include "tiles/texture/companion_maps.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
@@ -16,12 +18,13 @@ constexpr auto texture_verify_notes =
     R"(Compares every pair of tiles that may lie side by side, pixel by pixel, through their places in the exemplar:
 each pixel continues its neighbour across the border, or has the joint that the shared colours have everywhere. The pixels of
 all rings with the same colours are the same, and all pixels those of their places; so are those of companions (--also) and
-of exemplars with more than 8 bits, bit for bit. Exit status 2 if anything is not so.
+of exemplars with more than 8 bits, bit for bit. Seams that were blended are blended again. Exit status 2 if anything is not so.
 Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
 larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line runs between two columns
 or two rows of a tile.
-A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
+What recurs with each tile is the share of the power of 32 x 32 tiles at whole multiples of one over a tile's side, less
+what chance gives. A tiling with seed 1 is compared with the exemplar by measures that cuts do not optimise. A patch is new if its distance
 from all patches of the exemplar is larger than that of 90 % of the patches in one half of the exemplar from the other
 half. Fragments are connected pieces of the exemplar that are smaller than its features, where these are at most half as
 large as a tile. Sets with marked exemplars are not compared.)";
@@ -35,7 +38,9 @@ struct TextureVerifyOptions
 TextureCertificate proof_of(const std::filesystem::path& folder, const TextureSet& set)
 {
     try {
-        return certify_texture(set);
+        const TextureCertificate proof = certify_texture(set);
+        if (set.is_blended) certify_blend(set);
+        return proof;
     } catch (const InputError& error) {
         throw error.moved_to({folder.string()});
     }
@@ -95,6 +100,7 @@ void verify_texture(const TextureVerifyOptions& options)
         companions.emplace_back(map.atlas_file, certify_companion(options.folder, set, map));
     const SeamMeasures seams = seam_measures(set);
     const std::optional<TilingJudgement> found = judged_tiling(set, 1);
+    const std::optional<double> recurs = set_recurrence(set, 1);
     if (options.json) {
         nlohmann::ordered_json json{{"folder", options.folder.string()},
                                     {"kind", texture_kinds[set.kind]},
@@ -115,6 +121,7 @@ void verify_texture(const TextureVerifyOptions& options)
                                     {"largest_seam_line", seams.largest_line},
                                     {"longest_seam_line", seams.longest_line},
                                     {"coverage", seams.coverage}};
+        if (recurs) json["recurrence"] = *recurs;
         if (found) json.update(judgement_json(*found));
         for (const auto& [file, pixels] : companions) json["companions"][file] = pixels;
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -129,11 +136,16 @@ void verify_texture(const TextureVerifyOptions& options)
         "{:.0f} pairs of pixels a tile are seams{}: mismatch {:.2f} and excess {:.2f} of the exemplar's mean step; "
         "{:.1f} % of them conspicuous, {:.1f} % of the exemplar's steps; longest straight run {}; {:.0f} % of the "
         "exemplar is shown\n",
-        seams.pairs_a_tile, set.is_smoothed ? " before smoothing" : "", seams.mismatch, seams.excess,
-        100 * seams.conspicuous, 100 * seams.natural, seams.longest_run, 100 * seams.coverage);
+        seams.pairs_a_tile,
+        set.is_smoothed  ? " before smoothing"
+        : set.is_blended ? " before blending"
+                         : "",
+        seams.mismatch, seams.excess, 100 * seams.conspicuous, 100 * seams.natural, seams.longest_run,
+        100 * seams.coverage);
     fmt::print("On average {:.1f} % of the pairs across a line of a tile are seams, at most {:.1f} %; the longest "
                "straight seam has {} pixels\n",
                100 * seams.mean_line, 100 * seams.largest_line, seams.longest_line);
+    if (recurs) fmt::print("{}\n", recurrence_words(set, *recurs));
     if (found) print_judgement(*found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);

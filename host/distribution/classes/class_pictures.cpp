@@ -1,7 +1,5 @@
 #include "host/distribution/classes/class_pictures.hpp"
 
-#include "host/distribution/charts/curve_marks.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,16 +26,16 @@ std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
 }
 
 /// Makes a curve that leaves out places where no value is known.
-MarkCurve curve_of(const std::string& name, const std::string& color, const std::vector<double>& values, double unit)
+ChartCurve curve_of(const std::string& name, const std::string& color, const std::vector<double>& values, double unit)
 {
-    MarkCurve curve{name, color, {}};
+    ChartCurve curve{name, color, {}};
     for (std::size_t k = 0; k < values.size(); ++k)
         if (!std::isnan(values[k])) curve.places.push_back({static_cast<double>(k + 1) / unit, values[k]});
     return curve;
 }
 
 /// Frequencies over the root of the number of all points.
-CurveAxis frequency_axis(const CrossSpectra& spectra, double unit)
+ChartAxis frequency_axis(const CrossSpectra& spectra, double unit)
 {
     return {"frequency / sqrt(number of all points)", 0, static_cast<double>(spectra.bins()) / unit, 0.5};
 }
@@ -82,25 +80,24 @@ CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins)
     return cross_spectra(sets, bins > 0 ? static_cast<int>(bins) : static_cast<int>(reach));
 }
 
-MarkPicture power_picture(std::size_t points, const ClassSpectra& spectra)
+CurveChart power_chart(std::size_t points, const ClassSpectra& spectra)
 {
     const std::vector<std::uint32_t>& used = spectra.classes;
     const double unit = root_of_number(points);
-    std::vector<MarkCurve> curves{curve_of("all", "#000000", spectra.mean.power.back(), unit)};
+    std::vector<ChartCurve> curves{curve_of("all", "#000000", spectra.mean.power.back(), unit)};
     for (std::size_t i = 0; i < std::min(used.size(), most_curves); ++i)
         curves.push_back(curve_of(fmt::format("class {}", used[i]), class_color(used[i]), spectra.mean.power[i], unit));
-    return curve_marks(frequency_axis(spectra.mean, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves);
+    return {frequency_axis(spectra.mean, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves};
 }
 
-MarkPicture cross_picture(std::size_t points, const ClassSpectra& spectra)
+CurveChart cross_chart(std::size_t points, const ClassSpectra& spectra)
 {
     const std::vector<std::string> names = pair_names(spectra.classes);
     const double unit = root_of_number(points);
-    std::vector<MarkCurve> curves;
+    std::vector<ChartCurve> curves;
     for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
         curves.push_back(curve_of(names[i], class_color(i), spectra.mean.cross[i], unit));
-    return curve_marks(frequency_axis(spectra.mean, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0,
-                       curves);
+    return {frequency_axis(spectra.mean, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves};
 }
 
 }

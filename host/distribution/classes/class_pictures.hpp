@@ -3,6 +3,7 @@
 
 #include "host/distribution/classes/class_means.hpp"
 #include "host/sampling/classes/class_darts.hpp"
+#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 #include <cstddef>
@@ -22,9 +23,9 @@ std::vector<std::uint32_t> used_classes(const ClassedPoints& points);
 CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins = 0);
 
 /// Mean radial power of each class and of all points, of which there are so many in a set.
-MarkPicture power_picture(std::size_t points, const ClassSpectra& spectra);
+CurveChart power_chart(std::size_t points, const ClassSpectra& spectra);
 
 /// Mean radial cross power of each pair of classes.
-MarkPicture cross_picture(std::size_t points, const ClassSpectra& spectra);
+CurveChart cross_chart(std::size_t points, const ClassSpectra& spectra);
 
 }

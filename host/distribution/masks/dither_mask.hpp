@@ -7,8 +7,8 @@
 #pragma once
 
 #include "host/settings/distributions/mask_config.hpp"
+#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/distribution_result.hpp"
-#include "results/pictures/mark_picture.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
@@ -64,7 +64,7 @@ std::vector<DistributionNumber> dither_numbers(const std::vector<ThresholdMeasur
 DistributionTable dither_table(const std::vector<ThresholdMeasures>& measures);
 
 /// Radial power at some of the thresholds.
-MarkPicture dither_curves(const std::vector<ThresholdMeasures>& measures);
+CurveChart dither_curves(const std::vector<ThresholdMeasures>& measures);
 
 // Masks of thresholds as files.
 

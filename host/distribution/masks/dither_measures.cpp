@@ -2,7 +2,6 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/spectra/cross_spectrum.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/masks/dither_mask.hpp"
 
 #include <fmt/format.h>
@@ -88,20 +87,19 @@ DistributionTable dither_table(const std::vector<ThresholdMeasures>& measures)
     return table;
 }
 
-MarkPicture dither_curves(const std::vector<ThresholdMeasures>& measures)
+CurveChart dither_curves(const std::vector<ThresholdMeasures>& measures)
 {
-    std::vector<MarkCurve> curves;
+    std::vector<ChartCurve> curves;
     std::size_t reach = 1;
     for (std::size_t i = 0; i < std::min<std::size_t>(measures.size(), 8); ++i) {
-        MarkCurve curve{fmt::format("{}/16", i + 1), class_color(i), {}};
+        ChartCurve curve{fmt::format("{}/16", i + 1), class_color(i), {}};
         reach = std::max(reach, measures[i].power.size());
         for (std::size_t k = 0; k < measures[i].power.size(); ++k)
             curve.places.push_back(
                 {static_cast<double>(k + 1) / static_cast<double>(measures[i].power.size()), measures[i].power[k]});
         curves.push_back(std::move(curve));
     }
-    return curve_marks({"frequency / that of two pixels a turn", 0, 1, 0.2}, {"radially averaged power", 0, 3, 0.5}, 1,
-                       curves);
+    return {{"frequency / Nyquist frequency", 0, 1, 0.2}, {"radially averaged power", 0, 3, 0.5}, 1, curves};
 }
 
 }

@@ -3,7 +3,6 @@
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/png_file.hpp"
-#include "host/distribution/charts/curve_marks.hpp"
 
 #include <fmt/format.h>
 
@@ -97,7 +96,7 @@ std::vector<DistributionNumber> mask_numbers(const MaskField& field, const Sampl
     return numbers;
 }
 
-MarkPicture mask_profile(const SamplingMask& mask)
+CurveChart mask_profile(const SamplingMask& mask)
 {
     constexpr std::size_t bins = 32;
     std::vector<double> samples(bins), pixels(bins);
@@ -110,12 +109,11 @@ MarkPicture mask_profile(const SamplingMask& mask)
         samples[bin] += is_sample[i];
         pixels[bin] += 1;
     }
-    MarkCurve curve{"samples", class_color(0), {}};
+    ChartCurve curve{"samples", class_color(0), {}};
     for (std::size_t bin = 0; bin < bins; ++bin)
         if (pixels[bin] > 0)
             curve.places.push_back({(static_cast<double>(bin) + 0.5) / bins, samples[bin] / pixels[bin]});
-    return curve_marks({"distance from the middle / half the grid", 0, 1, 0.2}, {"part of pixels", 0, 1, 0.2}, 1,
-                       {curve});
+    return {{"distance / half of the grid", 0, 1, 0.2}, {"part of pixels", 0, 1, 0.2}, 1, {curve}};
 }
 
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/distribution/masks/sampling_mask.hpp"
+#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/distribution_result.hpp"
-#include "results/pictures/mark_picture.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -30,6 +30,6 @@ MaskDistances mask_distances(const MaskField& field, const SamplingMask& mask);
 std::vector<DistributionNumber> mask_numbers(const MaskField& field, const SamplingMask& mask);
 
 /// The part of pixels that are samples by their distance from the middle, in parts of half the grid.
-MarkPicture mask_profile(const SamplingMask& mask);
+CurveChart mask_profile(const SamplingMask& mask);
 
 }

@@ -1,6 +1,5 @@
 #include "host/distribution/region_runs/dart_pictures.hpp"
 
-#include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/regions/varied_points.hpp"
 #include "results/pictures/mark_picture.hpp"
@@ -181,6 +180,32 @@ std::vector<MarkGroup> distance_disks(const RegionDarts& darts, const PicturePla
     return groups;
 }
 
+/// A bar of the colours on the right of the picture, which becomes wider, with the distances at their ends: each colour
+/// stands for the same ratio of distances.
+void add_color_bar(const std::vector<double>& distances, MarkPicture& picture)
+{
+    constexpr double wide = picture_side / 32, gap = picture_side / 40, letters = picture_side / 36;
+    constexpr std::size_t count = distance_colors.size(), labelled = 3;
+    const auto [least, most] = std::ranges::minmax(distances);
+    if (!(most > least)) return;
+    const double left = picture.width + gap, high = picture.height - 2 * letters;
+    const auto height_of = [&](std::size_t i) { return letters + high * static_cast<double>(i) / count; };
+    for (std::size_t i = 0; i < count; ++i)
+        picture.groups.push_back({distance_colors[i],
+                                  {},
+                                  {},
+                                  {{{left, height_of(i)},
+                                    {left + wide, height_of(i)},
+                                    {left + wide, height_of(i + 1)},
+                                    {left, height_of(i + 1)}}}});
+    for (std::size_t i = 0; i <= count; i += labelled)
+        picture.words.push_back(
+            {{left + wide + 2.2 * letters, height_of(i) - letters / 3},
+             letters,
+             fmt::format("{:.3g}", least * std::pow(most / least, static_cast<double>(i) / count))});
+    picture.width = left + wide + 4.4 * letters;
+}
+
 MarkGroup equal_dots(const RegionDarts& darts, const PicturePlaces& places, double radius)
 {
     MarkGroup dots{"#000000"};
@@ -222,17 +247,18 @@ MarkPicture dart_picture(const RegionDarts& darts)
         picture.groups.push_back(equal_dots(darts, places, radius));
     }
     if (darts.request.land->obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
+    if (darts.varied) add_color_bar(darts.varied->distances, picture);
     return picture;
 }
 
-MarkPicture nearest_picture(const VariedSet& set)
+CurveChart nearest_chart(const VariedSet& set)
 {
     constexpr double low = 0.9, high = 2.1, width = 0.02;
     std::array<double, 60> counts{};
     for (const double nearest : set.nearest)
         if (nearest >= low && nearest < high)
             ++counts[std::min(static_cast<std::size_t>((nearest - low) / width), counts.size() - 1)];
-    MarkCurve curve{"points", "#2c728e", {}};
+    ChartCurve curve{"points", "#2c728e", {}};
     double most = 1;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const double density = counts[i] / width / static_cast<double>(set.nearest.size());
@@ -240,8 +266,10 @@ MarkPicture nearest_picture(const VariedSet& set)
         curve.places.push_back({low + width * (static_cast<double>(i) + 0.5), density});
     }
     const double step = most > 8 ? 4 : most > 4 ? 2 : 1;
-    return curve_marks({"distance of the nearest point / the distance that both keep", low, high, 0.2},
-                       {"density of points", 0, std::ceil(most / step) * step, step}, 0, {curve});
+    return {{"nearest distance / the distance kept", low, high, 0.2},
+            {"density of points", 0, std::ceil(most / step) * step, step},
+            0,
+            {curve}};
 }
 
 }

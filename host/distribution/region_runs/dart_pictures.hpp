@@ -2,15 +2,17 @@
 #pragma once
 
 #include "host/distribution/regions/region_darts.hpp"
+#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 namespace poissonlab {
 
 /// The region's outlines and holes as lines, obstacles beside them, and points as disks of a third of their distance.
-/// Where the distance varies, disks of half of it in colours, the darker the smaller, with dots in the middle.
+/// Where the distance varies, disks of half of it in colours, the darker the smaller, with dots in the middle and a bar
+/// of the colours.
 MarkPicture dart_picture(const RegionDarts& darts);
 
 /// How near the nearest points are, over what they are to keep: the share of points, as a density.
-MarkPicture nearest_picture(const VariedSet& set);
+CurveChart nearest_chart(const VariedSet& set);
 
 }

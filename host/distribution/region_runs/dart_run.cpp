@@ -225,9 +225,9 @@ void add_varied_results(const VariedSet& set, DistributionFiles& files, Distribu
     result.facts.push_back(words_of_varied(set));
     write_distances(files.add("distances.npy"), set);
     result.files.push_back("distances.npy");
-    files.add_marks("nearest.json", nearest_picture(set),
-                    "How near the nearest points are, over the distance that both keep: none is nearer than 1.",
-                    result);
+    files.add_curves("nearest", nearest_chart(set),
+                     "How near the nearest points are, over the distance that both keep: none is nearer than 1.",
+                     result);
 }
 
 std::string words_of_region(const RegionDarts& darts)

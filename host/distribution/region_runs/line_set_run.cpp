@@ -3,7 +3,6 @@
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
 #include "base/text/noun.hpp"
-#include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/regions/line_set.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/region_keys.hpp"
@@ -63,16 +62,15 @@ std::string line_set_label(const LineSetSettings& s)
 }
 
 /// The part of gaps that are at least so long, beside the exponential law of random points.
-MarkPicture gap_curves(const std::vector<double>& gaps, double mean)
+CurveChart gap_curves(const std::vector<double>& gaps, double mean)
 {
-    MarkCurve found{"points", "#2c728e", {}}, random{"random points", "#8a8f98", {}};
+    ChartCurve found{"points", "#2c728e", {}}, random{"random points", "#8a8f98", {}};
     const double most = std::ceil(std::min(gaps.back() / mean, 6.0));
     const std::size_t step = std::max<std::size_t>(1, gaps.size() / 2000);
     for (std::size_t i = 0; i < gaps.size(); i += step)
         found.places.push_back({gaps[i] / mean, 1 - static_cast<double>(i) / static_cast<double>(gaps.size())});
     for (double x = 0; x <= most; x += most / 200) random.places.push_back({x, std::exp(-x)});
-    return curve_marks({"gap / mean gap", 0, most, 1}, {"part of gaps at least as long", 0, 1, 0.2}, 0,
-                       {random, found});
+    return {{"gap / mean gap", 0, most, 1}, {"part of gaps at least as long", 0, 1, 0.2}, 0, {random, found}};
 }
 
 DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set)
@@ -120,10 +118,10 @@ DistributionResult measure_lines(const LineSetSettings& settings, std::uint64_t 
     if (set.gaps.empty()) return result;
     const double mean = std::accumulate(set.gaps.begin(), set.gaps.end(), 0.0) / static_cast<double>(set.gaps.size());
     if (mean > 0)
-        files.add_marks("gaps.json", gap_curves(set.gaps, mean),
-                        "Gaps between neighbours on a line: the part of gaps that are at least as long, and the same "
-                        "for random points.",
-                        result);
+        files.add_curves("gaps", gap_curves(set.gaps, mean),
+                         "Gaps between neighbours on a line: the part of gaps that are at least as long, and the same "
+                         "for random points.",
+                         result);
     return result;
 }
 

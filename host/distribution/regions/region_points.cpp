@@ -93,7 +93,6 @@ public:
     {
         std::size_t points = wanted();
         if (settings_.method == RegionMethod::gaussian) points = std::max(points, least_points_of_region_gaussian());
-        check_gaussian();
         switch (settings_.method) {
         case RegionMethod::darts:
             return DartThrower::memory(points_.request.darts, device);
@@ -104,7 +103,8 @@ public:
         case RegionMethod::lloyd:
             return RegionLloyd::memory(SiteGrid(region_, points, is_in_squares()));
         case RegionMethod::gaussian:
-            return either(relaxation_memory(), gaussian_memory(RegionGaussian(region_, points), points));
+            return either(relaxation_memory(),
+                          gaussian_memory(RegionGaussian(region_, points, is_in_squares()), points));
         default:
             return {};
         }
@@ -228,31 +228,19 @@ private:
 
     static DeviceMemory gaussian_memory(const RegionGaussian& gaussians, std::size_t points)
     {
-        return GaussianBlueNoise::memory(gaussian_field_shape(gaussians.density(), RegionGaussian::sigma, points),
-                                         points);
-    }
-
-    /// The field of Gaussians is known by cells of a square around the region, which would be much wider than it.
-    void check_gaussian() const
-    {
-        if (settings_.method != RegionMethod::gaussian || !is_in_squares()) return;
-        throw InputError(
-            "Gaussian blue noise knows a region by 2,048 cells along its longest side, which are too few for "
-            "one that is some 5,780 minimum distances long: make the points of its parts one by one, or by "
-            "Lloyd's method");
+        return GaussianBlueNoise::memory(gaussians.shape(), points);
     }
 
     /// Makes Gaussian blue noise from darts, which are even at long distances already.
     PointSet gaussian()
     {
-        check_gaussian();
         const PointSet darts = relaxed_darts();
         points_.sure_distance = 0;
         std::vector<TorusPoint<2>> start;
         for (std::size_t i = 0; i < darts.size(); ++i)
             start.push_back(
                 {static_cast<std::uint32_t>(darts[i][0] * 0x1p32), static_cast<std::uint32_t>(darts[i][1] * 0x1p32)});
-        const RegionGaussian gaussians(region_, start.size());
+        const RegionGaussian gaussians(region_, start.size(), is_in_squares());
         check_memory("Gaussian blue noise", gaussian_memory(gaussians, start.size()));
         const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
             return is_reference() ? reference::descend(points, request).points

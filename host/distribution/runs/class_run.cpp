@@ -110,14 +110,14 @@ void add_class_spectra(std::size_t points, const ClassSpectra& spectra, Distribu
                        DistributionResult& result)
 {
     const std::string of = spectra.sets == 1 ? "of this set alone" : fmt::format("the mean of {} sets", spectra.sets);
-    files.add_marks("power.json", power_picture(points, spectra),
-                    fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
+    files.add_curves("power", power_chart(points, spectra),
+                     fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
     if (!spectra.mean.cross.empty())
-        files.add_marks("cross-power.json", cross_picture(points, spectra),
-                        fmt::format("Cross power of pairs of classes, {}: 0 where they are independent of each other, "
-                                    "below 0 where one has its points between those of the other.",
-                                    of),
-                        result);
+        files.add_curves("cross-power", cross_chart(points, spectra),
+                         fmt::format("Cross power of pairs of classes, {}: 0 where they are independent of each other, "
+                                     "below 0 where one has its points between those of the other.",
+                                     of),
+                         result);
     write_whole_file(files.add("spectra.csv"), spectra_csv(spectra));
     result.files.push_back("spectra.csv");
 }

@@ -49,8 +49,8 @@ DistributionResult make_dither_mask(const DitherMaskSettings& settings, std::uin
     result.pictures.push_back({"thresholds.png", "Pixels below 1/16, 2/16, ... 8/16 of the thresholds, in a corner."});
     std::vector<ThresholdMeasures> measures;
     for (std::uint32_t i = 1; i <= measured_thresholds; ++i) measures.push_back(threshold_measures(mask, i));
-    files.add_marks("power.json", dither_curves(measures), "Radially averaged power of the pixels below thresholds.",
-                    result);
+    files.add_curves("power", dither_curves(measures), "Radially averaged power of the pixels below thresholds.",
+                     result);
     write_dither_mask(files.add("mask.npy", result), mask);
     result.numbers = dither_numbers(measures);
     result.tables.push_back(dither_table(measures));

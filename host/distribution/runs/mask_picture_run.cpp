@@ -1,7 +1,6 @@
 // kind = "mask-picture" measures a mask of thresholds of any origin.
 #include "base/images/png_file.hpp"
 #include "base/images/raw_picture.hpp"
-#include "host/distribution/charts/curve_marks.hpp"
 #include "host/distribution/masks/mask_picture.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 
@@ -74,10 +73,10 @@ void write_levels(const std::filesystem::path& file, const MaskPicture& mask, co
               [&](int first, int) { return &pixels[static_cast<std::size_t>(first) * width]; });
 }
 
-MarkCurve ring_curve(const std::string& name, std::size_t color, const RingPower& rings,
-                     const std::vector<double>& heights)
+ChartCurve ring_curve(const std::string& name, std::size_t color, const RingPower& rings,
+                      const std::vector<double>& heights)
 {
-    MarkCurve curve{name, class_color(color), {}};
+    ChartCurve curve{name, class_color(color), {}};
     for (std::size_t k = 0; k < heights.size(); ++k) curve.places.push_back({rings.frequency[k], heights[k]});
     return curve;
 }
@@ -87,24 +86,26 @@ std::string part_words(const MaskPicture& mask, const MaskLevel& level)
     return fmt::format("{:.4g} %", 100 * static_cast<double>(level.below) / static_cast<double>(mask.pixels()));
 }
 
-MarkPicture power_curves(const MaskPicture& mask, const RingPower& own, const std::vector<MaskLevel>& levels)
+CurveChart power_curves(const MaskPicture& mask, const RingPower& own, const std::vector<MaskLevel>& levels)
 {
-    std::vector<MarkCurve> curves{ring_curve("values", 0, own, own.power)};
+    std::vector<ChartCurve> curves{ring_curve("values", 0, own, own.power)};
     const std::size_t every = levels.size() > 8 ? 2 : 1;
     for (std::size_t k = every - 1; k < levels.size(); k += every)
         if (2 * levels[k].below <= mask.pixels())
             curves.push_back(
                 ring_curve(part_words(mask, levels[k]), curves.size(), levels[k].rings, levels[k].rings.power));
-    return curve_marks({"frequency, cycles a pixel", 0, 0.5, 0.1}, {"radially averaged power", 0, 4, 1}, 1, curves);
+    return {{"frequency, cycles a pixel", 0, 0.5, 0.1}, {"radially averaged power", 0, 4, 1}, 1, curves};
 }
 
 /// Draws the anisotropy in decibels, which is 0 for noise without directions.
-MarkPicture anisotropy_curve(const RingPower& own)
+CurveChart anisotropy_curve(const RingPower& own)
 {
     std::vector<double> decibels;
     for (const double part : own.anisotropy) decibels.push_back(10 * std::log10(std::max(part, 1e-9)));
-    return curve_marks({"frequency, cycles a pixel", 0, 0.5, 0.1}, {"anisotropy, dB", -10, 10, 5}, 0,
-                       {ring_curve("values", 0, own, decibels)});
+    return {{"frequency, cycles a pixel", 0, 0.5, 0.1},
+            {"anisotropy, dB", -10, 10, 5},
+            0,
+            {ring_curve("values", 0, own, decibels)}};
 }
 
 double mean_anisotropy(const RingPower& rings)
@@ -191,12 +192,12 @@ DistributionResult measure_mask(const MaskPictureSettings& settings, std::uint64
     result.pictures.push_back(
         {"spectrum.png", "Power of the values from -20 dB, black, to 10 dB, white; 0 dB is white noise. Frequency "
                          "0 is in the middle."});
-    files.add_marks(
-        "power.json", power_curves(mask, own, levels),
+    files.add_curves(
+        "power", power_curves(mask, own, levels),
         "Radially averaged power of the values, which are white noise at 1, and of the pixels below thresholds.",
         result);
-    files.add_marks("anisotropy.json", anisotropy_curve(own),
-                    "Anisotropy of the values: 0 dB is noise without directions.", result);
+    files.add_curves("anisotropy", anisotropy_curve(own), "Anisotropy of the values: 0 dB is noise without directions.",
+                     result);
     result.numbers = mask_picture_numbers(mask, own, levels);
     result.tables.push_back(level_table(mask, levels));
     return result;

@@ -58,8 +58,8 @@ DistributionResult make_sampling_mask(const SamplingMaskSettings& settings, std:
                     settings.has_corners ? "corners are sampled" : "no samples in corners"};
     write_mask(files.add("mask.png"), mask);
     result.pictures.push_back({"mask.png", "Samples are white."});
-    files.add_marks("profile.json", mask_profile(mask),
-                    "The part of pixels that are samples, by distance from the middle.", result);
+    files.add_curves("profile", mask_profile(mask), "The part of pixels that are samples, by distance from the middle.",
+                     result);
     write_mask(files.add("mask.npy", result), mask);
     write_mask(files.add("mask.cfl", result), mask);
     files.add("mask.hdr", result);

@@ -53,6 +53,9 @@ void mark_keys(Keys& keys, StippleSettings& s)
 {
     const std::string width = s.has_strokes ? "stroke" : "dot";
     keys.picture_or_formula("image", s.image, s.from, "the picture, or a formula of its ink from 0 to 1").required();
+    keys.word(
+        "tones", s.tones, ink_tones,
+        "ink is 1 - luminance, or 1 - lightness, which leaves more light where a picture is neither black nor white");
     keys.number("ink", s.ink, {0.001, 1}, "the part of the ink that is printed");
     keys.integer("points", s.points, 1, 1 << 24, "how many marks; their size follows (by ranks about so many)")
         .otherwise("what the width of marks needs");
@@ -88,8 +91,8 @@ std::string mark_label(const StippleSettings& s)
 std::string placing_words(const StippleSettings& settings, const Stippling& stippling)
 {
     if (settings.by == MarkPlaces::ranks)
-        return "by ranks of " +
-               (settings.method.tiles.empty() ? std::string("the self-similar tile") : method_words(settings.method));
+        return "by ranks of " + (settings.method.tiles.empty() ? std::string("the self-similar tile, ") + lattice_words
+                                                               : method_words(settings.method));
     const std::string warped = "warped points of " + method_words(settings.method);
     if (settings.by == MarkPlaces::warping) return warped;
     if (stippling.asked < least_relaxed_places) return warped + ", too few to be relaxed";
@@ -117,6 +120,7 @@ DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t 
     result.facts = {fmt::format("{} x {} pixels", picture.ink.width, picture.ink.height),
                     fmt::format("{} {}", stippling.places.size() / 2, settings.has_strokes ? "strokes" : "dots"),
                     placing_words(settings, stippling)};
+    if (settings.tones == InkTones::lightness) result.facts.emplace_back("ink is 1 - lightness");
     if (settings.ink < 1) result.facts.push_back(fmt::format("{:.0f} % of the ink", 100 * settings.ink));
     if (!picture.ink.note.empty()) result.facts.push_back(picture.ink.note);
     MarkPicture marks = mark_picture(picture, stippling);

@@ -24,6 +24,7 @@ void endless_keys(Keys& keys, EndlessRequest& r)
                 "of hexagons: the part of a weight that is the lightness of its pixel");
     keys.integer("gain", r.gain, 1, most_endless_gain,
                  "of hexagons: the contrast of weights, w becoming (2 w)^gain / 2 below a half");
+    keys.number("turn", r.turn, {0, 1}, "of hexagons: how far each turns by chance, in half turns to either side");
     keys.flag("restored", r.restored, "of offsets and hexagons: give back the variance that blending takes");
     keys.flag("tileable", r.tileable, "of offsets, hexagons and blended: the exemplar's opposite borders fit");
     keys.integer("block", r.block, least_quilting_block, most_quilting_block,
@@ -46,6 +47,7 @@ void check_keys_of_method(const Keys& keys, EndlessMethod method, const std::str
         {"exponent", {hexagons, blended}},
         {"falloff", {hexagons}},
         {"gain", {hexagons}},
+        {"turn", {hexagons}},
         {"restored", {offsets, hexagons}},
         {"tileable", {offsets, hexagons, blended}},
         {"block", {quilted}},
@@ -97,6 +99,7 @@ std::string endless_label(const EndlessRequest& request, const std::string& exem
         break;
     }
     if (request.gain > 1) label += fmt::format(", gain of {}", request.gain);
+    if (request.turn > 0) label += fmt::format(", hexagons turned by up to {:.4g} degrees", 180 * request.turn);
     if (request.restored) label += ", variance restored";
     if (request.exponent) label += fmt::format(", weights to the power {}", *request.exponent);
     label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
@@ -105,7 +108,7 @@ std::string endless_label(const EndlessRequest& request, const std::string& exem
 
 std::vector<std::string> endless_shows(EndlessMethod method)
 {
-    std::vector<std::string> words{"exemplar", "tiling"};
+    std::vector<std::string> words{"exemplar", "tiling", "plane"};
     if (method == EndlessMethod::blended) words.emplace_back("gaussian");
     if (method == EndlessMethod::quilted) words.emplace_back("pieces");
     return words;

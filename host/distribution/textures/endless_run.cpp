@@ -6,6 +6,7 @@
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/textures/frame_rate.hpp"
+#include "host/distribution/textures/plane_picture.hpp"
 #include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/distribution/textures/texture_values.hpp"
@@ -13,6 +14,7 @@
 #include "host/texture/endless/gaussian_exemplar.hpp"
 #include "host/texture/endless/quilting.hpp"
 #include "host/texture/exemplar.hpp"
+#include "tiles/texture/tiling_judge.hpp"
 
 #include <fmt/format.h>
 
@@ -78,6 +80,36 @@ TextureSet set_of_one(const QuiltedPicture& quilted, const PngPixels& exemplar)
     return set;
 }
 
+/// The rectangle after which what a method shows could recur: the exemplar, squares, two rows of hexagons, or the step
+/// from block to block.
+struct LatticeRectangle
+{
+    int width = 0;
+    int height = 0;
+};
+
+LatticeRectangle lattice_of(const EndlessRequest& request, const PngPixels& exemplar)
+{
+    if (request.method == EndlessMethod::repeated) return {exemplar.width, exemplar.height};
+    if (request.method == EndlessMethod::quilted) return {quilting_step(request), quilting_step(request)};
+    const int cell = request.cell_of(exemplar);
+    return {cell, request.has_hexagons() ? 2 * request.row_of(exemplar) : cell};
+}
+
+/// Measures what recurs in as many rectangles as tilings have tiles, in as large a square as compare_texture() takes at
+/// most, or in the picture that was quilted.
+void add_recurrence(const MadeTexture& made, const PngPixels& exemplar, const DistributionPlace& place,
+                    TextureValues& values)
+{
+    const auto [width, height] = lattice_of(made.request, exemplar);
+    const int most = made.endless ? peak_side : made.quilted.pixels.width,
+              side = static_cast<int>(
+                  std::min<std::int64_t>(most, static_cast<std::int64_t>(recurrence_tiles) * std::max(width, height)));
+    values["recurrence_width"] = width;
+    if (const auto recurs = recurrence(square_of(made, side, side, place), width, height))
+        values["recurrence"] = *recurs;
+}
+
 TextureValues values_of(const TextureSettings& settings, const MadeTexture& made, const PngPixels& exemplar,
                         const DistributionPlace& place)
 {
@@ -94,7 +126,11 @@ TextureValues values_of(const TextureSettings& settings, const MadeTexture& made
         values["fetches"] = 1;
         add_seam_values(set_of_one(made.quilted, exemplar), pixels / (static_cast<double>(size) * size), values);
     }
-    add_picture_values(square_of(made, side, side, place), exemplar, size, true, values);
+    const PngPixels square = square_of(made, side, side, place);
+    add_picture_values(square, exemplar, size, values);
+    add_recurrence(made, exemplar, place, values);
+    if (patch_fits(exemplar, judged_patch))
+        values["novelty"] = PatchNovelty(exemplar, judged_patch).share(square, std::max(1, side / 64));
     if (settings.is_compared)
         add_comparison(
             exemplar, [&](int pixels) { return square_of(made, pixels, pixels, place); },
@@ -132,6 +168,11 @@ void add_pictures(const TextureSettings& settings, const MadeTexture& made, cons
     for (const std::string& word : settings.show) {
         if (word == "exemplar") write("exemplar.png", exemplar, "The exemplar.");
         if (word == "tiling") write("tiling.png", square_of(made, width, height, place), "A window of the texture.");
+        if (word == "plane")
+            write("plane.png",
+                  made.endless ? plane_picture(mapped_endless(made.request, exemplar), place)
+                               : plane_picture(made.quilted.pixels, place),
+                  "The endless plane, with anisotropic filtering.");
         if (word == "gaussian")
             write("gaussian.png", gaussian_picture(exemplar),
                   "The Gaussian exemplar that is blended: its coordinates as red, green and blue.");

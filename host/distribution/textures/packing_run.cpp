@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -23,10 +24,11 @@
 namespace poissonlab {
 namespace {
 
-/// The colours of corners and edges: those that the papers draw with come first.
+/// The colours of corners and edges: first those of Okabe and Ito, which everybody tells apart, then pale ones and dark
+/// ones of these. All are light enough for black numbers.
 constexpr std::array<const char*, most_drawn_colors> packed_colors{
-    "#d9422f", "#3f9e4a", "#3a6fd0", "#e8b62c", "#9a4fc0", "#2fb0b8", "#ee7f2d", "#8a8a8a",
-    "#7a1f1f", "#b5d96b", "#1d2f6f", "#f3a6b5", "#6b4a1f", "#a6d8f0", "#145a3a", "#e63fa8"};
+    "#d55e00", "#f0e442", "#009e73", "#56b4e9", "#3d8fd1", "#cc79a7", "#e69f00", "#9a9a9a",
+    "#f2b58c", "#fbf6c0", "#8fd6bf", "#c2e3f7", "#b8862f", "#ecc9dc", "#f7d998", "#dcdcdc"};
 constexpr const char* lines = "#303030";
 constexpr int packing_pixels = 1024;
 
@@ -46,6 +48,13 @@ void add_square(MarkPicture& picture, double x, double y, double width)
         picture.groups.back().strokes.push_back({ends[0], ends[1], ends[2], ends[3], width});
 }
 
+/// The number of a colour around a place.
+void add_number(MarkPicture& picture, double x, double y, Color color)
+{
+    constexpr double size = 0.14;
+    picture.words.push_back({{x, y - 0.36 * size}, size, std::to_string(color)});
+}
+
 /// Colours of edges inside of a tile: strokes beside its sides, which meet those of its neighbours.
 void add_wang_tile(MarkPicture& picture, const WangTile& tile, double x, double y)
 {
@@ -54,6 +63,10 @@ void add_wang_tile(MarkPicture& picture, const WangTile& tile, double x, double 
     picture.groups[tile.north].strokes.push_back({x + reach, y + 1 - inset, x + 1 - reach, y + 1 - inset, wide});
     picture.groups[tile.west].strokes.push_back({x + inset, y + reach, x + inset, y + 1 - reach, wide});
     picture.groups[tile.east].strokes.push_back({x + 1 - inset, y + reach, x + 1 - inset, y + 1 - reach, wide});
+    add_number(picture, x + 0.5, y + inset, tile.south);
+    add_number(picture, x + 0.5, y + 1 - inset, tile.north);
+    add_number(picture, x + inset, y + 0.5, tile.west);
+    add_number(picture, x + 1 - inset, y + 0.5, tile.east);
 }
 
 MarkPicture drawn_packing(const TilePacking& packing)
@@ -72,10 +85,13 @@ MarkPicture drawn_packing(const TilePacking& packing)
         }
     if (packing.kind == TileKind::corner) {
         const std::vector<Color> corners = corner_colors_of(packing);
+        std::rotate(picture.groups.begin(), picture.groups.end() - 1, picture.groups.end()); // disks lie over lines
         for (Color row = 0; row <= packing.side(); ++row)
-            for (Color column = 0; column <= packing.side(); ++column)
-                picture.groups[corners[row % packing.side() * packing.side() + column % packing.side()]]
-                    .disks.push_back({column + margin, row + margin, 0.2});
+            for (Color column = 0; column <= packing.side(); ++column) {
+                const Color color = corners[row % packing.side() * packing.side() + column % packing.side()];
+                picture.groups[1 + color].disks.push_back({column + margin, row + margin, 0.2});
+                add_number(picture, column + margin, row + margin, color);
+            }
     }
     return picture;
 }
@@ -104,6 +120,8 @@ void add_domino(MarkPicture& picture, Color west, Color east, double x, double y
     constexpr double wide = 0.3;
     picture.groups[west].strokes.push_back({x + wide / 2, y + 0.2, x + wide / 2, y + 0.8, wide});
     picture.groups[east].strokes.push_back({x + 1 - wide / 2, y + 0.2, x + 1 - wide / 2, y + 0.8, wide});
+    add_number(picture, x + wide / 2, y + 0.5, west);
+    add_number(picture, x + 1 - wide / 2, y + 0.5, east);
     add_square(picture, x, y, 0.02);
 }
 
@@ -162,6 +180,7 @@ MarkPicture drawn_graph(Color colors)
         const double angle = 2 * std::numbers::pi * (0.25 + static_cast<double>(color) / colors);
         places.push_back({middle + around * std::cos(angle), middle + around * std::sin(angle)});
         picture.groups[color].disks.push_back({places.back()[0], places.back()[1], vertex});
+        add_number(picture, places.back()[0], places.back()[1], color);
         const double out = (around + vertex + loop) / around;
         add_loop(picture, middle + (places.back()[0] - middle) * out, middle + (places.back()[1] - middle) * out, loop,
                  0.02);

@@ -17,6 +17,7 @@ ExemplarPictures texture_exemplar(const TextureSettings& settings, std::uint64_t
         pictures.exemplar = synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places);
     }
     if (settings.is_straightened) straighten(pictures, settings.request.size);
+    if (!settings.endless) flatten(pictures, settings.request.size, settings.is_flattened);
     return pictures;
 }
 

@@ -48,10 +48,9 @@ void joint_keys(Keys& keys, TextureRequest& r)
                                "chooses Wang tiles together; with more than {} tiles or {} pixels, with stages, weight "
                                "or cut other than the default, and with overlap, smooth or marked_exemplar it is false",
                                most_tiles_together, most_pixels_together));
-    const bool is_automatic = keys.is_read() && !asked && is_joint_by_default(r) && !keys.is_given("overlap") &&
-                              !keys.is_given("marked_exemplar");
-    r.joint = asked.value_or(is_automatic);
-    r.is_judged = is_automatic && r.has_corners(); // the corners of Wang tiles fit by joint choice alone
+    r.is_joint_open = keys.is_read() && !asked && !keys.is_given("overlap") && !keys.is_given("marked_exemplar");
+    r.joint = asked.value_or(false);
+    settle_joint(r);
     keys.integer(
         "rounds", r.rounds, 1, most_joint_rounds,
         "of joint: how often a better window is looked for at each corner, edge and tile; 24 and more hide seams "
@@ -62,14 +61,13 @@ void joint_keys(Keys& keys, TextureRequest& r)
         throw keys.invalid("overlap", "cannot be combined with " + keys.name_of("joint"));
 }
 
-/// `is_built`: by the command, which has to be told the size of the set.
-void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
+/// `is_advised`: by the command, which takes numbers that are not given from the picture.
+void request_keys(Keys& keys, TextureRequest& r, bool is_advised = false)
 {
     constexpr auto pixels = "pixels";
     Color colors = r.kind == TextureKind::omega ? 4 : 3;
-    auto said = keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
-                    .otherwise("3; of omega tiles 4");
-    if (is_built) said.required();
+    keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
+        .otherwise(is_advised ? "what texture advise says; of omega tiles 4" : "3; of omega tiles 4");
     std::optional<Color> vertical;
     keys.integer("vertical_colors", vertical, 2, most_texture_colors,
                  "of compact Wang tiles: the number of colours of vertical edges")
@@ -79,7 +77,7 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
     r.tiles = names.front();
     keys.word("tiles", r.tiles, names, "which tiles").otherwise("the first of the kind: complete or 16");
     auto size = keys.integer("size", r.size, least_tile_pixels, most_tile_pixels, "the side T of a tile").unit(pixels);
-    if (is_built) size.required();
+    if (is_advised) size.otherwise("what texture advise says");
     keys.integer("ring", r.ring, 0, most_tile_pixels,
                  "the border that depends on shared colours alone, up to T / 5 - 1")
         .unit(pixels)
@@ -104,6 +102,9 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
         .otherwise("0.36, with one stage 0");
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
     joint_keys(keys, r);
+    keys.flag("blend", r.blend,
+              "give both sides of each seam a part of their difference, over the length at which the picture changes")
+        .otherwise("auto: where the picture is smooth");
 }
 
 void marked_exemplar_key(Keys& keys, TextureSettings& s)
@@ -137,14 +138,27 @@ void straighten_key(Keys& keys, TextureSettings& s)
         throw keys.invalid("straighten", "cannot be combined with " + keys.name_of("marked_exemplar"));
 }
 
+void flatten_key(Keys& keys, TextureSettings& s)
+{
+    keys.flag("flatten", s.is_flattened,
+              "make the light even that differs over more than a tile: subtract what a Gaussian blur of half a tile "
+              "shows, and add the mean")
+        .otherwise("auto: where that light has more of the picture's variation than chance gives");
+    if (s.is_flattened.value_or(false) && !s.marked_exemplar.empty())
+        throw keys.invalid("flatten", "cannot be combined with " + keys.name_of("marked_exemplar"));
+}
+
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
     request_keys(keys, s.request, true);
+    s.is_size_open = !keys.is_given("size");
+    s.are_colors_open = !keys.is_given("colors") && !keys.is_given("vertical_colors");
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     marked_exemplar_key(keys, s);
     also_key(keys, s);
     straighten_key(keys, s);
+    flatten_key(keys, s);
     if (keys.is_read()) keys.check([&] { check(s.request); });
 }
 
@@ -167,9 +181,9 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
             if (keys.is_given(name)) throw keys.invalid(name, allowed);
     };
     if (s.endless) {
-        refuse({"colors", "vertical_colors", "tiles", "ring", "diversity", "stages", "candidates", "attempts", "weight",
-                "cut", "overlap", "core", "joint", "rounds", "smooth", "marked_exemplar", "marks", "also",
-                "straighten"},
+        refuse({"colors",   "vertical_colors", "tiles", "ring",    "diversity",  "stages",  "candidates",
+                "attempts", "weight",          "cut",   "overlap", "core",       "joint",   "rounds",
+                "smooth",   "marked_exemplar", "marks", "also",    "straighten", "flatten", "blend"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
         check_keys_of_method(keys, s.endless->method, "kind");
     } else {
@@ -198,7 +212,7 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
     const bool has_places =
         request.kind == TextureKind::corner ||
         (request.kind == TextureKind::wang && request.tiles == "complete" && request.classes() == 1);
-    const bool is_mapped = has_places && (request.size & (request.size - 1)) == 0;
+    const bool is_power_of_two = (request.size & (request.size - 1)) == 0, is_mapped = has_places && is_power_of_two;
     if (!is_mapped && s.has_timing)
         throw keys.invalid("timing", "is for complete sets of tiles whose size is a power of two");
     if (!keys.is_given("show")) return;
@@ -206,10 +220,10 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
     for (const char* word : {"marks", "tiling-marks"})
         if (s.marked_exemplar.empty() && is_shown(word))
             throw keys.invalid("show", fmt::format("\"{}\" needs marked_exemplar", word));
-    for (const char* word : {"levels", "plane"})
-        if (!is_mapped && is_shown(word))
-            throw keys.invalid("show",
-                               fmt::format("\"{}\" is for complete sets of tiles whose size is a power of two", word));
+    if (!is_mapped && is_shown("levels"))
+        throw keys.invalid("show", "\"levels\" is for complete sets of tiles whose size is a power of two");
+    if (!is_power_of_two && is_shown("plane"))
+        throw keys.invalid("show", "\"plane\" is for tiles whose size is a power of two");
 }
 
 void texture_keys(Keys& keys, TextureSettings& s)
@@ -230,6 +244,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
     marked_exemplar_key(keys, s);
     also_key(keys, s);
     straighten_key(keys, s);
+    flatten_key(keys, s);
     keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
         .otherwise("corners are marked at random");
     if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");
@@ -241,7 +256,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
         throw keys.invalid("window", "must have at most 64 tiles along each side");
     s.columns = static_cast<std::uint64_t>(window[0]);
     s.rows = static_cast<std::uint64_t>(window[1]);
-    s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "gradients"};
+    s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "plane", "gradients"};
     keys.words("show", s.show, texture_shows(), "the pictures");
     keys.flag("timing", s.has_timing, "whether frames a second, and nanoseconds a pixel, are measured");
     keys.flag("compare", s.is_compared,
@@ -270,8 +285,10 @@ std::string texture_label(const TextureSettings& settings)
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
     if (settings.is_straightened) label += ", straightened";
+    if (settings.is_flattened) label += *settings.is_flattened ? ", flattened" : ", light as it is";
     if (request.joint && !request.is_judged) label += ", chosen together";
     if (request.smooth) label += ", smoothed";
+    if (request.blend) label += *request.blend ? ", blended" : ", not blended";
     if (request.weight == SeamWeight::gradient) label += ", gradient weights";
     if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";
     return label;

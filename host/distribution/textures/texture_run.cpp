@@ -6,6 +6,7 @@
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/textures/frame_rate.hpp"
+#include "host/distribution/textures/plane_picture.hpp"
 #include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/distribution/textures/texture_values.hpp"
@@ -63,12 +64,15 @@ public:
             write("levels.png", level_picture(texture_pyramid(set_, settings_.request.seed)),
                   fmt::format("Levels of the atlas, in light. Look-ups in it are exact up to level {}{}.",
                               exact_level(), set_.has_corners() ? "" : ", but at corners of tiles"));
-        if (word == "plane" && is_mapped()) add_plane();
+        if (word == "plane" && is_power_of_two())
+            write("plane.png", plane_picture(set_, settings_.request.seed, place_),
+                  "The endless plane, with anisotropic filtering.");
     }
 
 private:
     /// True if graphics cards can map it: see texture_pyramid().
-    bool is_mapped() const { return has_places(set_) && (set_.size & (set_.size - 1)) == 0; }
+    bool is_mapped() const { return has_places(set_) && is_power_of_two(); }
+    bool is_power_of_two() const { return (set_.size & (set_.size - 1)) == 0; }
 
     int exact_level() const
     {
@@ -115,24 +119,6 @@ private:
               "Differences between neighbours by their place in the tile, over 16 x 16 tiles: grey is the exemplar's "
               "mean, "
               "white twice as much. Seams are lighter lines.");
-    }
-
-    void add_plane()
-    {
-        TextureCamera camera;
-        camera.width = frame_width;
-        camera.height = frame_height;
-        const TexturePyramid pyramid = texture_pyramid(set_, settings_.request.seed);
-        const TextureView view = view_of(camera);
-        std::vector<float> light;
-        if (place_.engine == Engine::opencl)
-            check_fits("the view of the plane", texture_map_memory(pyramid, view), place_.device().info());
-        if (place_.engine == Engine::reference)
-            light = reference_map_texture(pyramid, TextureLookup::exact, view);
-        else
-            light = map_texture(place_.device(), pyramid, TextureLookup::exact, view, default_work_group_size);
-        write("plane.png", encoded_pixels(light, frame_width, frame_height, pyramid.channels),
-              "The endless plane, with anisotropic filtering.");
     }
 
     const TextureSettings& settings_;
@@ -227,6 +213,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
         result.parameters = parameters_for_claims(settings);
         built.set.companions = pictures.companions;
         if (settings.is_straightened) built.set.parameters["straighten"] = "true";
+        if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
         add_set(settings, built, place, files, result);
         if (!built.choice.empty()) result.facts.push_back(built.choice);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());

@@ -1,12 +1,15 @@
 #include "host/distribution/textures/texture_values.hpp"
 
 #include "host/texture/comparison/light_map.hpp"
+#include "host/texture/joint/phase_rule.hpp"
 #include "results/texture_measures.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 #include "tiles/texture/tiling_judge.hpp"
 #include "tiles/texture/tiling_measures.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,16 +44,87 @@ void add_judgement(const TextureSet& set, std::uint64_t seed, TextureValues& val
     values["exemplar_slow_power"] = found->slow->exemplar;
 }
 
-void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, bool is_of_one,
-                        TextureValues& values)
+namespace {
+
+/// How often each tile lies at each of period x period places of a window.
+std::vector<std::vector<double>> tile_counts(const TextureWindow& window, std::size_t tiles, std::size_t period)
 {
-    values["lattice_power"] = lattice_power(picture, size);
-    values["double_lattice_power"] = lattice_power(picture, 2 * size);
+    std::vector<std::vector<double>> counts(period * period, std::vector<double>(tiles));
+    for (std::size_t i = 0; i < window.tiles.size(); ++i) {
+        const std::size_t row = i / window.columns, column = i % window.columns;
+        ++counts[row % period * period + column % period][window.tiles[i]];
+    }
+    return counts;
+}
+
+/// What the pixels of a tile have beside means of the exemplar, channel by channel.
+std::vector<double> deviations(const TextureSet& set, std::size_t tile, const PhaseMeans& means)
+{
+    const auto values = set.values_of(tile);
+    const auto sources = set.sources_of(tile);
+    std::vector<double> all(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto channels = static_cast<std::size_t>(set.exemplar.channels);
+        const SourcePixel source = sources[i / channels];
+        all[i] = values[i] - means.at(source.x, source.y, static_cast<int>(i % channels));
+    }
+    return all;
+}
+
+}
+
+std::optional<double> set_recurrence(const TextureSet& set, std::uint64_t seed)
+{
+    const auto period = static_cast<std::size_t>(recurrence_period(set));
+    const std::size_t places = period * period, channels = static_cast<std::size_t>(set.exemplar.channels);
+    const auto counts =
+        tile_counts(texture_window(set, {0, 0, recurrence_tiles, recurrence_tiles}, seed), set.tiles.size(), period);
+    const PhaseMeans means(set.exemplar,
+                           set.classes == 1 ? fitting_waves(set.exemplar, set.size) : std::vector<RegularWave>{});
+    std::vector<std::vector<double>> sums(places, std::vector<double>(set.pixels_a_tile() * channels));
+    double all = 0; // sums of squares over pixels and channels, then without their means
+    for (std::size_t tile = 0; tile < set.tiles.size(); ++tile) {
+        const std::vector<double> its = deviations(set, tile, means);
+        for (std::size_t place = 0; place < places; ++place) {
+            const double count = counts[place][tile];
+            for (std::size_t i = 0; i < its.size() && count > 0; ++i) {
+                sums[place][i] += count * its[i];
+                all += count * its[i] * its[i];
+            }
+        }
+    }
+    constexpr auto tiles = static_cast<double>(recurrence_tiles * recurrence_tiles);
+    const double squares = tiles / static_cast<double>(places), pixels = static_cast<double>(set.pixels_a_tile());
+    double lattice = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        double sum = 0;
+        for (const std::vector<double>& its : sums)
+            for (std::size_t i = c; i < its.size(); i += channels) {
+                sum += its[i];
+                lattice += its[i] * its[i] / squares;
+            }
+        lattice -= sum * sum / (tiles * pixels);
+        all -= sum * sum / (tiles * pixels);
+    }
+    if (!(all > 0)) return std::nullopt;
+    return beyond_chance(lattice / all, squares, pixels * static_cast<double>(places));
+}
+
+std::string recurrence_words(const TextureSet& set, double recurrence)
+{
+    const TextureGate& gate = texture_gate("recurrence");
+    return fmt::format(
+        "{:.1f} % of a tiling's power recurs every {} pixels, beyond chance: {} the {:.0f} % that an eye "
+        "notices",
+        100 * recurrence, recurrence_period(set) * set.size, gate.passes(recurrence) ? "less than" : "more than",
+        100 * gate.limit);
+}
+
+void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, TextureValues& values)
+{
+    values["lattice_power"] = lattice_power(picture, size, size);
+    values["double_lattice_power"] = lattice_power(picture, 2 * size, 2 * size);
     values["color_distance"] = color_distance(picture, exemplar);
-    const auto repeated = repetition(picture, exemplar, size);
-    if (!repeated || !is_of_one) return; // two exemplars side by side have no repetition of their own
-    values["exemplar_power"] = repeated->exemplar_power;
-    values["repetition"] = repeated->times;
 }
 
 TextureValues tile_values(const TextureSet& set, std::uint64_t seed)
@@ -71,7 +145,9 @@ TextureValues tile_values(const TextureSet& set, std::uint64_t seed)
                          {"largest_step", steps.largest}};
     add_seam_values(set, 1, values);
     add_judgement(set, seed, values);
-    add_picture_values(tiling, set.exemplar, set.size, set.classes == 1, values);
+    add_picture_values(tiling, set.exemplar, set.size, values);
+    if (const auto recurs = set_recurrence(set, seed)) values["recurrence"] = *recurs;
+    values["recurrence_width"] = recurrence_period(set) * set.size;
     return values;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,25 @@ inline constexpr std::uint64_t measured_tiles = 16;
 /// Tiles along the sides of that in which repetition is looked for, at most peak_side pixels.
 inline constexpr int compared_tiles = 64;
 
-/// Seams, repetition and colours of a set, laid by a seed.
+/// Seams, what recurs, and colours of a set, laid by a seed.
 TextureValues tile_values(const TextureSet& set, std::uint64_t seed);
 
-/// Repetition at 1/T of a picture that is a texture, and its colours: what needs no tiles. `is_of_one`: its exemplar is
-/// one picture.
-void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, bool is_of_one,
-                        TextureValues& values);
+/// Tiles along the sides of the tiling in which what recurs is measured: by chance 0.1 % does.
+inline constexpr std::uint64_t recurrence_tiles = 32;
+
+/// Tiles after which a tiling could recur: 2 of omega tiles, whose colours alternate.
+inline int recurrence_period(const TextureSet& set) { return set.kind == TextureKind::omega ? 2 : 1; }
+
+/// The part of the power of a tiling by a seed that recurs after recurrence_period() tiles, beyond chance. Where the
+/// exemplar has regular waves that fit the tiles, it is the power of what pixels have beside the exemplar's means at
+/// their phase, as in the construction. No value without any power.
+std::optional<double> set_recurrence(const TextureSet& set, std::uint64_t seed);
+
+/// The line that commands print of it: "2.0 % of a tiling's power recurs every 64 pixels: ...".
+std::string recurrence_words(const TextureSet& set, double recurrence);
+
+/// The power at 1/T of a picture that is a texture, and its colours: what needs no tiles.
+void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, TextureValues& values);
 
 /// Seams where sources of a picture's pixels are no neighbours, per T x T pixels.
 void add_seam_values(const TextureSet& set, double tiles, TextureValues& values);

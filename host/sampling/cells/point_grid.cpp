@@ -46,40 +46,73 @@ GridPart layers_of_grid(std::uint32_t cells_per_axis, int dimension, std::uint32
             .own_end = layer * end};
 }
 
-NeededBuffers PointGrid::Buffers::needed(int dimension, std::size_t points, const GridPart& part)
+GridPart listed_grid(std::uint32_t cells_per_axis, std::uint32_t listed)
+{
+    return {
+        .grid_size = cells_per_axis, .cells = listed, .first = 0, .held = listed, .own_first = 0, .own_end = listed};
+}
+
+std::size_t PointGrid::rows_of(std::uint32_t cells_per_axis, int dimension)
+{
+    return static_cast<std::size_t>(lattice_cells(cells_per_axis, dimension - 1));
+}
+
+NeededBuffers PointGrid::Buffers::needed(int dimension, std::size_t points, const GridPart& part,
+                                         std::size_t listed_rows)
 {
     const auto axes = static_cast<std::size_t>(dimension);
     const std::size_t cells = part.held;
-    return {{positions, points * axes},
-            {unsorted_positions, points * axes},
-            {ids, points},
-            {unsorted_ids, points},
-            {counts, cells},
-            {starts, cells + 1},
-            {totals, chunks_of(cells)},
-            {point_cells, points},
-            {places, points},
-            {order, points},
-            {fixed_point, (points + contract::vectors::PADDING) * axes}};
+    NeededBuffers all{{positions, points * axes},
+                      {unsorted_positions, points * axes},
+                      {ids, points},
+                      {unsorted_ids, points},
+                      {counts, cells},
+                      {starts, cells + 1},
+                      {totals, chunks_of(cells)},
+                      {point_cells, points},
+                      {places, points},
+                      {order, points},
+                      {fixed_point, (points + contract::vectors::PADDING) * axes}};
+    if (listed_rows > 0) {
+        all.push_back({row_starts, listed_rows + 1});
+        all.push_back({columns, cells});
+    }
+    return all;
 }
 
 PointGrid::PointGrid(Device device, int dimension, std::size_t points, const GridPart& part,
                      std::size_t work_group_size)
-    : device_(std::move(device)), dimension_(dimension), size_(points), part_(part), work_group_size_(work_group_size),
-      stride_(static_cast<std::uint32_t>(points) + contract::vectors::PADDING)
+    : PointGrid(std::move(device), dimension, points, part, nullptr, work_group_size)
+{}
+
+PointGrid::PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
+                     const CellRows& cells, std::size_t work_group_size)
+    : PointGrid(std::move(device), dimension, points,
+                listed_grid(cells_per_axis, static_cast<std::uint32_t>(cells.columns.size())), &cells, work_group_size)
+{}
+
+PointGrid::PointGrid(Device device, int dimension, std::size_t points, const GridPart& part, const CellRows* cells,
+                     std::size_t work_group_size)
+    : device_(std::move(device)), dimension_(dimension), size_(points), part_(part), is_listed_(cells != nullptr),
+      work_group_size_(work_group_size), stride_(static_cast<std::uint32_t>(points) + contract::vectors::PADDING)
 {
-    reserve(device_, buffers_.needed(dimension, points, part));
+    reserve(device_, buffers_.needed(dimension, points, part, is_listed_ ? rows_of(part.grid_size, dimension) : 0));
+    if (is_listed_) {
+        buffers_.row_starts.write(cells->row_starts);
+        buffers_.columns.write(cells->columns);
+    }
     buffers_.fixed_point.write(std::vector<std::uint32_t>(buffers_.fixed_point.size()));
     buffers_.counts.write(std::vector<std::uint32_t>(part.held));
 
-    const KernelProgram program = kernel_program("point_grid.cl", {{"DIMENSION", dimension}, doubles_of(device_)});
+    const KernelProgram program = kernel_program(
+        "point_grid.cl", {{"DIMENSION", dimension}, doubles_of(device_), {"LISTED", is_listed_ ? 1 : 0}});
     count_ = device_.kernel(program, "count_points");
     scan_ = device_.kernel(program, "scan_counts");
     scan_totals_ = device_.kernel(program, "scan_totals");
     add_totals_ = device_.kernel(program, "add_totals");
     place_ = device_.kernel(program, "place_points");
     gather_ = device_.kernel(program, "gather_points");
-    sort_few_ = device_.kernel(program, "sort_few");
+    if (!is_listed_) sort_few_ = device_.kernel(program, "sort_few");
 }
 
 void PointGrid::load(const PointSet& points)
@@ -118,14 +151,18 @@ void PointGrid::sort()
     std::swap(b.ids, b.unsorted_ids);
     const auto points = static_cast<std::uint32_t>(size_);
     const std::uint32_t cells = part_.held;
-    if (size_ <= few_points && cells <= few_points && device_.info().type == "CPU") {
+    if (!is_listed_ && size_ <= few_points && cells <= few_points && device_.info().type == "CPU") {
         sort_few_.run(1, 1, b.unsorted_positions, b.unsorted_ids, points, part_, b.counts, b.point_cells, b.starts,
                       b.order, b.positions, b.ids, b.fixed_point, stride_);
         return;
     }
     const std::uint32_t chunk = chunk_of(cells);
     const auto chunks = static_cast<std::uint32_t>(chunks_of(cells));
-    count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places);
+    if (is_listed_)
+        count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places,
+                   b.row_starts, b.columns);
+    else
+        count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places);
     scan_.run(chunks, work_group_size_, b.counts, cells, chunk, b.starts, b.totals);
     if (chunks > 1) {
         scan_totals_.run(1, 1, b.totals, chunks);

@@ -4,6 +4,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/needed_buffers.hpp"
+#include "host/sampling/cells/cell_rows.hpp"
 #include "kernels/common/grid_part.h"
 
 #include <cstddef>
@@ -23,6 +24,9 @@ GridPart whole_grid(std::uint32_t cells_per_axis, int dimension);
 GridPart layers_of_grid(std::uint32_t cells_per_axis, int dimension, std::uint32_t first, std::uint32_t end,
                         std::uint32_t around);
 
+/// All of so many listed cells of a grid.
+GridPart listed_grid(std::uint32_t cells_per_axis, std::uint32_t listed);
+
 class PointGrid
 {
 public:
@@ -35,6 +39,10 @@ public:
     /// Room for so many points on a part of a grid. `work_group_size` > 0.
     PointGrid(Device device, int dimension, std::size_t points, const GridPart& part, std::size_t work_group_size);
 
+    /// Room for so many points, which never leave the listed cells of a grid. `work_group_size` > 0.
+    PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis, const CellRows& cells,
+              std::size_t work_group_size);
+
     /// The memory that such a grid takes.
     static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis)
     {
@@ -42,7 +50,13 @@ public:
     }
     static DeviceMemory memory(int dimension, std::size_t points, const GridPart& part)
     {
-        return memory_of(Buffers{}.needed(dimension, points, part));
+        return memory_of(Buffers{}.needed(dimension, points, part, 0));
+    }
+    static DeviceMemory memory_of_listed(int dimension, std::size_t points, std::uint32_t cells_per_axis,
+                                         std::uint32_t listed)
+    {
+        const GridPart part = listed_grid(cells_per_axis, listed);
+        return memory_of(Buffers{}.needed(dimension, points, part, rows_of(cells_per_axis, dimension)));
     }
 
     /// Replaces all points; ids count from 0. Not sorted yet.
@@ -77,20 +91,31 @@ public:
     const Buffer<std::uint32_t>& fixed_point() const { return buffers_.fixed_point; }
     std::uint32_t stride() const { return stride_; }
 
+    /// The listed cells, as a CellRows has them.
+    const Buffer<std::uint32_t>& row_starts() const { return buffers_.row_starts; }
+    const Buffer<std::uint32_t>& columns() const { return buffers_.columns; }
+
 private:
     struct Buffers
     {
         Buffer<double> positions, unsorted_positions;
         Buffer<std::uint32_t> ids, unsorted_ids;
         Buffer<std::uint32_t> counts, starts, totals, point_cells, places, order, fixed_point;
+        Buffer<std::uint32_t> row_starts, columns;
 
-        NeededBuffers needed(int dimension, std::size_t points, const GridPart& part);
+        /// `listed_rows`: those of a grid whose cells are listed; 0: all are there.
+        NeededBuffers needed(int dimension, std::size_t points, const GridPart& part, std::size_t listed_rows);
     };
+
+    static std::size_t rows_of(std::uint32_t cells_per_axis, int dimension);
+    PointGrid(Device device, int dimension, std::size_t points, const GridPart& part, const CellRows* cells,
+              std::size_t work_group_size);
 
     Device device_;
     int dimension_;
     std::size_t size_;
     GridPart part_;
+    bool is_listed_;
     std::size_t work_group_size_;
     std::uint32_t stride_; ///< with room for a vector read at the last point
     Buffers buffers_;

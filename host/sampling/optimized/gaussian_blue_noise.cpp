@@ -23,13 +23,19 @@ double side_of_torus(std::size_t points, int dimension)
     return dimension == 2 ? std::sqrt(static_cast<double>(points)) : std::cbrt(static_cast<double>(points));
 }
 
+PointGrid grid_for(const Device& device, const PointSet& points, const GaussianRequest& request, std::size_t group_size)
+{
+    const std::uint32_t size = gaussian_grid_size(request, points.size(), points.dimension);
+    if (request.field && request.field->shape.listed > 0)
+        return {device, points.dimension, points.size(), size, request.field->listed, group_size};
+    return {device, points.dimension, points.size(), size, group_size};
+}
+
 class GaussianState
 {
 public:
     GaussianState(Device& device, const PointSet& points, const GaussianRequest& request, std::size_t group_size)
-        : dimension_(points.dimension), sigma_(request.sigma),
-          grid_(device, points.dimension, points.size(), gaussian_grid_size(request, points.size(), points.dimension),
-                group_size),
+        : dimension_(points.dimension), sigma_(request.sigma), grid_(grid_for(device, points, request, group_size)),
           forces_(device, points.dimension, points.size(), request, points.size(), group_size),
           mover_(device, Domain{}, points.dimension, group_size), summary_(device, points.dimension, points.size())
     {
@@ -153,8 +159,9 @@ DeviceMemory GaussianBlueNoise::memory(double sigma, std::size_t points, int dim
 
 DeviceMemory GaussianBlueNoise::memory(const GaussianFieldShape& shape, std::size_t points)
 {
-    return PointGrid::memory(2, points, shape.grid_size) + GaussianForces::memory(2, points, &shape) +
-           DomainBuffers::memory_of_torus() + PointSummary::memory(points);
+    return (shape.listed > 0 ? PointGrid::memory_of_listed(2, points, shape.grid_size, shape.listed)
+                             : PointGrid::memory(2, points, shape.grid_size)) +
+           GaussianForces::memory(2, points, &shape) + DomainBuffers::memory_of_torus() + PointSummary::memory(points);
 }
 
 }

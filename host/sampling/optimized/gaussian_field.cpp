@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-using contract::gaussian_blue_noise::DensityCell;
+using contract::gaussian_blue_noise::FIELD_CELLS;
 
 __extension__ using WideSum = __int128;
 
@@ -107,18 +107,17 @@ struct BlurredDensity
 };
 
 /// The numbers of the Gaussian at a place.
-struct PlaceNumbers
+struct PlaceNumbers : GaussianNumbers
 {
-    double squared = 1; ///< of the width, over sigma
-    double under = 1;   ///< points under it, over those where the density is the same everywhere
-    double enough = 1;  ///< the same, or as if the density were that of the place; 1 where it is wide enough
-    double slope_x = 0, slope_y = 0; ///< of the density under it
+    double enough = 1; ///< as `under`, or as if the density were that of the place; 1 where it is wide enough
 
     /// `own_deviation`: of the density of the place.
     PlaceNumbers(const BlurredDensity& density, double own_deviation, double at_x, double at_y)
-        : squared(density.squared), under(squared * (1 + density.deviation.between(at_x, at_y))),
-          enough(std::max(under, squared * (1 + own_deviation)))
-    {}
+    {
+        squared = density.squared;
+        under = squared * (1 + density.deviation.between(at_x, at_y));
+        enough = std::max(under, squared * (1 + own_deviation));
+    }
 
     /// Slopes are read last: most Gaussians are not wide enough, and need none.
     void read_slopes(const BlurredDensity& density, double at_x, double at_y)
@@ -131,12 +130,7 @@ struct PlaceNumbers
     /// the narrowest that is wide enough.
     void narrow_towards(const PlaceNumbers& narrower)
     {
-        const double part = (1 - narrower.enough) / (enough - narrower.enough);
-        const auto between = [&](double low, double high) { return low * (1 - part) + high * part; };
-        squared = between(narrower.squared, squared);
-        slope_x = between(narrower.slope_x, slope_x);
-        slope_y = between(narrower.slope_y, slope_y);
-        under = between(narrower.under, under);
+        GaussianNumbers::operator=(between(narrower, *this, (1 - narrower.enough) / (enough - narrower.enough)));
         enough = 1;
     }
 };
@@ -179,18 +173,7 @@ private:
             numbers.narrow_towards(narrower);
         }
         is_done_[i] = 1;
-        field_.cells[i] = cell_of(numbers);
-    }
-
-    DensityCell cell_of(const PlaceNumbers& numbers) const
-    {
-        const double squared = sigma_ * sigma_ * numbers.squared;
-        const double pull = step_ * 2 * std::numbers::pi * numbers.squared * squared / points_;
-        return {.x = static_cast<float>(pull * numbers.slope_x),
-                .y = static_cast<float>(pull * numbers.slope_y),
-                .excess = static_cast<float>(2 * std::numbers::pi * sigma_ * sigma_ * (numbers.under - 1)),
-                .exponent = gaussian_exponent(squared / points_),
-                .is_empty = 0};
+        field_.cells[i] = field_cell(numbers, sigma_, step_, points_);
     }
 
     GaussianField& field_;
@@ -205,6 +188,39 @@ private:
 float gaussian_exponent(double squared_sigma)
 {
     return static_cast<float>(-0.5 * std::numbers::log2e / squared_sigma * 0x1p-64);
+}
+
+std::size_t GaussianFieldShape::cells() const
+{
+    return listed > 0 ? std::size_t{listed} * FIELD_CELLS * FIELD_CELLS : std::size_t{size} * size;
+}
+
+const GaussianField::Cell& GaussianField::cell(int column, int row) const
+{
+    const auto x = static_cast<std::uint32_t>(column), y = static_cast<std::uint32_t>(row);
+    if (shape.listed == 0) return cells[std::size_t{y} * shape.size + x];
+    static constexpr Cell nothing{0, 0, 0, 0, 1};
+    const std::size_t number = listed.number_of(y / FIELD_CELLS, x / FIELD_CELLS);
+    if (number == listed.row_starts[y / FIELD_CELLS + 1] || listed.columns[number] != x / FIELD_CELLS) return nothing;
+    return cells[(number * FIELD_CELLS + y % FIELD_CELLS) * FIELD_CELLS + x % FIELD_CELLS];
+}
+
+GaussianNumbers between(const GaussianNumbers& low, const GaussianNumbers& high, double part)
+{
+    const auto of = [&](double a, double b) { return a * (1 - part) + b * part; };
+    return {of(low.squared, high.squared), of(low.under, high.under), of(low.slope_x, high.slope_x),
+            of(low.slope_y, high.slope_y)};
+}
+
+GaussianField::Cell field_cell(const GaussianNumbers& numbers, double sigma, double step, double points)
+{
+    const double squared = sigma * sigma * numbers.squared;
+    const double pull = step * 2 * std::numbers::pi * numbers.squared * squared / points;
+    return {.x = static_cast<float>(pull * numbers.slope_x),
+            .y = static_cast<float>(pull * numbers.slope_y),
+            .excess = static_cast<float>(2 * std::numbers::pi * sigma * sigma * (numbers.under - 1)),
+            .exponent = gaussian_exponent(squared / points),
+            .is_empty = 0};
 }
 
 std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension)

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "base/densities/density.hpp"
+#include "host/sampling/cells/cell_rows.hpp"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #include <cstddef>
@@ -41,6 +42,10 @@ struct GaussianFieldShape
     std::uint32_t grid_size = 0; ///< of gaussian_grid() for the narrowest Gaussian
     int narrowest = 0;           ///< widths are between sigma 2^(i / 4) of this number
     int widest = 0;              ///< and this one, which reaches to the other side of the torus
+    /// the cells of that grid that are listed, FIELD_CELLS times as wide as those of the field; 0: all are there
+    std::uint32_t listed = 0;
+
+    std::size_t cells() const;
 };
 
 /// `points` has at least least_gaussian_points().
@@ -48,9 +53,28 @@ GaussianFieldShape gaussian_field_shape(const Density& density, double sigma, st
 
 struct GaussianField
 {
+    using Cell = contract::gaussian_blue_noise::DensityCell;
+
     GaussianFieldShape shape;
-    std::vector<contract::gaussian_blue_noise::DensityCell> cells; ///< row by row from the bottom
+    std::vector<Cell> cells; ///< row by row from the bottom; where cells of the grid are listed, in each of these
+    CellRows listed{};       ///< the density is 0 elsewhere
+
+    const Cell& cell(int column, int row) const;
 };
+
+/// The numbers of a Gaussian at a place.
+struct GaussianNumbers
+{
+    double squared = 1;              ///< of the width, over sigma
+    double under = 1;                ///< points under it, over those where the density is the same everywhere
+    double slope_x = 0, slope_y = 0; ///< of the density under it, over the mean; a unit is the torus' side
+};
+
+/// The numbers between two of them.
+GaussianNumbers between(const GaussianNumbers& low, const GaussianNumbers& high, double part);
+
+/// A cell whose density is not 0 in the field of sets that have so many points where the density is 1 everywhere.
+GaussianField::Cell field_cell(const GaussianNumbers& numbers, double sigma, double step, double points);
 
 /// The field of a square density for a number of points. `sigma` and `step` are those of GaussianRequest. Changes
 /// within a cell of the field, at most a quarter of the narrowest Gaussian where that is within 2,048 cells, are not

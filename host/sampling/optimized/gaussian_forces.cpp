@@ -10,7 +10,7 @@ NeededBuffers GaussianForces::Buffers::needed(int dimension, std::size_t points,
 {
     NeededBuffers all{
         {displacements, points * static_cast<std::size_t>(dimension)}, {energies, points}, {squared_near, points}};
-    if (shape != nullptr) all.push_back({cells, std::size_t{shape->size} * shape->size});
+    if (shape != nullptr) all.push_back({cells, shape->cells()});
     return all;
 }
 
@@ -18,7 +18,8 @@ GaussianForces::GaussianForces(Device device, int dimension, std::size_t most_po
                                std::size_t points, std::size_t work_group_size)
     : work_group_size_(work_group_size), field_(request.field), gaussians_(gaussians_for(request, points, dimension)),
       sum_(device.kernel(
-          kernel_program("gaussian_blue_noise.cl", {{"DIMENSION", dimension}, {"ADAPTIVE", field_ ? 1 : 0}}),
+          kernel_program("gaussian_blue_noise.cl",
+                         {{"DIMENSION", dimension}, {"ADAPTIVE", field_ ? 1 : 0}, {"LISTED", is_listed() ? 1 : 0}}),
           "sum_gaussians"))
 {
     reserve(device, buffers_.needed(dimension, most_points, field_ ? &field_->shape : nullptr));
@@ -40,7 +41,11 @@ void GaussianForces::find(PointGrid& grid)
     gaussians_.end = static_cast<std::uint32_t>(end);
     gaussians_.stride = grid.stride();
     const std::size_t blocks = (end - first + BLOCK_POINTS - 1) / BLOCK_POINTS;
-    if (field_)
+    if (is_listed())
+        sum_.run(blocks, work_group_size_, gaussians_, grid.part(), grid.positions(), grid.fixed_point(), grid.starts(),
+                 buffers_.displacements, buffers_.energies, buffers_.squared_near, buffers_.cells, field_->shape.size,
+                 grid.row_starts(), grid.columns());
+    else if (field_)
         sum_.run(blocks, work_group_size_, gaussians_, grid.part(), grid.positions(), grid.fixed_point(), grid.starts(),
                  buffers_.displacements, buffers_.energies, buffers_.squared_near, buffers_.cells, field_->shape.size);
     else

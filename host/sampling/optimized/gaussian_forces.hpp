@@ -43,6 +43,8 @@ private:
         NeededBuffers needed(int dimension, std::size_t points, const GaussianFieldShape* shape);
     };
 
+    bool is_listed() const { return field_ && field_->shape.listed > 0; }
+
     std::size_t work_group_size_;
     std::shared_ptr<const GaussianField> field_;
     contract::gaussian_blue_noise::Gaussians gaussians_;

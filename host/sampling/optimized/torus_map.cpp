@@ -7,29 +7,6 @@
 namespace poissonlab {
 namespace {
 
-/// exp(-t) for small t, by its series.
-double decay(double t)
-{
-    double sum = 1;
-    for (int n = 20; n > 0; --n) sum = 1 - t / n * sum;
-    return sum;
-}
-
-/// exp(-k^2 / (2 sigma^2)) for k from 0 to six sigma, each over the sum of all on both sides.
-std::vector<double> gaussian_taps(double sigma)
-{
-    const double first = decay(1 / (2 * sigma * sigma));
-    std::vector<double> taps{1};
-    double sum = 1, ratio = first;
-    while (static_cast<double>(taps.size()) <= 6 * sigma) {
-        taps.push_back(taps.back() * ratio);
-        sum += 2 * taps.back();
-        ratio *= first * first;
-    }
-    for (double& tap : taps) tap /= sum;
-    return taps;
-}
-
 /// Adds tap * (a + b) to a row.
 void add_pair(double* row, std::size_t size, double tap, const double* a, const double* b)
 {

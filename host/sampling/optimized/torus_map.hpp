@@ -2,6 +2,8 @@
 // order, so that they are the same on every machine.
 #pragma once
 
+#include "base/gaussian_taps.hpp"
+
 #include <cstddef>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,12 @@ class PlainCells
 public:
     PlainCells(const PointSet& points, int cells_per_axis)
         : dimension_(points.dimension), size_(cells_per_axis),
-          members_(static_cast<std::size_t>(std::pow(cells_per_axis, points.dimension) + 0.5))
+          members_(static_cast<std::size_t>(std::min(std::pow(cells_per_axis, points.dimension) + 0.5, most_lists)))
     {
-        for (std::size_t id = 0; id < points.size(); ++id) members_[number_of(cell_of(points[id]))].push_back(id);
+        for (std::size_t id = 0; id < points.size(); ++id) {
+            const std::uint64_t cell = number_of(cell_of(points[id]));
+            members_[cell % members_.size()].push_back({cell, id});
+        }
     }
 
     /// The cell of a position.
@@ -42,18 +46,31 @@ public:
             for (; cell[k] < 0; cell[k] += size_) --repetition[k];
             for (; cell[k] >= size_; cell[k] -= size_) ++repetition[k];
         }
-        for (const std::size_t id : members_[number_of(cell)]) what(id, repetition);
+        const std::uint64_t number = number_of(cell);
+        for (const Member& member : members_[number % members_.size()])
+            if (member.cell == number) what(member.id, repetition);
     }
 
 private:
-    std::size_t number_of(const std::array<int, 3>& cell) const
+    /// Cells of large grids share lists.
+    static constexpr double most_lists = 1 << 20;
+
+    struct Member
     {
-        return static_cast<std::size_t>(cell[0] + size_ * (cell[1] + size_ * cell[2]));
+        std::uint64_t cell;
+        std::size_t id;
+    };
+
+    std::uint64_t number_of(const std::array<int, 3>& cell) const
+    {
+        const auto size = static_cast<std::uint64_t>(size_);
+        const auto at = [&](std::size_t k) { return static_cast<std::uint64_t>(cell[k]); };
+        return at(0) + size * (at(1) + size * at(2));
     }
 
     int dimension_;
     int size_;
-    std::vector<std::vector<std::size_t>> members_;
+    std::vector<std::vector<Member>> members_;
 };
 
 }

@@ -21,6 +21,10 @@ constexpr double widest_beside_boundary = 1.5;
 constexpr double density_cells = 16;
 constexpr std::uint32_t least_density_side = 64, most_density_side = 2048;
 
+/// A square whose cells would be wider than this part of a mean distance has listed ones instead, unless the region
+/// fills so large a part of it.
+constexpr double widest_cell = 1.0 / 4, well_filled = 1.0 / 4;
+
 /// A place inside is looked for around one that is outside, in so many directions, which are offsets of 256ths, and on
 /// rings that grow by a half each.
 constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
@@ -44,20 +48,32 @@ constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
 
 std::size_t least_points_of_region_gaussian() { return least_gaussian_points(RegionGaussian::sigma, 2); }
 
-RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count) : region_(region)
+RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long)
+    : region_(region), count_(count), low_{double{1} * region.extent().low[0], double{1} * region.extent().low[1]}
 {
     const FixedBox& box = region.extent();
     const double longest = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]) + 1.0;
     const double mean = std::sqrt(region.area() / static_cast<double>(count)) / region.unit();
     side_ = longest + gaussian_cut_off * sigma * widest_beside_boundary * mean;
+    const double filled = static_cast<double>(count) * mean * mean / (side_ * side_);
+    if (is_long || (side_ > widest_cell * mean * most_density_side && filled < well_filled)) {
+        listed_.emplace(region, count, sigma);
+        low_ = listed_->low();
+        side_ = listed_->side();
+        return;
+    }
     const double wanted = std::clamp(density_cells * side_ / mean, 1.0, double{most_density_side});
     read_density(std::clamp(std::bit_ceil(static_cast<std::uint32_t>(wanted)), least_density_side, most_density_side));
 }
 
+GaussianFieldShape RegionGaussian::shape() const
+{
+    return listed_ ? listed_->shape() : gaussian_field_shape(density_, sigma, count_);
+}
+
 void RegionGaussian::read_density(std::uint32_t size)
 {
-    const FixedBox& box = region_.extent();
-    const ShareLattice cells{{double{1} * box.low[0], double{1} * box.low[1]}, side_ / size, size, size};
+    const ShareLattice cells{low_, side_ / size, size, size};
     std::vector<double> shares = region_shares(region_, cells);
     tbb::parallel_for(std::uint32_t{0}, size, [&](std::uint32_t row) {
         for (std::uint32_t column = 0; column < size; ++column)
@@ -87,9 +103,8 @@ void RegionGaussian::leave_margins(double& share, std::uint32_t column, std::uin
 /// The position of a place in the square, which goes on beyond those of regions: they end at half of the torus.
 TorusPoint<2> RegionGaussian::position_of(double x, double y) const
 {
-    const FixedBox& box = region_.extent();
-    return {static_cast<std::uint32_t>(std::min(box.low[0] + x, 0x1p32 - 1)),
-            static_cast<std::uint32_t>(std::min(box.low[1] + y, 0x1p32 - 1))};
+    return {static_cast<std::uint32_t>(std::clamp(low_[0] + x, 0.0, 0x1p32 - 1)),
+            static_cast<std::uint32_t>(std::clamp(low_[1] + y, 0.0, 0x1p32 - 1))};
 }
 
 TorusPoint<2> RegionGaussian::allowed_near(const TorusPoint<2>& place, const TorusPoint<2>& start) const
@@ -108,14 +123,14 @@ TorusPoint<2> RegionGaussian::allowed_near(const TorusPoint<2>& place, const Tor
 std::vector<TorusPoint<2>> RegionGaussian::descend(const std::vector<TorusPoint<2>>& start, std::size_t iterations,
                                                    const GaussianDescent& descent) const
 {
-    const FixedBox& box = region_.extent();
     PointSet points{2, {}};
     for (const TorusPoint<2>& place : start)
-        for (std::size_t k = 0; k < 2; ++k) points.coordinates.push_back((double{1} * place[k] - box.low[k]) / side_);
+        for (std::size_t k = 0; k < 2; ++k) points.coordinates.push_back((place[k] - low_[k]) / side_);
     const double step = usual_gaussian_step(sigma, 2);
     const GaussianRequest request{
         iterations, sigma, step,
-        std::make_shared<const GaussianField>(gaussian_field(density_, sigma, step, start.size()))};
+        std::make_shared<const GaussianField>(listed_ ? listed_->field(step)
+                                                      : gaussian_field(density_, sigma, step, start.size()))};
     const PointSet moved = descent(points, request);
     std::vector<TorusPoint<2>> places;
     for (std::size_t i = 0; i < start.size(); ++i)

@@ -9,8 +9,11 @@
 
 #include "base/regions/fixed_region.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
+#include "host/sampling/regions/region_field.hpp"
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace poissonlab {
@@ -27,11 +30,12 @@ class RegionGaussian
 public:
     static constexpr double sigma = 1; ///< of Gaussians, in mean distances
 
-    /// `count` is least_points_of_region_gaussian() or more. Throws InputError where the square's cells are too large
-    /// to know what margins leave of the region.
-    RegionGaussian(const FixedRegion& region, std::size_t count);
+    /// `count` is least_points_of_region_gaussian() or more; `is_long`: a square around the region is much too large.
+    /// Throws InputError where the square's cells are too large to know what margins leave of the region.
+    RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long = false);
 
-    const Density& density() const { return density_; }
+    /// The sizes of the field for these points.
+    GaussianFieldShape shape() const;
 
     /// The points after so many steps, all of them allowed. `start` has `count` points, in the region.
     std::vector<TorusPoint<2>> descend(const std::vector<TorusPoint<2>>& start, std::size_t iterations,
@@ -44,8 +48,11 @@ private:
     TorusPoint<2> allowed_near(const TorusPoint<2>& place, const TorusPoint<2>& start) const;
 
     const FixedRegion& region_;
-    double side_ = 1; ///< of the square, in positions, from the lowest corner of the region's extent on
+    std::size_t count_;
+    std::array<double, 2> low_; ///< of the square, in positions
+    double side_ = 1;
     Density density_;
+    std::optional<RegionField> listed_; ///< instead of the density
 };
 
 }

@@ -68,9 +68,7 @@ void SiteGrid::sort(std::span<const TorusPoint<2>> sites)
 
 std::size_t SiteGrid::number_of_cell(std::uint32_t row, std::uint32_t column) const
 {
-    if (grid_.is_listed == 0) return first_of_row(row) + column;
-    const auto begin = listed_columns_.begin() + row_starts_[row], end = listed_columns_.begin() + row_starts_[row + 1];
-    return static_cast<std::size_t>(std::lower_bound(begin, end, column) - listed_columns_.begin());
+    return grid_.is_listed == 0 ? first_of_row(row) + column : list_.number_of(row, column);
 }
 
 /// Calls body(row, column, number of the edge).
@@ -106,15 +104,7 @@ void SiteGrid::list_cells()
         for (std::uint64_t row = cell_along(corner[1], grid_.low_y, grid_.rows); row <= top; ++row)
             for (std::uint64_t column = first; column <= last; ++column) add(row, column);
     }
-    std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
-    listed_columns_.clear();
-    row_starts_.assign(std::size_t{grid_.rows} + 1, 0);
-    for (const std::uint64_t cell : found) {
-        listed_columns_.push_back(static_cast<std::uint32_t>(cell));
-        ++row_starts_[(cell >> 32) + 1];
-    }
-    for (std::size_t row = 0; row < grid_.rows; ++row) row_starts_[row + 1] += row_starts_[row];
+    list_ = cell_rows(std::move(found), grid_.rows);
 }
 
 void SiteGrid::list_edges()

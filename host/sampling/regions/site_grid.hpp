@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/regions/fixed_region.hpp"
+#include "host/sampling/cells/cell_rows.hpp"
 #include "kernels/common/regions/region_lloyd.h"
 
 #include <array>
@@ -33,12 +34,12 @@ public:
     std::size_t number_of_cell(std::uint32_t row, std::uint32_t column) const;
     std::uint32_t column_of(std::size_t cell, std::uint32_t row) const
     {
-        return grid_.is_listed != 0 ? listed_columns_[cell] : static_cast<std::uint32_t>(cell - first_of_row(row));
+        return grid_.is_listed != 0 ? list_.columns[cell] : static_cast<std::uint32_t>(cell - first_of_row(row));
     }
 
     /// Listed cells of a row begin there, with their columns; without a list there is one value.
-    std::span<const std::uint32_t> row_starts() const { return row_starts_; }
-    std::span<const std::uint32_t> listed_columns() const { return listed_columns_; }
+    std::span<const std::uint32_t> row_starts() const { return list_.row_starts; }
+    std::span<const std::uint32_t> listed_columns() const { return list_.columns; }
 
     std::span<const std::uint32_t> starts() const { return starts_; } ///< the first site of each cell, and the end
 
@@ -68,7 +69,7 @@ private:
     double half_box_of_listed() const;
     std::size_t cells() const
     {
-        return grid_.is_listed != 0 ? listed_columns_.size() : std::size_t{grid_.columns} * grid_.rows;
+        return grid_.is_listed != 0 ? list_.columns.size() : std::size_t{grid_.columns} * grid_.rows;
     }
     std::size_t first_of_row(std::uint32_t row) const { return std::size_t{row} * grid_.columns; }
 
@@ -80,7 +81,7 @@ private:
     std::vector<FixedEdge> edges_;
     std::vector<std::uint32_t> edge_starts_, edge_numbers_;
     std::vector<std::uint8_t> is_filled_; ///< cells that are not outside
-    std::vector<std::uint32_t> row_starts_{0}, listed_columns_{0};
+    CellRows list_{{0}, {0}};
     std::vector<std::uint32_t> clips_{contract::region_lloyd::NO_CLIP};
     double clip_reach_ = 0; ///< clips are valid in the square that reaches this far beyond a grid cell on each side
 };

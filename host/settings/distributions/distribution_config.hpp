@@ -91,6 +91,14 @@ enum class MarkPlaces
 inline constexpr WordTable<MarkPlaces, 3> mark_places{
     {{{MarkPlaces::warping, "warping"}, {MarkPlaces::ranks, "ranks"}, {MarkPlaces::gaussian, "gaussian"}}}};
 
+/// Ink follows one of these measures of a picture's light.
+enum class InkTones
+{
+    light,    ///< 1 - luminance: as much light is left as the picture has
+    lightness ///< 1 - CIE lightness: equal steps to the eye are equal steps of ink, and shadows keep apart
+};
+inline constexpr WordTable<InkTones, 2> ink_tones{{{{InkTones::light, "light"}, {InkTones::lightness, "lightness"}}}};
+
 /// A dot is drawn in one of these forms.
 enum class DotForm
 {
@@ -124,9 +132,10 @@ struct StippleSettings
 {
     std::string image;        ///< a picture, or a formula of its ink
     std::string from = "ink"; ///< of a picture
-    double ink = 1;           ///< the part of it that is printed
-    std::size_t points = 0;   ///< marks
-    double mark_width = 0;    ///< diameter of dots, or width of strokes, in pixels of the picture
+    InkTones tones = InkTones::light;
+    double ink = 1;         ///< the part of it that is printed
+    std::size_t points = 0; ///< marks
+    double mark_width = 0;  ///< diameter of dots, or width of strokes, in pixels of the picture
     MarkPlaces by = MarkPlaces::gaussian;
     std::size_t iterations = 200;  ///< of Gaussian blue noise
     double zoom = 1;               ///< the picture shows the middle, one over this of each side

@@ -36,7 +36,7 @@ inline constexpr WordTable<DitherMethod, 2> dither_methods{
 struct DitherMaskSettings
 {
     std::uint32_t size = 1024; ///< pixels along each axis, after which the mask repeats
-    DitherMethod method = DitherMethod::tiles;
+    DitherMethod method = DitherMethod::void_and_cluster;
     std::uint32_t colors = 3;       ///< of corner tiles
     std::uint32_t tile_pixels = 16; ///< of a tile, along each axis
 };

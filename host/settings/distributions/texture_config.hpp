@@ -17,13 +17,16 @@ namespace poissonlab {
 /// A table [[texture]]: tiles from a picture, how well they fit, and a tiling with them.
 struct TextureSettings
 {
-    TextureRequest request;                  ///< without seed
+    TextureRequest request;    ///< without seed
+    bool is_size_open = false; ///< the command has no size, and takes one that fits the picture
+    bool are_colors_open = false;
     std::optional<EndlessRequest> endless;   ///< instead of tiles, whose size T remains the unit of windows
     std::filesystem::path exemplar;          ///< empty: a pattern
     std::filesystem::path marked_exemplar;   ///< of marked corners; empty: none are marked
     std::filesystem::path marks;             ///< a picture whose lighter part is marked; empty: corners are at random
     std::vector<std::filesystem::path> also; ///< pictures over the exemplar that are cut as well
     bool is_straightened = false;            ///< a regular exemplar becomes straight, and fits tiles
+    std::optional<bool> is_flattened;        ///< its light becomes even; nothing: if it differs over more than a tile
     std::string pattern;                     ///< one of exemplar_patterns()
     int pattern_size = 256;                  ///< pixels along a side
     int sets = 1;                            ///< with other patches each, over which measures are averaged

@@ -16,11 +16,12 @@ using namespace contract::endless_texture;
 
 std::uint32_t byte_of_color(float v) { return static_cast<std::uint32_t>(std::clamp(v + 0.5f, 0.0f, 255.0f)); }
 
-/// The pieces that a pixel sees: texels of the exemplar, and their weights.
+/// The pieces that a pixel sees: texels of the exemplar, and their weights. Of turned pieces what is between texels.
 struct SeenPieces
 {
     int count = 3;
     std::array<std::size_t, 4> texels{};
+    std::array<std::uint32_t, 4> turned{};
     std::array<float, 4> weights{};
 
     std::span<float> seen_weights() { return std::span(weights).first(static_cast<std::size_t>(count)); }
@@ -67,9 +68,12 @@ private:
     {
         const std::uint32_t hash = endless_word(plane_.seed, window_.cell_x + static_cast<std::uint32_t>(i),
                                                 window_.cell_y + static_cast<std::uint32_t>(j));
-        const auto place = [](std::uint32_t word, int choices) {
-            return static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
-        };
+        const auto at = static_cast<std::size_t>(piece);
+        pieces.weights[at] = weight;
+        if (texture_.is_turned) {
+            pieces.turned[at] = turned(hash, dx, dy);
+            return;
+        }
         int column = plane_.reach_x + place(hash & 0xffffu, plane_.choices_x);
         int row = plane_.reach_y + place(hash >> 16, plane_.choices_y);
         if (plane_.is_tileable != 0) {
@@ -79,10 +83,44 @@ private:
             column += std::clamp(dx, -plane_.reach_x, plane_.reach_x);
             row += std::clamp(dy, -plane_.reach_y, plane_.reach_y);
         }
-        const auto at = static_cast<std::size_t>(piece);
         pieces.texels[at] =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(plane_.width) + static_cast<std::size_t>(column);
-        pieces.weights[at] = weight;
+    }
+
+    static int place(std::uint32_t word, int choices)
+    {
+        return static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
+    }
+
+    /// The byte of a channel of the exemplar, which goes on at its other side where it is tileable.
+    int byte_at(int column, int row, int channel) const
+    {
+        if (plane_.is_tileable != 0) {
+            column = (column + plane_.width) % plane_.width;
+            row = (row + plane_.height) % plane_.height;
+        }
+        const auto at = static_cast<std::size_t>(row * plane_.width + column);
+        return static_cast<int>(texture_.texels[at] >> (8 * channel) & 255u);
+    }
+
+    /// What a piece shows that turns by the angle of its hash, bilinearly in 256ths of a texel.
+    std::uint32_t turned(std::uint32_t hash, int dx, int dy) const
+    {
+        const std::size_t turn = endless_turn(hash);
+        const int cosine = static_cast<int>(texture_.inverse[turn]),
+                  sine = static_cast<int>(texture_.inverse[TURNS + turn]);
+        const int right = (cosine * dx - sine * dy + 64) >> 7, down = (sine * dx + cosine * dy + 64) >> 7;
+        const int east = right & 255, south = down & 255;
+        const int column = plane_.reach_x + place(hash & 0xffffu, plane_.choices_x) + (right >> 8),
+                  row = plane_.reach_y + place(hash >> 16, plane_.choices_y) + (down >> 8);
+        std::uint32_t bytes = 0;
+        for (int c = 0; c < texture_.channels; ++c) {
+            const int upper = (256 - east) * byte_at(column, row, c) + east * byte_at(column + 1, row, c);
+            const int lower = (256 - east) * byte_at(column, row + 1, c) + east * byte_at(column + 1, row + 1, c);
+            const int sum = (256 - south) * upper + south * lower;
+            bytes |= static_cast<std::uint32_t>((sum + (1 << 15)) >> 16) << (8 * c);
+        }
+        return bytes;
     }
 
     /// The triangle of lattice points around a pixel; weights are barycentric coordinates raised to a power.
@@ -137,7 +175,7 @@ private:
         const auto count = static_cast<std::size_t>(pieces.count);
         std::array<std::uint32_t, 4> found{};
         for (std::size_t k = 0; k < count; ++k) {
-            found[k] = texture_.texels[pieces.texels[k]];
+            found[k] = texture_.is_turned ? pieces.turned[k] : texture_.texels[pieces.texels[k]];
             if (texture_.method == METHOD_HEXAGONS)
                 pieces.weights[k] = pieces.weights[k] * (1.0f + plane_.falloff * (lightness(found[k]) - 1.0f));
         }

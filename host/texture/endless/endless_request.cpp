@@ -33,8 +33,10 @@ void check(const EndlessRequest& request, const PngPixels& exemplar)
         return;
     }
     if (request.method == EndlessMethod::repeated) return;
-    // Pieces reach one cell to either side of a lattice point, squares three quarters of one.
-    const int most = request.tileable ? side : request.has_hexagons() ? (side - 1) / 2 : 2 * (side - 3) / 3;
+    // Pieces reach one cell to either side of a lattice point, turned ones two pixels more, squares three quarters of a
+    // cell.
+    const int beyond = request.turn > 0 ? 2 : 0;
+    const int most = request.tileable ? side : request.has_hexagons() ? (side - 1) / 2 - beyond : 2 * (side - 3) / 3;
     if (most < least_endless_cell)
         throw InputError(fmt::format("exemplar: {} x {} pixels: must have more for pieces of {} pixels", exemplar.width,
                                      exemplar.height, least_endless_cell));

@@ -44,6 +44,7 @@ struct EndlessRequest
     std::optional<int> exponent;
     double falloff = 0.6;  ///< hexagons: the part of a weight that is the lightness of its pixel (Mikkelsen)
     int gain = 1;          ///< hexagons: weights w below a half become (2 w)^gain / 2, others alike; 1 does nothing
+    double turn = 0;       ///< hexagons: how far they turn, in half turns to either side (Mikkelsen leaves it to users)
     bool restored = false; ///< offsets, hexagons: the variance that blending takes is given back
     bool tileable = false; ///< whether the exemplar fits to itself: pieces may go over its borders
     int block = 64;        ///< quilted: the side of a block, a sixth of which overlaps (Efros and Freeman)

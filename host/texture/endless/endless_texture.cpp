@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -65,6 +67,7 @@ void set_lattice(EndlessPlane& plane, const EndlessRequest& request, const PngPi
         plane.reach_x = plane.cell;
         plane.reach_y = plane.row;
         plane.inverse_unit = 1.0f / static_cast<float>(2 * plane.cell * plane.row);
+        if (request.turn > 0) plane.reach_x = plane.reach_y = plane.cell + 2; // in any direction, and between texels
     } else {
         plane.reach_x = plane.reach_y = 3 * plane.cell / 4 + 1;
         plane.inverse_unit = 1.0f / static_cast<float>(plane.cell);
@@ -72,6 +75,20 @@ void set_lattice(EndlessPlane& plane, const EndlessRequest& request, const PngPi
     if (is_whole) plane.reach_x = plane.reach_y = 0;
     plane.choices_x = exemplar.width - 2 * plane.reach_x;
     plane.choices_y = exemplar.height - 2 * plane.reach_y;
+}
+
+/// Cosines, then sines, of angles up to so many half turns to either side. Whole numbers: no last bit of a library
+/// decides anything.
+std::vector<float> turns_of(double most)
+{
+    constexpr int turns = TURNS, unit = TURN_UNIT;
+    std::vector<float> numbers;
+    for (const bool is_sine : {false, true})
+        for (int k = 0; k < turns; ++k) {
+            const double angle = most * std::numbers::pi * ((2.0 * k + 1) / turns - 1);
+            numbers.push_back(static_cast<float>(std::lround(unit * (is_sine ? std::sin(angle) : std::cos(angle)))));
+        }
+    return numbers;
 }
 
 std::int64_t quotient(std::int64_t value, std::int64_t divisor)
@@ -96,6 +113,7 @@ Kernel endless_kernel(Device& device, const EndlessTexture& texture)
                                                                         {"EXPONENT", std::to_string(texture.exponent)},
                                                                         {"GAIN", std::to_string(texture.gain)},
                                                                         {"RESTORED", texture.is_restored ? "1" : "0"},
+                                                                        {"TURNED", texture.is_turned ? "1" : "0"},
                                                                         {"COLORS", std::to_string(texture.colors)}}),
                          "color_pixels");
 }
@@ -145,6 +163,8 @@ EndlessTexture endless_texture(const EndlessRequest& request, const PngPixels& e
     if (request.method == EndlessMethod::hexagons) {
         texture.gain = request.gain;
         plane.falloff = static_cast<float>(request.falloff);
+        texture.is_turned = request.turn > 0;
+        if (texture.is_turned) texture.inverse = turns_of(request.turn);
     }
     if (request.has_hexagons()) texture.exponent = request.exponent_or_default();
     if (request.method == EndlessMethod::blended) {

@@ -4,8 +4,8 @@
 // Pixels of the plane have whole coordinates, x to the east and y to the south, and show texels of the exemplar as they
 // are: what renderers do between them, and with levels, is left out. In hexagonal grids row j of lattice points is at
 // y = j row, and its points at x = i cell + j cell / 2. Pieces lie inside of the exemplar unless it is tileable: the
-// papers take all exemplars for that, and neither they nor photographs fit to themselves. Mikkelsen turns hexagons and
-// Quilez mirrors squares; light from one side forbids both, and they are left out.
+// papers take all exemplars for that, and neither they nor photographs fit to themselves. Hexagons may turn, by one of
+// 256 angles each; turned texels are looked up bilinearly. Quilez mirrors squares, which light from one side forbids.
 #pragma once
 
 #include "host/device/device_memory.hpp"
@@ -37,10 +37,12 @@ struct EndlessTexture
     int exponent = 1;
     int gain = 1;
     bool is_restored = false;
+    bool is_turned = false;
     std::uint32_t colors = 1; ///< of tiles
     contract::endless_texture::EndlessPlane plane{};
     std::vector<std::uint32_t> texels; ///< channels in bytes from the lowest; of Gaussian exemplars 16 bits each
-    std::vector<float> inverse{0};     ///< of Gaussian exemplars: the tables back
+    /// Of Gaussian exemplars the tables back; of turned hexagons cosines, then sines of angles, in whole 32768ths.
+    std::vector<float> inverse{0};
 };
 
 /// The texture of a request, which is not quilted. Throws InputError as check() does.

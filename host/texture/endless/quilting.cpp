@@ -60,7 +60,7 @@ class Quilt
 {
 public:
     Quilt(const EndlessRequest& request, const PngPixels& exemplar, int width, int height)
-        : request_(request), exemplar_(exemplar), block_(request.block), overlap_(std::max(2, request.block / 6)),
+        : request_(request), exemplar_(exemplar), block_(request.block), overlap_(block_ - quilting_step(request)),
           columns_(blocks_along(width)), rows_(blocks_along(height)), picture_{columns_ * step() + overlap_,
                                                                                rows_ * step() + overlap_,
                                                                                exemplar.channels,

@@ -13,6 +13,7 @@
 #include "host/texture/endless/endless_request.hpp"
 #include "tiles/texture/texture_set.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct QuiltedPicture
     PngPixels pixels;
     std::vector<SourcePixel> sources; ///< in the exemplar, row by row
 };
+
+/// Pixels from a block to the next one.
+inline int quilting_step(const EndlessRequest& request) { return request.block - std::max(2, request.block / 6); }
 
 /// A quilted picture of this size. Its bytes do not depend on the number of threads. Throws InputError as check() does,
 /// and Interrupted from `tell`, which is called with rows of blocks that are done and all of them.

@@ -233,7 +233,8 @@ Kernel endless_map_kernel(Device& device, const EndlessTexture& texture)
                                                                     {"CHANNELS", std::to_string(texture.channels)},
                                                                     {"EXPONENT", std::to_string(texture.exponent)},
                                                                     {"GAIN", std::to_string(texture.gain)},
-                                                                    {"RESTORED", texture.is_restored ? "1" : "0"}}),
+                                                                    {"RESTORED", texture.is_restored ? "1" : "0"},
+                                                                    {"TURNED", texture.is_turned ? "1" : "0"}}),
                          "map_endless");
 }
 
@@ -264,7 +265,7 @@ MappedEndless mapped_endless(const EndlessRequest& request, const PngPixels& exe
                            ? encoded_means(light)
                            : std::vector<float>(static_cast<std::size_t>(3 * (light.levels.top + 1)));
         mapped.levels = light.levels;
-        mapped.inverse = {0};
+        mapped.inverse = mapped.texture.inverse; // of turned hexagons, their angles
         mapped.exemplar = std::move(light.values);
     }
     mapped.texture.texels = {};

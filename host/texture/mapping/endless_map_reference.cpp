@@ -28,7 +28,7 @@ struct ShownPieces
     }
 };
 
-constexpr double tile_texels = TILE_TEXELS, encoded_steps = ENCODED_STEPS;
+constexpr double turn_unit = TURN_UNIT, tile_texels = TILE_TEXELS, encoded_steps = ENCODED_STEPS;
 
 float mixed(float a, float b, float part) { return a + (b - a) * part; }
 
@@ -118,6 +118,14 @@ private:
     {
         const std::uint32_t hash =
             endless_word(plane_.seed, origin_.cell_x + lattice_number(i), origin_.cell_y + lattice_number(j));
+        if (texture_.is_turned) {
+            const std::size_t turn = endless_turn(hash);
+            const double cosine = static_cast<double>(texture_.inverse[turn]),
+                         sine = static_cast<double>(texture_.inverse[TURNS + turn]);
+            const double right = (cosine * dx - sine * dy) / turn_unit;
+            dy = (sine * dx + cosine * dy) / turn_unit;
+            dx = right;
+        }
         const auto along = [&](std::uint32_t word, int choices, int reach, int size, double d) {
             const int middle = reach + static_cast<int>(word * static_cast<std::uint32_t>(choices) >> 16);
             if (plane_.is_tileable == 0)

@@ -137,7 +137,8 @@ TextureView view_of(const TextureCamera& camera)
     std::array<Direction, 3> directions;
     for (std::size_t a = 0; a < 3; ++a)
         directions[a] = {axis[a] - half * columns / rows * right[a] + half * up[a], step * right[a], -step * up[a]};
-    const std::array<double, 2> start{0.5 + camera.forward * ahead[0], 0.5 + camera.forward * ahead[1]};
+    const std::array<double, 2> start{camera.start[0] + camera.forward * ahead[0],
+                                      camera.start[1] + camera.forward * ahead[1]};
     for (std::size_t i = 0; i < 3; ++i) {
         view.w[i] = rounded(-directions[2][i] / camera.above);
         view.u[i] = rounded(directions[0][i] + start[0] * view.w[i]);

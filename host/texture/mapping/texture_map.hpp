@@ -16,6 +16,7 @@
 #include "tiles/texture/texture_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -84,17 +85,18 @@ TexturePyramid picture_pyramid(const PngPixels& picture, int n);
 /// The atlas at a level as it is stored: north first, encoded.
 PngPixels level_pixels(const TexturePyramid& pyramid, int level);
 
-/// Above the middle of a tile, looking to the north where angles are 0.
+/// Above a tile, looking to the north where angles are 0.
 struct TextureCamera
 {
     int width = 1024, height = 576; ///< pixels
     std::int64_t tile_x = 0, tile_y = 0;
-    double forward = 0; ///< tiles from there, in the direction of view
-    double above = 2;   ///< tiles above the plane
-    double pitch = 15;  ///< degrees below the horizon; 90 looks straight down
-    double yaw = 0;     ///< degrees to the right
-    double field = 60;  ///< degrees, from the top to the bottom of the picture
-    int samples = 1;    ///< of a pixel, along each axis
+    std::array<double, 2> start{0.5, 0.5}; ///< the place in that tile, to the east and north
+    double forward = 0;                    ///< tiles from there, in the direction of view
+    double above = 2;                      ///< tiles above the plane
+    double pitch = 15;                     ///< degrees below the horizon; 90 looks straight down
+    double yaw = 0;                        ///< degrees to the right
+    double field = 60;                     ///< degrees, from the top to the bottom of the picture
+    int samples = 1;                       ///< of a pixel, along each axis
     TextureFilter filter = TextureFilter::anisotropic;
 };
 

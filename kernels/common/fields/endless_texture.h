@@ -7,15 +7,17 @@ CONTRACT(endless_texture)
 
 enum // methods in this order: from hexagons on, from tiles on
 {
-    METHOD_REPEATED = 0,   ///< the exemplar side by side
-    METHOD_OFFSETS = 1,    ///< squares at random places of the exemplar, blended at their borders
-    METHOD_HEXAGONS = 2,   ///< hexagons at random places, weighted by their contrast
-    METHOD_BLENDED = 3,    ///< hexagons of a Gaussian exemplar, blended at equal variance and transformed back
-    METHOD_TILES = 4,      ///< corner tiles of an atlas
-    METHOD_WANG_TILES = 5, ///< Wang tiles of an atlas
-    GAUSSIAN_ZERO = 32768, ///< the Gaussian exemplar: this number is its mean ...
-    GAUSSIAN_STEPS = 4096, ///< ... and so many are a standard deviation
-    INVERSE_ENTRIES = 2048 ///< of the table back, over all 65,536 numbers
+    METHOD_REPEATED = 0,    ///< the exemplar side by side
+    METHOD_OFFSETS = 1,     ///< squares at random places of the exemplar, blended at their borders
+    METHOD_HEXAGONS = 2,    ///< hexagons at random places, weighted by their contrast
+    METHOD_BLENDED = 3,     ///< hexagons of a Gaussian exemplar, blended at equal variance and transformed back
+    METHOD_TILES = 4,       ///< corner tiles of an atlas
+    METHOD_WANG_TILES = 5,  ///< Wang tiles of an atlas
+    GAUSSIAN_ZERO = 32768,  ///< the Gaussian exemplar: this number is its mean ...
+    GAUSSIAN_STEPS = 4096,  ///< ... and so many are a standard deviation
+    INVERSE_ENTRIES = 2048, ///< of the table back, over all 65,536 numbers
+    TURNS = 256,            ///< angles that hexagons turn by
+    TURN_UNIT = 32768       ///< of their cosines and sines
 };
 
 /// Pictures that are looked up, and what is done with them.

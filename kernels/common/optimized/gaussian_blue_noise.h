@@ -8,7 +8,8 @@ CONTRACT(gaussian_blue_noise)
 
 enum
 {
-    BLOCK_POINTS = 8 ///< points that a work-item owns
+    BLOCK_POINTS = 8, ///< points that a work-item owns
+    FIELD_CELLS = 8   ///< cells of a density along each axis in a listed cell of the grid of points
 };
 
 /// Pairs farther apart than so many sigma are left out, where Gaussians are below 2 to the power of CUT_EXPONENT.

@@ -49,20 +49,23 @@ TEST_F(TextureCommand, BuildsVerifiesAndTiles)
                  "texture tile: a window at 1 0: must be at 0 0, since these tiles are laid in scanlines");
 }
 
-/// The picture's own value stands beside; white noise has 1 / 42, by its 7 x 6 squares.
-TEST_F(TextureCommand, SaysWhatRepeats)
+/// Sixteen tiles recur, more than sixteen independent ones would; large tiles of a small exemplar have a number as
+/// well.
+TEST_F(TextureCommand, SaysWhatRecurs)
 {
     const std::string build = "build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --out tiles";
-    EXPECT_THAT(printed(build), HasSubstr("times as much as the picture itself: "));
-    const auto told = nlohmann::json::parse(printed(build + " --json"));
-    // 3 channels of 256 sums: a relative standard error of sqrt(2 / 768).
-    EXPECT_NEAR(told["exemplar_power"].get<double>(), 1.0 / 42, 5 * std::sqrt(2.0 / 768) / 42);
-    EXPECT_GT(told["repetition"].get<double>(), 2);
+    EXPECT_THAT(printed(build),
+                HasSubstr(" % of a tiling's power recurs every 16 pixels, beyond chance: more than the 5 "
+                          "% that an eye notices\n"));
+    const auto built = nlohmann::json::parse(printed(build + " --json")),
+               verified = nlohmann::json::parse(printed("verify tiles --json"));
+    EXPECT_GT(built["recurrence"].get<double>(), 1.0 / 16);
+    EXPECT_NEAR(built["recurrence"].get<double>(), verified["recurrence"].get<double>(), 1e-12) << "seed 1 of both";
+    EXPECT_THAT(printed("verify tiles"), HasSubstr(" % of a tiling's power recurs every 16 pixels"));
     EXPECT_EQ(printed(build + " --quiet"), "");
-    // Of an exemplar with less than two tiles to a side nothing can be said.
-    EXPECT_FALSE(nlohmann::json::parse(printed("build corner --colors 2 --exemplar noise.png --size 64 --attempts 1 "
-                                               "--candidates 1 --out large --json"))
-                     .contains("repetition"));
+    EXPECT_TRUE(nlohmann::json::parse(printed("build corner --colors 2 --exemplar noise.png --size 64 --attempts 1 "
+                                              "--candidates 1 --out large --json"))
+                    .contains("recurrence"));
 }
 
 TEST_F(TextureCommand, MapsThePlane)

@@ -51,8 +51,12 @@ protected:
     /// Counts how the page differs from a picture of texture map, with the same camera and filter.
     static Differences differences(const PngPixels& map, const std::string& view)
     {
-        const std::string script =
-            "Array.from(pixelsOf({seed: 9, width: 48, height: 32, " + view + "})).filter((b, i) => i % 4 < 3)";
+        return differences_of_view(map, "{seed: 9, width: 48, height: 32, " + view + "}");
+    }
+
+    static Differences differences_of_view(const PngPixels& map, const std::string& view)
+    {
+        const std::string script = "Array.from(pixelsOf(" + view + ")).filter((b, i) => i % 4 < 3)";
         const auto shown = browser_->evaluate(script).get<std::vector<int>>();
         Differences found{0, 0, map.values.size()};
         EXPECT_EQ(shown.size(), map.values.size());
@@ -94,6 +98,28 @@ TEST_F(TexturePlanePage, ShowsWhatMapsShow)
     }
 }
 
+/// The command that the page prints draws what it shows, wherever users went: also where pixels cover several tiles.
+TEST_F(TexturePlanePage, PrintsTheCommandOfWhatItShows)
+{
+    printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out set");
+    printed("export set --formats page --quiet --out engine");
+    browser_->open(folder_.path() / "engine/plane.html");
+    if (!browser_->evaluate("document.createElement('canvas').getContext('webgl2') !== null").get<bool>())
+        GTEST_SKIP() << "no WebGL2";
+    browser_->evaluate("canvas.style.width = '96px'; canvas.style.height = '64px'");
+    for (const std::string moves : {"", "move(0.30001, 1.7); turn(31.234567, 33.333333); lift(1.1234567)"}) {
+        browser_->evaluate(moves + "; drawNow()");
+        const auto command = browser_->evaluate("byId('command').textContent").get<std::string>();
+        const std::string begin = "poissonlab texture ";
+        ASSERT_EQ(command.substr(0, begin.size()), begin);
+        printed(command.substr(begin.size()) + " --engine reference --quiet");
+        const PngPixels map = read_png(folder_.path() / "plane.png");
+        ASSERT_EQ(map.width, 96);
+        ASSERT_EQ(map.height, 64);
+        EXPECT_LE(differences_of_view(map, "shown()").largest, 1) << command;
+    }
+}
+
 /// Hardware weighs texels with 8 bits along each axis: light is off by 2 / 256 of the largest step at most, which are
 /// 26 bytes where sRGB is steepest, and fewer than 3 where light is above a tenth.
 TEST_F(TexturePlanePage, ShowsThePackedAtlasAsHardwareReadsIt)
@@ -109,7 +135,7 @@ TEST_F(TexturePlanePage, ShowsThePackedAtlasAsHardwareReadsIt)
     EXPECT_LE(magnified.beyond_rounding, magnified.all / 4);
     browser_->click("#fly");
     EXPECT_THAT(browser_->evaluate("byId('command').textContent").get<std::string>(),
-                HasSubstr("poissonlab texture map set --tile 0 0 --above 2 --pitch 15 --yaw 0 --field 60 --seed 1"));
+                HasSubstr("--tile 0 0 --start 0.5 0.5 --above 2 --pitch 15 --yaw 0 --field 60 --seed 1"));
     browser_->evaluate("new Promise(done => setTimeout(done, 300))");
     EXPECT_NE(browser_->evaluate("state.start[1]"), 0.5) << "it flies north";
 }

@@ -131,5 +131,30 @@ TEST(DitherMask, IsEvenBelowThresholds)
     }
 }
 
+/// Pairs of the pixels of the lowest sixteenth that touch, by their sides or corners, counted one by one.
+std::size_t touching_pairs(const DitherMask& mask)
+{
+    std::size_t pairs = 0;
+    const auto is_below = [&](std::uint32_t x, std::uint32_t y) {
+        return 16 * mask.ranks[std::size_t{y % mask.size} * mask.size + x % mask.size] < mask.levels;
+    };
+    for (std::uint32_t y = 0; y < mask.size; ++y)
+        for (std::uint32_t x = 0; x < mask.size; ++x)
+            if (is_below(x, y))
+                pairs += is_below(x + 1, y) + is_below(x, y + 1) + is_below(x + 1, y + 1) +
+                         is_below(x + mask.size - 1, y + 1);
+    return pairs;
+}
+
+/// Why masks are made by void-and-cluster unless they are to be endless.
+TEST(DitherMask, TouchesAtLowThresholdsWhereTilesMeetOnly)
+{
+    EXPECT_EQ(DitherMaskSettings{}.method, DitherMethod::void_and_cluster);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        EXPECT_EQ(touching_pairs(dither_mask(small_mask(DitherMethod::void_and_cluster), seed)), 0u) << seed;
+        EXPECT_GT(touching_pairs(dither_mask(small_mask(DitherMethod::tiles), seed)), 0u) << seed;
+    }
+}
+
 }
 }

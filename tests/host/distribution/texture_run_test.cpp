@@ -110,6 +110,8 @@ TEST_F(TextureRun, MakesEndlessTexturesWithoutTiles)
                                                    {EndlessMethod::blended, 4},
                                                    {EndlessMethod::quilted, 1}};
         EXPECT_EQ(number(result, "fetches"), fetches.at(method)) << word;
+        // Squares of noise of 300 pixels and more: by chance alone a share of at most 1/100 would be off by a tenth.
+        EXPECT_NEAR(number(result, "recurrence"), method == EndlessMethod::repeated ? 1 : 0, 0.01) << word;
         if (method != EndlessMethod::quilted) continue;
         EXPECT_GT(number(result, "seam_mismatch"), 0);
         EXPECT_NEAR(number(result, "peak_times"), 1, 0.5);

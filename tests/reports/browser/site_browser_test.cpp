@@ -3,6 +3,8 @@
 #include "reports/site/report.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/images/png_file.hpp"
+#include "base/images/srgb_light.hpp"
 #include "results/curve_tables.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
 #include "tests/support/browser.hpp"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 namespace poissonlab {
@@ -420,6 +423,50 @@ TEST_F(SiteInBrowser, HasThePapersClaims)
                 Contains("claim-6.2.2-poisson-anisotropy"));
     EXPECT_THAT(each("#claims tbody .verdict", "e.textContent.trim()").get<std::vector<std::string>>(),
                 testing::Each(testing::ContainsRegex("agrees|partly|disagrees|open|shown")));
+}
+
+/// Half-black pixels are the hardest dots: scaled by bytes they would show a light of 0.37 on a phone.
+TEST(DotsInBrowser, AreAsDarkAsAskedAtAnyWidth)
+{
+    constexpr int side = 1000;
+    const TemporaryFolder folder;
+    auto json = test::write_synthetic_results(folder.path());
+    PngPixels dots{side, side, 1, {}};
+    std::mt19937 random(4);
+    for (int i = 0; i < side * side; ++i) dots.values.push_back(random() % 1000 < 391 ? 0 : 255);
+    fs::create_directories(folder.path() / "dots");
+    write_png(folder.path() / "dots/coverage.png", dots);
+    json["distributions"] = {{{"name", "dots"},
+                              {"label", "Dots"},
+                              {"kind", "stippling"},
+                              {"facts", nlohmann::json::array()},
+                              {"numbers", nlohmann::json::array()},
+                              {"pictures", {{{"file", "dots/coverage.png"}, {"caption", "Dots."}}}},
+                              {"files", nlohmann::json::array()}}};
+    test::write_results_json(folder.path(), json);
+    write_report({folder.path()}, folder.path());
+    test::Browser browser;
+    browser.open(folder.path() / "index.html");
+    const std::string image = "document.querySelector('img[src*=coverage-light]')";
+    for (const int width : {1400, 800, 390}) {
+        browser.resize(width, 900);
+        browser.evaluate(image + ".scrollIntoView()");
+        browser.evaluate(image + ".decode()");
+        const auto sides = browser
+                               .evaluate("(r => [r.left, r.top, r.right, r.bottom].map(Math.round))(" + image +
+                                         ".getBoundingClientRect())")
+                               .get<std::array<int, 4>>();
+        const test::Picture shown = test::decode_png(browser.screenshot());
+        ASSERT_EQ(shown.width, width);
+        double light = 0, pixels = 0;
+        for (int y = std::max(sides[1], 0) + 2; y < std::min(sides[3], shown.height) - 2; ++y)
+            for (int x = sides[0] + 2; x < sides[2] - 2; ++x, ++pixels)
+                light += light_of_bytes()[shown.grey[static_cast<std::size_t>(y * width + x)]] / 65'535.0;
+        // Of so many pixels by chance a mean differs by 0.001 at most (two standard deviations), bytes of light by half
+        // of 1 / 255, and the filter's curve from sRGB's by 0.001 where it is dark.
+        EXPECT_GT(pixels, 200 * 200);
+        EXPECT_NEAR(light / pixels, 1 - 0.391, 0.004) << width;
+    }
 }
 
 }

@@ -27,13 +27,13 @@ std::array<DrawingPoint, 4> beside_corners(double x, double y)
     return {{{x + 29, y + 3}, {x + 29, y + 29}, {x + 3, y + 29}, {x + 3, y + 3}}};
 }
 
-TEST(TileImage, HasTheColorsOfThePapers)
+TEST(TileImage, HasColorsThatPeopleTellApart)
 {
-    EXPECT_EQ(tile_color(0), "#ff0000");
-    EXPECT_EQ(tile_color(1), "#ffff00");
-    EXPECT_EQ(tile_color(2), "#00ff00");
-    EXPECT_EQ(tile_color(3), "#00ffff");
-    EXPECT_EQ(tile_color(4), "#0000ff");
+    EXPECT_EQ(tile_color(0), "#d55e00");
+    EXPECT_EQ(tile_color(1), "#f0e442");
+    EXPECT_EQ(tile_color(2), "#009e73");
+    EXPECT_EQ(tile_color(3), "#56b4e9");
+    EXPECT_EQ(tile_color(4), "#0072b2");
     std::set<std::string> different;
     for (Color color = 0; color < 32; ++color) different.insert(tile_color(color));
     EXPECT_EQ(different.size(), 32u);
@@ -41,7 +41,7 @@ TEST(TileImage, HasTheColorsOfThePapers)
 
 TEST(TileImage, WangTilesAreTrianglesOnTheirEdges)
 {
-    // A tile from (8, 8) to (40, 40); y points down. North red, east yellow, south green, west cyan.
+    // A tile from (8, 8) to (40, 40); y points down. North vermilion, east yellow, south green, west sky blue.
     const TileSet one(TileKind::wang, {4, 4}, {wang_index({0, 1, 2, 3}, {4, 4})});
     const Drawing drawing = draw_tiles(tile_set_grid(one));
     const test::Pixels pixels(drawing, 10);
@@ -141,6 +141,28 @@ TEST(TileImage, TakesOnePathForAColor)
     }
 }
 
+/// A tiling has a number at each of its lattice points, and a set one for each colour of each tile.
+TEST(TileImage, NumbersColors)
+{
+    const auto numbers = [](const Drawing& drawing) {
+        std::map<std::pair<double, double>, std::string> words;
+        for (const Shape& shape : drawing.shapes) {
+            const auto* const text = std::get_if<Text>(&shape.form);
+            if (text == nullptr) continue;
+            EXPECT_TRUE(words.try_emplace({text->start[0], text->start[1]}, text->words).second);
+        }
+        return words;
+    };
+    EXPECT_EQ(numbers(draw_tiles(tile_set_grid(TileSet::complete(TileKind::corner, 2)))).size(), 4u * 16);
+    const Tiling tiling(DirectAlgorithm::corner, {3, 3}, HashKind::xxh64, 1);
+    const auto of_tiling = numbers(draw_tiles(tiling_grid(tiling, {0, 0, 5, 4})));
+    EXPECT_EQ(of_tiling.size(), 6u * 5);
+    // The tile in the third column from the west and the second row from the south has its lower left corner there.
+    EXPECT_EQ(of_tiling.at({8 + 2 * 32, 8 + 3 * 32 + 0.36 * 6}),
+              std::to_string(corner_tile(tiling.tile(2, 1), 3).south_west));
+    EXPECT_TRUE(numbers(draw_tiles(tiling_grid(tiling, {0, 0, 20, 20}))).empty());
+}
+
 TEST(TileImage, RefusesCubes)
 {
     EXPECT_THROW(draw_tiles(tile_set_grid(TileSet::complete(TileKind::cube, 2))), std::logic_error);
@@ -153,10 +175,10 @@ TEST(TileImage, DominoesAreTwoHalves)
     EXPECT_EQ(drawing.width, 16 + 64);
     EXPECT_EQ(drawing.height, 16 + 32);
     const test::Pixels pixels(drawing, 10);
-    EXPECT_EQ(pixels.at(16, 24), tile_color(1));
-    EXPECT_EQ(pixels.at(32, 24), tile_color(2));
-    EXPECT_EQ(pixels.at(48, 24), tile_color(2));
-    EXPECT_EQ(pixels.at(64, 24), tile_color(3));
+    EXPECT_EQ(pixels.at(16, 14), tile_color(1));
+    EXPECT_EQ(pixels.at(32, 14), tile_color(2));
+    EXPECT_EQ(pixels.at(48, 14), tile_color(2));
+    EXPECT_EQ(pixels.at(64, 14), tile_color(3));
 }
 
 }

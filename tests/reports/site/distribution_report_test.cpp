@@ -64,7 +64,7 @@ TEST_F(DistributionReport, SaysNumbersOfATableOnce)
     auto result_with_table = result("scheme-noise", "noise");
     result_with_table["numbers"][1]["in_table"] = true;
     json_["schemes"] = {result_with_table};
-    EXPECT_THAT(page(), AllOf(HasSubstr("<dt>count</dt>"), Not(HasSubstr("<dt>part</dt>"))));
+    EXPECT_THAT(page(), AllOf(HasSubstr(">count</th>"), Not(HasSubstr(">part</th>"))));
 }
 
 TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
@@ -83,36 +83,45 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
     // A row has the values of both; their sections do not have them again, as that of the only one of cork does.
     EXPECT_THAT(text,
                 HasSubstr(R"(<td><data value="0.123">0.123</data></td><td><data value="0.789">0.789</data></td>)"));
-    EXPECT_THAT(text, AllOf(Not(HasSubstr("<dt>of gravel</dt>")), HasSubstr("<dt>of cork</dt>")));
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("<th scope=\"row\">of gravel</th><td>0")),
+                            HasSubstr("<th scope=\"row\">of cork</th><td>0")));
     EXPECT_LT(text.find("<h3>a &lt;of&gt; two"), text.find("<h3>c &lt;of&gt; two"));
     EXPECT_LT(text.find("<h3>c &lt;of&gt; two"), text.find("<h3>b &lt;of&gt; two")) << "those of gravel come first";
     EXPECT_THAT(text, HasSubstr(R"(<article id="distribution-3">)")) << "by its place among all distributions";
 }
 
-/// Textures are ranked by the mean of their ranks in six distances; a texture that was not compared has no row.
-TEST_F(DistributionReport, RanksTexturesThatWereCompared)
+/// A copy, a blend and shuffled pieces fail a gate each; what passes comes first, by new patches. A texture without
+/// such numbers has a card, and no verdict.
+TEST_F(DistributionReport, SaysWhichTextureToTake)
 {
-    const auto texture = [&](const std::string& name, const std::vector<double>& values) {
+    const auto texture = [&](const std::string& name, const std::vector<std::pair<std::string, double>>& values) {
         auto json = result(name, "texture");
-        json["label"] = "texture " + name;
+        json["label"] = "gravel: " + name;
         json["parameters"] = {{{"key", "exemplar"}, {"value", "gravel"}}};
-        const std::vector<std::string> keys{"histogram_spread", "contrast_spread", "gradient_spread",
-                                            "structure_spread", "peak_times",      "contrast_peak_times"};
         json["numbers"] = nlohmann::json::array();
-        for (std::size_t i = 0; i < values.size(); ++i)
-            json["numbers"].push_back({{"key", keys[i]}, {"title", keys[i]}, {"value", values[i]}, {"meaning", ""}});
+        for (const auto& [key, value] : values)
+            json["numbers"].push_back({{"key", key}, {"title", key}, {"value", value}, {"meaning", ""}});
         return json;
     };
-    json_["distributions"] = {texture("far", {4, 4, 4, 4, 4, 1}), texture("near", {1, 1, 1, 1, 1, 2}),
-                              texture("unknown", {1, 1})};
+    json_["distributions"] = {
+        texture("copy", {{"recurrence", 1}, {"recurrence_width", 512}, {"gradient_spread", 1}, {"novelty", 0}}),
+        texture("blend", {{"recurrence", 0}, {"gradient_spread", 2.5}, {"novelty", 0.1}}),
+        texture("shuffle", {{"recurrence", 0}, {"gradient_spread", 1}, {"novelty", 0.9}}),
+        texture("second", {{"recurrence", 0.03}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.08}}),
+        texture("first", {{"recurrence", 0.02}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.01}}),
+        texture("unknown", {})};
     const std::string text = page();
-    const std::size_t ranking = text.find("aria-label=\"Ranking of textures\"");
-    ASSERT_NE(ranking, std::string::npos);
-    const std::string table = text.substr(ranking, text.find("</table>", ranking) - ranking);
-    EXPECT_THAT(table, HasSubstr(R"(<a href="#distribution-2">texture near</a></th><td>1.2</td>)")); // (5 + 2) / 6
-    EXPECT_THAT(table, HasSubstr(R"(<a href="#distribution-1">texture far</a></th><td>1.8</td>)"));
-    EXPECT_LT(table.find("texture near"), table.find("texture far"));
-    EXPECT_THAT(table, Not(HasSubstr("texture unknown")));
+    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Rejected (repeats): Copy. Rejected (blurs edges): "
+                                "Blend. Rejected (breaks shapes): Shuffle."));
+    EXPECT_THAT(text, HasSubstr("Edges kept; recurs faintly every 64 pixels; shapes whole."));
+    EXPECT_THAT(text, HasSubstr("Edges kept; repeats every 512 pixels; shapes whole."));
+    EXPECT_THAT(text, HasSubstr("Edges blurred; nothing recurs; some shapes fused or broken."));
+    EXPECT_LT(text.find(R"(<a href="#distribution-5">First</a>)"),
+              text.find(R"(<a href="#distribution-4">Second</a>)"));
+    EXPECT_LT(text.find(R"(<a href="#distribution-4">Second</a>)"), text.find(R"(<a href="#distribution-1">Copy</a>)"));
+    const std::size_t table = text.find("aria-label=\"Numbers of textures\"");
+    ASSERT_NE(table, std::string::npos);
+    EXPECT_THAT(text.substr(table), HasSubstr(R"(<td class="failed"><data value="1">1.00</data></td>)"));
 }
 
 TEST_F(DistributionReport, CallsPackingsPackings)

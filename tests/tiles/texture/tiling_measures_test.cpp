@@ -2,6 +2,8 @@
 #include "tiles/texture/tiling_measures.hpp"
 
 #include "tests/host/texture/random_picture.hpp"
+#include "tests/tiles/texture/dead_leaves.hpp"
+#include "tests/tiles/texture/recurrence_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,16 +57,18 @@ TEST(TilingMeasures, LatticePowerIsThatOfTheTransform)
 {
     const PngPixels picture = test::random_picture(20, 16, 1, 5);
     const auto is_on_lattice = [](int u, int v) { return u % 5 == 0 && v % 4 == 0; }; // 5 x 4 tiles of 4 pixels
-    EXPECT_NEAR(lattice_power(picture, 4), share_of_power(picture, is_on_lattice), 1e-12);
+    EXPECT_NEAR(lattice_power(picture, 4, 4), share_of_power(picture, is_on_lattice), 1e-12);
+    const auto is_on_other = [](int u, int v) { return u % 4 == 0 && v % 2 == 0; }; // 4 x 2 rectangles of 5 x 8 pixels
+    EXPECT_NEAR(lattice_power(picture, 5, 8), share_of_power(picture, is_on_other), 1e-12);
 }
 
 TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
 {
     const PngPixels tile = test::random_picture(8, 8, 3, 6);
-    EXPECT_NEAR(lattice_power(repeated_picture(tile, 5, 4), 8), 1, 1e-12);
+    EXPECT_NEAR(lattice_power(repeated_picture(tile, 5, 4), 8, 8), 1, 1e-12);
     // 256 independent tiles: 1/256, with 64 squares of Gaussian sums, so a standard error of sqrt(2/64)/256.
-    EXPECT_NEAR(lattice_power(test::random_picture(128, 128, 1, 7), 8), 1.0 / 256, 5 * std::sqrt(2.0 / 64) / 256);
-    EXPECT_EQ(lattice_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8), 0);
+    EXPECT_NEAR(lattice_power(test::random_picture(128, 128, 1, 7), 8, 8), 1.0 / 256, 5 * std::sqrt(2.0 / 64) / 256);
+    EXPECT_EQ(lattice_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8, 8), 0);
 }
 
 /// Below 1/7: of 20 columns at most 2 cycles, of 16 rows as many.
@@ -149,40 +153,57 @@ TEST(TilingMeasures, SlowPowersAreThoseOfParts)
     EXPECT_FALSE(slow_powers(small, large, 10));
 }
 
-TEST(TilingMeasures, RepetitionIsOneOfNoiseAndOfTheExemplarItself)
+/// Three tiles in any order, as recurrence.py lays them.
+PngPixels three_tiles(int channels)
 {
-    const PngPixels exemplar = test::random_picture(37, 34, 1, 8);
-    const auto cut = [](const PngPixels& picture, int width, int height) {
-        PngPixels part{width, height, 1, {}};
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) part.values.push_back(picture.values[picture.at(x, y, 0)]);
-        return part;
-    };
-    // 4 x 4 squares of 8: what is left over takes no part, and copies of what is measured are the same.
-    const PngPixels squares = cut(exemplar, 32, 32);
-    const auto own = repetition(repeated_picture(squares, 3, 2), exemplar, 8);
-    ASSERT_TRUE(own);
-    EXPECT_NEAR(own->times, lattice_power(squares, 8) / lattice_power(exemplar, 8), 1e-12);
-    EXPECT_NEAR(own->exemplar_power, lattice_power(exemplar, 8), 1e-15);
-    // Independent noise: 1/16 with 64 squares' Gaussian sums in the exemplar, 32 times as many in the tiling.
-    const auto noise = repetition(test::random_picture(256, 128, 1, 9), exemplar, 8);
-    ASSERT_TRUE(noise);
-    EXPECT_NEAR(noise->times, 1, 5 * std::sqrt(2.0 / 63 * (1 + 1.0 / 32)));
+    test::PlainRandom random(static_cast<std::uint32_t>(channels));
+    std::vector<PngPixels> tiles(3, PngPixels{7, 5, channels, {}});
+    for (PngPixels& tile : tiles)
+        for (int i = 0; i < 35 * channels; ++i) tile.values.push_back(static_cast<std::uint8_t>(random.next() % 256));
+    PngPixels picture{9 * 7, 6 * 5, channels, std::vector<std::uint8_t>(static_cast<std::size_t>(54 * 35 * channels))};
+    for (int place = 0; place < 54; ++place) {
+        const PngPixels& tile = tiles[static_cast<std::size_t>(random.next() % 3)];
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 7; ++x)
+                for (int c = 0; c < channels; ++c)
+                    picture.values[picture.at(place % 9 * 7 + x, place / 9 * 5 + y, c)] = tile.values[tile.at(x, y, c)];
+    }
+    return picture;
 }
 
-TEST(TilingMeasures, RepetitionOfOneTileIsOneOverTheExemplarsOwn)
+TEST(TilingMeasures, RecurrenceIsThatOfAnotherProgram)
 {
-    const PngPixels exemplar = test::random_picture(32, 32, 3, 10), tile = test::random_picture(8, 8, 3, 11);
-    EXPECT_NEAR(repetition(repeated_picture(tile, 8, 8), exemplar, 8)->times, 1 / lattice_power(exemplar, 8), 1e-9);
+    for (const int channels : {1, 3}) {
+        const double* const theirs = recurrence_numbers[channels == 1 ? 0 : 1];
+        const PngPixels picture = three_tiles(channels);
+        EXPECT_NEAR(*recurrence(picture, 7, 5), theirs[0], 1e-12);
+        EXPECT_NEAR(*recurrence(picture, 21, 10), theirs[1], 1e-12);
+    }
 }
 
-TEST(TilingMeasures, RepetitionNeedsAnExemplarOfSeveralTiles)
+/// Of white noise nothing recurs: (P - 1) frequencies of the lattice have the mean power of all, so that their share
+/// has a relative standard error of sqrt(2 / (P - 1)), whatever the number of squares is. Plain repetition is 1.
+TEST(TilingMeasures, RecurrenceIsZeroOfNoiseAndOneOfACopy)
 {
-    const PngPixels noise = test::random_picture(64, 64, 1, 12);
-    EXPECT_FALSE(repetition(noise, test::random_picture(32, 15, 1, 13), 8));
-    EXPECT_FALSE(repetition(noise, test::random_picture(80, 16, 1, 13), 8)) << "the tiling is smaller";
-    EXPECT_FALSE(repetition(noise, {16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8)) << "no power";
-    EXPECT_TRUE(repetition(noise, test::random_picture(16, 16, 1, 13), 8));
+    for (const int squares : {2, 3, 8, 32}) {
+        constexpr int pictures = 40;
+        double sum = 0;
+        for (unsigned seed = 0; seed < pictures; ++seed)
+            sum += *recurrence(test::random_picture(8 * squares, 8 * squares, 1, 100 * seed + 1), 8, 8);
+        const double chance = 63.0 / (64.0 * squares * squares - 1);
+        EXPECT_NEAR(sum / pictures, 0, 4 * chance / (1 - chance) * std::sqrt(2.0 / 63 / pictures)) << squares;
+        const PngPixels tile = test::random_picture(8, 8, 3, 11);
+        EXPECT_NEAR(*recurrence(repeated_picture(tile, squares, squares), 8, 8), 1, 1e-12);
+    }
+}
+
+TEST(TilingMeasures, RecurrenceNeedsTwoSquaresAndPower)
+{
+    const PngPixels noise = test::random_picture(31, 16, 1, 12);
+    EXPECT_FALSE(recurrence(noise, 16, 16));
+    EXPECT_FALSE(recurrence(noise, 32, 8));
+    EXPECT_TRUE(recurrence(noise, 15, 16));
+    EXPECT_FALSE(recurrence({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8, 8)) << "no power";
 }
 
 /// Two pictures with as many pixels: the distance is the mean difference of their sorted values.

@@ -17,41 +17,68 @@ namespace {
 
 // Normals of a texture set's heights, without seams in any tiling.
 //
-// They are of the finished tiles: where two windows of the exemplar meet, the step of the heights is in the normals as
-// well, which copies of a normal map would not have. Across a border lies a texel that the shared colours decide, in a
-// tiling and in the atlas: differences of neighbours in a packed atlas are those of every tiling.
+// Where two pieces of the exemplar meet, heights have a step, which is no slope of the surface: as a normal it would be
+// a ridge along each cut. Slopes are therefore differences of texels that are neighbours in the exemplar as well: at a
+// cut, those on the texel's own side. Across a border lies a texel that the shared colours decide, in a tiling and in
+// the atlas: differences of neighbours in a packed atlas are those of every tiling.
 
 /// Heights on the torus that a packed atlas is.
 class PackedHeights
 {
 public:
     PackedHeights(const EngineMap& map, const TextureSet& set, double relief)
-        : map_(map), size_(set.size), is_wang_(!set.has_corners()), relief_(relief)
-    {}
+        : map_(map), size_(set.size), is_wang_(!set.has_corners()), relief_(relief), sources_(map.values.size())
+    {
+        const AtlasLayout layout = atlas_layout(set);
+        for (std::size_t tile = 0; tile < set.tiles.size(); ++tile)
+            for (int i = 0; i < size_ * size_; ++i)
+                sources_[place(layout.places[tile].first * size_ + i % size_,
+                               layout.places[tile].second * size_ + i / size_)] =
+                    set.sources_of(tile)[static_cast<std::size_t>(i)];
+    }
 
     /// The slopes to the east and to the north.
     std::pair<double, double> slopes(int column, int row) const
     {
-        const int in_column = column % size_, in_row = row % size_;
-        const bool is_at_corner = (in_column == 0 || in_column == size_ - 1) && (in_row == 0 || in_row == size_ - 1);
-        int west = column - 1, east = column + 1;
-        if (is_wang_ && is_at_corner) (in_column == 0 ? west : east) = column;
-        return {relief_ * (at(east, row) - at(west, row)) / (east - west),
-                relief_ * (at(column, row - 1) - at(column, row + 1)) / 2};
+        return {slope(column, row, 1, 0), slope(column, row, 0, -1)};
     }
 
 private:
-    double at(int column, int row) const
+    std::size_t place(int column, int row) const
     {
         const auto x = static_cast<std::size_t>((column + map_.width) % map_.width),
                    y = static_cast<std::size_t>((row + map_.height) % map_.height);
-        return map_.values[y * static_cast<std::size_t>(map_.width) + x];
+        return y * static_cast<std::size_t>(map_.width) + x;
+    }
+
+    /// The mean difference to the neighbours ahead and behind that are neighbours in the exemplar.
+    double slope(int column, int row, int dx, int dy) const
+    {
+        double sum = 0;
+        int count = 0;
+        for (const int sign : {1, -1}) {
+            if (!is_joined(column, row, sign * dx, sign * dy)) continue;
+            sum += sign * (map_.values[place(column + sign * dx, row + sign * dy)] - map_.values[place(column, row)]);
+            ++count;
+        }
+        return count == 0 ? 0 : relief_ * sum / count;
+    }
+
+    /// Corner texels of Wang tiles, which are those of horizontal edges, have other neighbours beside them in a tiling.
+    bool is_joined(int column, int row, int dx, int dy) const
+    {
+        const int in_column = column % size_, in_row = row % size_;
+        if (is_wang_ && (in_row == 0 || in_row == size_ - 1) && in_column == (dx > 0 ? size_ - 1 : 0) && dx != 0)
+            return false;
+        const SourcePixel from = sources_[place(column, row)], to = sources_[place(column + dx, row + dy)];
+        return to.x - from.x == dx && to.y - from.y == dy;
     }
 
     const EngineMap& map_;
     int size_;
     bool is_wang_;
     double relief_;
+    std::vector<SourcePixel> sources_; ///< of the atlas' texels
 };
 
 void check_heights(const EngineMap& heights, const TextureSet& set)
@@ -68,9 +95,8 @@ void check_heights(const EngineMap& heights, const TextureSet& set)
 }
 
 /// Normals of heights from 0 to 1, which are `relief` texels high: (-dh/dx, -dh/dy, 1) at length 1, x going east and y
-/// north, by central differences; at the corner texels of Wang tiles, which are those of horizontal edges, the
-/// difference along x is within the tile. 16 bits a channel. Throws InputError for sets whose tiles are in no packing,
-/// those without a ring, and maps of several channels.
+/// north, by differences of neighbours in the exemplar. 16 bits a channel. Throws InputError for sets whose tiles are
+/// in no packing, those without a ring, and maps of several channels.
 EngineMap height_normals(const EngineMap& heights, const TextureSet& set, double relief)
 {
     check_heights(heights, set);

@@ -31,9 +31,7 @@ std::array<double, 3> density_around(const GaussianField& field, std::span<const
         part[k] = cells - std::floor(cells);
     }
     const auto row_values = [&](int row) {
-        const auto cell = [&](int column) -> const DensityCell& {
-            return field.cells[static_cast<std::size_t>((row + n) % n * n + (column + n) % n)];
-        };
+        const auto cell = [&](int column) -> const DensityCell& { return field.cell((column + n) % n, (row + n) % n); };
         const DensityCell &a = cell(low[0]), &b = cell(low[0] + 1);
         return std::array{part_way(double{a.x}, double{b.x}, part[0]), part_way(double{a.y}, double{b.y}, part[0]),
                           part_way(double{a.excess}, double{b.excess}, part[0])};
@@ -55,14 +53,13 @@ float power_of_two(float t)
     return std::bit_cast<float>(std::bit_cast<std::int32_t>(sum) + static_cast<std::int32_t>(whole) * (1 << 23));
 }
 
-/// The cells of an axis up to `reach` away from one, on the torus: each of them once, from the first one on.
+/// The cells of an axis up to `reach` away from one, on the torus: each of them once, in rising order.
 std::vector<int> cells_around(int cell, int reach, int grid_size)
 {
     std::vector<int> cells;
-    for (int c = 0; c < grid_size; ++c) {
-        const int distance = std::abs(c - cell);
-        if (std::min(distance, grid_size - distance) <= reach) cells.push_back(c);
-    }
+    const int count = std::min(2 * reach + 1, grid_size);
+    for (int i = 0; i < count; ++i) cells.push_back(((cell - reach + i) % grid_size + grid_size) % grid_size);
+    std::ranges::sort(cells);
     return cells;
 }
 
@@ -124,7 +121,7 @@ private:
     {
         const auto n = static_cast<int>(field_->shape.size);
         const auto cell = [&](double place) { return std::min(static_cast<int>(place * n), n - 1); };
-        return field_->cells[static_cast<std::size_t>(cell(y) * n + cell(x))];
+        return field_->cell(cell(x), cell(y));
     }
 
     float exponent_of(std::size_t id) const

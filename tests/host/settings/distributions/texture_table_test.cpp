@@ -154,8 +154,10 @@ TEST(TextureTable, RefusesWhatCannotBe)
     expect_texture_refusal("pattern = \"noise\"\nstages = 2", "c.toml:4: stages = 2: must be 0, 1 or 3");
     expect_texture_refusal("pattern = \"noise\"\nshow = [\"all\"]", "c.toml:4: show = ");
     for (const std::string tiles : {"kind = \"wang\"\ntiles = \"compact\"", "kind = \"omega\"", "size = 48"})
-        expect_texture_refusal("pattern = \"noise\"\nshow = [\"plane\"]\n" + tiles,
-                               "\"plane\" is for complete sets of tiles whose size is a power of two");
+        expect_texture_refusal("pattern = \"noise\"\nshow = [\"levels\"]\n" + tiles,
+                               "\"levels\" is for complete sets of tiles whose size is a power of two");
+    expect_texture_refusal("pattern = \"noise\"\nshow = [\"plane\"]\nsize = 48",
+                           "\"plane\" is for tiles whose size is a power of two");
     expect_texture_refusal("pattern = \"noise\"\nshow = [\"marks\"]", "\"marks\" needs marked_exemplar");
     expect_texture_refusal("pattern = \"noise\"\nkind = \"wang\"\ntiles = \"random-marks\"",
                            "c.toml:5: tiles = \"random-marks\": needs an exemplar for marked corners");

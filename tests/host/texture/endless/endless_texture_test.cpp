@@ -31,6 +31,10 @@ std::vector<EndlessRequest> all_endless_requests()
     requests.push_back(hexagons);
     hexagons.restored = true;
     requests.push_back(hexagons);
+    hexagons.turn = 0.5;
+    requests.push_back(hexagons);
+    hexagons.tileable = true;
+    requests.push_back(hexagons);
     EndlessRequest offsets;
     offsets.method = EndlessMethod::offsets;
     offsets.restored = true;
@@ -79,6 +83,10 @@ TEST(EndlessTexture, IsTheSameOnADevice)
     request.restored = true;
     request.gain = 3;
     expect_twin(endless_texture(request, exemplar), far_window, {16});
+    request.turn = 1;
+    expect_twin(endless_texture(request, exemplar), far_window, {16});
+    request.tileable = true;
+    expect_twin(endless_texture(request, test::random_picture(61, 57, 3, 3)), {-40, -30, 53, 38}, {64});
 }
 
 /// Tiles are laid as their own windows have them.

@@ -35,9 +35,24 @@ def texel(picture, vertex, x, y):
     return picture[row, column]
 
 
-def hexagons(picture, x, y):
+def turned(picture, vertex, x, y):
+    """A piece that is turned around its lattice point, by one of 256 angles up to half a turn to either side."""
+    i, j = int(vertex[0]), int(vertex[1])
+    h = mix((mix((mix(SEED) + (i & 0xFFFFFFFF)) & 0xFFFFFFFF) + (j & 0xFFFFFFFF)) & 0xFFFFFFFF)
+    angle = np.pi * ((2 * (mix(h) >> 24) + 1) / 256 - 1)
+    reach = CELL + 2
+    dx, dy = x - (i * CELL + j * CELL // 2), y - j * ROW
+    column = reach + ((h & 0xFFFF) * (W - 2 * reach) >> 16) + np.cos(angle) * dx - np.sin(angle) * dy
+    row = reach + ((h >> 16) * (H - 2 * reach) >> 16) + np.sin(angle) * dx + np.cos(angle) * dy
+    c, r = int(np.floor(column)), int(np.floor(row))
+    u, v = column - c, row - r
+    return ((1 - u) * ((1 - v) * picture[r, c] + v * picture[r + 1, c])
+            + u * ((1 - v) * picture[r, c + 1] + v * picture[r + 1, c + 1]))
+
+
+def hexagons(picture, x, y, piece=texel):
     """Mikkelsen, Listing 4: weights by lightness and a power, no contrast."""
-    seen = [(texel(picture, v, x, y).astype(float), w) for v, w in triangle(x, y)]
+    seen = [(piece(picture, v, x, y).astype(float), w) for v, w in triangle(x, y)]
     light = [np.dot(c, (0.299, 0.587, 0.114)) / 255 if len(c) == 3 else c[0] / 255 for c, _ in seen]
     weights = np.array([(1 + 0.6 * (l - 1)) * w**7 for l, (_, w) in zip(light, seen)])
     weights /= weights.sum()
@@ -78,6 +93,7 @@ print("// Printed by hexagons.py: pixels of hex-tiling, and of by-example noise 
 window = [(x, y) for y in range(-9, 30, 3) for x in range(-40, 60, 7)]
 colored, grey = exemplar(3), exemplar(1)
 lines("hexagon_colors", [v for x, y in window for v in hexagons(colored, x, y)])
+lines("turned_colors", [v for x, y in window for v in hexagons(colored, x, y, turned)])
 numbers, values = gaussian(grey)
 for name, moved in (("lower_noise", -1 / 128), ("upper_noise", 1 / 128)):
     lines(name, [blended(numbers, values, x, y, moved) for x, y in window])

@@ -19,9 +19,10 @@ PngPixels papers_exemplar(int channels)
     return picture;
 }
 
-EndlessTexture papers_texture(EndlessMethod method, int channels)
+EndlessTexture papers_texture(EndlessMethod method, int channels, double turn = 0)
 {
     EndlessRequest request;
+    request.turn = turn;
     request.method = method;
     request.cell = 24;
     request.seed = 5;
@@ -48,6 +49,19 @@ TEST(EndlessPapers, HexagonsAreMikkelsens)
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(window.values[window.at(x, y, c)], hexagon_colors[3 * number + static_cast<std::size_t>(c)],
                         0.95)
+                << x << " " << y;
+    });
+}
+
+/// Places of turned texels are rounded to 256ths, which moves a colour between two of 255 levels by half of one along
+/// each axis, and pieces to bytes, by another half.
+TEST(EndlessPapers, HexagonsTurnAsMikkelsens)
+{
+    const PngPixels window = reference_endless_window(papers_texture(EndlessMethod::hexagons, 3, 1), papers_window);
+    visit_papers_pixels([&](int x, int y, std::size_t number) {
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(window.values[window.at(x, y, c)], turned_colors[3 * number + static_cast<std::size_t>(c)],
+                        0.95 + 1.5)
                 << x << " " << y;
     });
 }

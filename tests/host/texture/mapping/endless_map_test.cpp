@@ -81,6 +81,13 @@ TEST(EndlessMap, IsTheSameOnADevice)
     EndlessRequest request;
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::mipmap})
         expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), horizon_view(filter, 24, 20), 16);
+    request.turn = 1;
+    for (const bool is_tileable : {false, true}) {
+        request.tileable = is_tileable;
+        expect_mapped_twin(request, test::random_picture(61, 57, 3, 3), horizon_view(TextureFilter::bilinear, 24, 20),
+                           64);
+    }
+    request.turn = 0;
     request.method = EndlessMethod::blended;
     expect_mapped_twin(request, test::random_picture(61, 57, 1, 3), horizon_view(TextureFilter::mipmap, 24, 20), 1);
 }

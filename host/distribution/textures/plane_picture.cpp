@@ -1,0 +1,66 @@
+#include "host/distribution/textures/plane_picture.hpp"
+
+#include "host/device/device.hpp"
+#include "host/device/kernel.hpp"
+#include "host/distribution/textures/frame_rate.hpp"
+#include "host/texture/comparison/light_map.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace poissonlab {
+namespace {
+
+/// The camera of all views over tiles of so many pixels.
+TextureView shown_view(int tile)
+{
+    TextureCamera camera;
+    camera.width = frame_width;
+    camera.height = frame_height;
+    camera.above *= static_cast<double>(contract::endless_map::TILE_TEXELS) / tile;
+    return view_of(camera);
+}
+
+PngPixels pyramid_picture(const TexturePyramid& pyramid, TextureLookup lookup, int tile, const DistributionPlace& place)
+{
+    const TextureView view = shown_view(tile);
+    if (place.engine == Engine::opencl)
+        check_fits("the view of the plane", texture_map_memory(pyramid, view), place.device().info());
+    return encoded_pixels(place.engine == Engine::reference
+                              ? reference_map_texture(pyramid, lookup, view)
+                              : map_texture(place.device(), pyramid, lookup, view, default_work_group_size),
+                          frame_width, frame_height, pyramid.channels);
+}
+
+}
+
+PngPixels plane_picture(const TextureSet& set, std::uint64_t seed, const DistributionPlace& place)
+{
+    const int laid_root = 25 * set.size <= static_cast<int>(most_laid_pixels) ? 5 : 4;
+    return has_places(set)
+               ? pyramid_picture(texture_pyramid(set, seed), TextureLookup::exact, set.size, place)
+               : pyramid_picture(laid_pyramid(set, seed, laid_root), TextureLookup::repeated, set.size, place);
+}
+
+PngPixels plane_picture(const MappedEndless& mapped, const DistributionPlace& place)
+{
+    const TextureView view = shown_view(contract::endless_map::TILE_TEXELS);
+    if (place.engine == Engine::opencl)
+        check_fits("the view of the plane", endless_map_memory(mapped, view), place.device().info());
+    const auto origin = mapped.origin(0, 0);
+    return encoded_pixels(place.engine == Engine::reference
+                              ? reference_map_endless(mapped, origin, view)
+                              : map_endless(place.device(), mapped, origin, view, default_work_group_size),
+                          frame_width, frame_height, mapped.texture.channels);
+}
+
+PngPixels plane_picture(const PngPixels& picture, const DistributionPlace& place)
+{
+    constexpr int root = 4; // 16 x 16 tiles
+    const auto side = std::bit_floor(static_cast<unsigned>(std::min(picture.width, picture.height)));
+    return pyramid_picture(
+        picture_pyramid(picture_part(picture, 0, 0, static_cast<int>(side), static_cast<int>(side)), root),
+        TextureLookup::repeated, static_cast<int>(side) / (root * root), place);
+}
+
+}

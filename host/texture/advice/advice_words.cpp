@@ -1,0 +1,107 @@
+#include "host/texture/advice/advice_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+/// What is in the way, and the word of JSON for it.
+std::pair<std::string, const char*> obstacle_words(const TextureAdvice& advice)
+{
+    switch (advice.obstacle) {
+    case TextureObstacle::one_color:
+        return {"it has one colour only", "one color"};
+    case TextureObstacle::one_object:
+        return {"its middle has much more contrast than its rim, as one object on a plain ground does", "one object"};
+    case TextureObstacle::not_alike:
+        return {fmt::format("it is not alike everywhere: the contrast of its parts differs by {:.2f} octaves, that of "
+                            "textures by at most 0.25",
+                            advice.contrast_spread),
+                "not alike"};
+    case TextureObstacle::other_colors:
+        return {fmt::format("it is not alike everywhere: the lightness of its parts has {:.0f} % of its variance; if "
+                            "that is uneven light alone, --flatten on evens it",
+                            100 * advice.part_variance),
+                "uneven"};
+    case TextureObstacle::too_small:
+        return {fmt::format("it has no room for two tiles of {} pixels along each side", advice.size), "too small"};
+    case TextureObstacle::none:
+        break;
+    }
+    return {"", ""};
+}
+
+std::string scale_words(const TextureAdvice& advice)
+{
+    return advice.scale ? fmt::format("its scale is {:.0f} pixels", *advice.scale)
+                        : std::string("it has no scale below half of its size");
+}
+
+}
+
+std::vector<std::string> advice_lines(const TextureAdvice& advice)
+{
+    std::vector<std::string> lines;
+    if (!advice.is_texture()) lines.push_back("Do not tile this picture: " + obstacle_words(advice).first);
+    if (advice.obstacle == TextureObstacle::one_color) return lines;
+    lines.push_back(fmt::format("Take tiles of {} x {} pixels of {} colours, {}: {}{}", advice.size, advice.size,
+                                advice.colors,
+                                advice.is_joint ? "which are made both ways, of which the better set is kept"
+                                                : "fitted one piece after another",
+                                scale_words(advice),
+                                advice.is_wide ? ", which is wide for such tiles; a larger part of the scene would be "
+                                                 "better"
+                                               : ""));
+    if (!advice.periods.empty())
+        lines.push_back(fmt::format("It is regular, every {:.1f} pixels: {}", fmt::join(advice.periods, " and "),
+                                    advice.is_straightened ? "--straighten lets joints run through"
+                                                           : "tiles hold a whole number of periods"));
+    if (advice.is_flattened)
+        lines.push_back(fmt::format("Its light is uneven: {:.0f} % of its power is slower than two tiles, which tiles "
+                                    "would show as a pattern; it is flattened (--flatten off keeps it)",
+                                    100 * advice.slow_power));
+    return lines;
+}
+
+std::string advice_json(const TextureAdvice& advice)
+{
+    nlohmann::ordered_json json{{"width", advice.width}, {"height", advice.height}, {"texture", advice.is_texture()}};
+    if (!advice.is_texture()) json["obstacle"] = obstacle_words(advice).second;
+    json["kind"] = "corner";
+    json["colors"] = advice.colors;
+    json["size"] = advice.size;
+    json["joint"] = advice.is_joint ? "auto" : "off";
+    json["straighten"] = advice.is_straightened;
+    json["flatten"] = advice.is_flattened;
+    if (advice.scale) json["scale"] = *advice.scale;
+    json["is_wide"] = advice.is_wide;
+    json["periods"] = advice.periods;
+    json["slow_power"] = advice.slow_power;
+    json["contrast_spread"] = advice.contrast_spread;
+    json["part_variance"] = advice.part_variance;
+    json["lines"] = advice_lines(advice);
+    return json.dump(2);
+}
+
+std::string advice_note(const TextureAdvice& advice, const TextureRequest& request)
+{
+    const int room = std::min(advice.width, advice.height);
+    if (request.size > room) return ""; // which is refused
+    if (!advice.is_texture()) return fmt::format("Do not tile this picture: {}", obstacle_words(advice).first);
+    if (request.size < advice.size && advice.scale && request.size < least_tile_scales * *advice.scale)
+        return fmt::format("The scale of the picture is {:.0f} pixels: --size {} is advised, {} was given",
+                           *advice.scale, advice.size, request.size);
+    if (request.size > advice.size && 2 * request.size > room)
+        return fmt::format("The picture has {} x {} pixels: --size {} is advised, {} was given", advice.width,
+                           advice.height, advice.size, request.size);
+    if (request.kind == TextureKind::corner && request.colors.horizontal < advice.colors && request.split == 0)
+        return fmt::format("Tilings repeat more with {} colours: --colors {} is advised", request.colors.horizontal,
+                           advice.colors);
+    return "";
+}
+
+}

@@ -1,0 +1,20 @@
+// Advice in words, and as JSON.
+#pragma once
+
+#include "host/texture/advice/texture_advice.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Sentences that say what to do with the picture, and why; the first one is about whether to tile it.
+std::vector<std::string> advice_lines(const TextureAdvice& advice);
+
+/// The advice as a JSON object.
+std::string advice_json(const TextureAdvice& advice);
+
+/// A line that says where a request is against the advice; empty where it is not.
+std::string advice_note(const TextureAdvice& advice, const TextureRequest& request);
+
+}

@@ -1,0 +1,199 @@
+#include "host/texture/flattening.hpp"
+
+#include "base/gaussian_taps.hpp"
+#include "host/texture/seam_blending.hpp"
+#include "tiles/texture/tiling_judge.hpp"
+#include "tiles/texture/tiling_measures.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+/// A channel of a picture, row by row.
+struct Plane
+{
+    int width = 0;
+    int height = 0;
+    std::vector<double> values;
+
+    double& at(int x, int y) { return values[index(x, y)]; }
+    double at(int x, int y) const { return values[index(x, y)]; }
+
+private:
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+};
+
+/// Weights of the pixels from `first` on whose sum is the mean around a place.
+struct MeanAround
+{
+    int first = 0;
+    std::vector<double> weights;
+};
+
+/// Of a row of `pixels`, the value at `place` of the straight line that fits best with weights of a Gaussian. Inside of
+/// the row these are the Gaussian's own weights.
+MeanAround mean_around(int place, int pixels, const std::vector<double>& taps)
+{
+    const int reach = static_cast<int>(taps.size()) - 1;
+    MeanAround mean{std::max(0, place - reach), {}};
+    double sum = 0, first = 0, second = 0;
+    for (int x = mean.first; x <= std::min(pixels - 1, place + reach); ++x) {
+        const double d = x - place, weight = taps[static_cast<std::size_t>(std::abs(x - place))];
+        mean.weights.push_back(weight);
+        sum += weight;
+        first += weight * d;
+        second += weight * d * d;
+    }
+    for (std::size_t i = 0; i < mean.weights.size(); ++i) {
+        const double d = mean.first + static_cast<double>(i) - place;
+        mean.weights[i] *= (second - first * d) / (sum * second - first * first);
+    }
+    return mean;
+}
+
+/// Means are taken at every so many pixels, and are linear between them: a sixteenth of a tile, an eighth of the
+/// Gaussian's standard deviation, so that a step of 255 levels errs by less than 0.25.
+constexpr int places_a_tile = 16;
+
+/// The means around every `step`-th pixel of each row, and of one beyond; columns become rows.
+Plane means_of_rows(const Plane& plane, int step, const std::vector<double>& taps)
+{
+    const int places = (plane.width - 1) / step + 2;
+    Plane means{plane.height, places,
+                std::vector<double>(static_cast<std::size_t>(places) * static_cast<std::size_t>(plane.height))};
+    tbb::parallel_for(0, places, [&](int i) {
+        const MeanAround around = mean_around(i * step, plane.width, taps);
+        for (int y = 0; y < plane.height; ++y) {
+            double sum = 0;
+            for (std::size_t k = 0; k < around.weights.size(); ++k)
+                sum += around.weights[k] * plane.at(around.first + static_cast<int>(k), y);
+            means.at(y, i) = sum;
+        }
+    });
+    return means;
+}
+
+/// Subtracts the mean around each pixel, and adds the mean of the plane.
+void flatten(Plane& plane, int size)
+{
+    const int step = std::max(1, size / places_a_tile);
+    const std::vector<double> taps = gaussian_taps(size / 2.0);
+    const Plane means = means_of_rows(means_of_rows(plane, step, taps), step, taps);
+    double mean = 0;
+    for (const double value : plane.values) mean += value / static_cast<double>(plane.values.size());
+    tbb::parallel_for(0, plane.height, [&](int y) {
+        const double v = static_cast<double>(y % step) / step;
+        for (int x = 0; x < plane.width; ++x) {
+            const double u = static_cast<double>(x % step) / step;
+            const int i = x / step, j = y / step;
+            const double north = means.at(i, j) + u * (means.at(i + 1, j) - means.at(i, j)),
+                         south = means.at(i, j + 1) + u * (means.at(i + 1, j + 1) - means.at(i, j + 1));
+            plane.at(x, y) += mean - (north + v * (south - north));
+        }
+    });
+}
+
+/// The whole number of a plane's value; counts those that are out of range.
+template <class Sample>
+Sample whole_number(double value, std::size_t& clipped)
+{
+    const double rounded = std::floor(value + 0.5), most = std::numeric_limits<Sample>::max();
+    if (rounded < 0 || rounded > most) ++clipped;
+    return static_cast<Sample>(std::clamp(rounded, 0.0, most));
+}
+
+/// Flattens a channel of samples of one type that lie `stride` samples from each other.
+template <class Sample>
+void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int height, int size, std::size_t& clipped)
+{
+    Plane plane{width, height, std::vector<double>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+    for (std::size_t i = 0; i < plane.values.size(); ++i) {
+        Sample sample{};
+        std::memcpy(&sample, bytes + i * stride * sizeof(Sample), sizeof(Sample));
+        plane.values[i] = static_cast<double>(sample);
+    }
+    flatten(plane, size);
+    for (std::size_t i = 0; i < plane.values.size(); ++i) {
+        Sample sample{};
+        if constexpr (std::is_integral_v<Sample>)
+            sample = whole_number<Sample>(plane.values[i], clipped);
+        else
+            sample = static_cast<Sample>(plane.values[i]);
+        std::memcpy(bytes + i * stride * sizeof(Sample), &sample, sizeof(Sample));
+    }
+}
+
+/// The part of all power below which nobody sees light that is uneven.
+constexpr double least_seen_power = 0.05;
+
+/// The number of frequencies below one over `period` pixels, without the mean.
+int slow_frequencies(const PngPixels& picture, int period)
+{
+    int count = -1;
+    for (int u = -picture.width / period; u <= picture.width / period; ++u)
+        for (int v = -picture.height / period; v <= picture.height / period; ++v) {
+            const double x = static_cast<double>(u) / picture.width, y = static_cast<double>(v) / picture.height;
+            if (x * x + y * y < 1.0 / (static_cast<double>(period) * period)) ++count;
+        }
+    return count;
+}
+
+/// What one in a thousand of chi-squared variates with so many degrees of freedom exceeds, in parts of the mean (Wilson
+/// and Hilferty, The distribution of chi-square, 1931).
+double largest_mean(int degrees)
+{
+    if (degrees == 0) return 0;
+    const double variance = 2.0 / (9 * degrees), root = 1 - variance + 3.0902 * std::sqrt(variance);
+    return root * root * root;
+}
+
+}
+
+PngPixels flattened(const PngPixels& picture, int size, std::size_t& clipped)
+{
+    clipped = 0;
+    PngPixels flat = picture;
+    for (int c = 0; c < picture.channels; ++c)
+        flatten_channel<std::uint8_t>(&flat.values[static_cast<std::size_t>(c)],
+                                      static_cast<std::size_t>(picture.channels), picture.width, picture.height, size,
+                                      clipped);
+    return flat;
+}
+
+RawPicture flattened(const RawPicture& picture, int size)
+{
+    RawPicture flat = picture;
+    const auto flatten_as = picture.type == SampleType::byte   ? flatten_channel<std::uint8_t>
+                            : picture.type == SampleType::word ? flatten_channel<std::uint16_t>
+                                                               : flatten_channel<float>;
+    const std::size_t channels = picture.channels.size(), bytes = picture.pixel_bytes() / channels;
+    std::size_t clipped = 0; // as many as of the 8 bits, of which is told
+    for (std::size_t c = 0; c < channels; ++c)
+        if (picture.channels[c] != "A")
+            flatten_as(&flat.bytes[c * bytes], channels, picture.width, picture.height, size, clipped);
+    return flat;
+}
+
+bool UnevenLight::is_uneven() const { return share > std::max(least_seen_power, most); }
+
+UnevenLight uneven_light(const PngPixels& picture, const PngPixels& flat, int size)
+{
+    const double side = static_cast<double>(feature_side(flat)) / size;
+    const double by_chance = 0.89 * side * side;
+    const double most = is_smooth(picture) ? 0 : by_chance * largest_mean(slow_frequencies(picture, 2 * size));
+    return {slow_power(picture, 2 * size), by_chance, most};
+}
+
+}

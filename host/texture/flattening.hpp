@@ -1,0 +1,50 @@
+// A picture whose light differs from side to side becomes one that is equally light everywhere.
+//
+// Tiles put parts of a picture side by side in another order. Light that changes over more than a tile cannot go on
+// from one to the next, so that bright and dark parts become a pattern of their own. As texture artists do, the mean
+// around each pixel, by weights of a Gaussian of half a tile, is subtracted, and the mean of the picture is added.
+//
+// Values are those of the file, of 8 bits sRGB: equal steps look about equally large there, so that a dark part that
+// becomes brighter keeps the contrast that one sees. In linear light its contrast would remain too small, and bright
+// parts that become darker would lose what is dark in them below black. Channels are separate, so that casts of colour
+// go as well.
+#pragma once
+
+#include "base/images/png_file.hpp"
+#include "base/images/raw_picture.hpp"
+
+#include <cstddef>
+
+namespace poissonlab {
+
+/// The picture for tiles of size x size pixels; `clipped` becomes the number of values that would be below 0 or above
+/// 255. Beside the rim, where half of the Gaussian is outside, the mean is that of the straight line that fits best
+/// along each axis (local linear regression): a ramp of light goes everywhere. The picture has at least two pixels
+/// along each axis.
+PngPixels flattened(const PngPixels& picture, int size, std::size_t& clipped);
+
+/// A picture of other numbers; alpha stays, whole numbers are clipped, floating-point ones are not. Throws nothing for
+/// numbers that are not finite: all numbers around them become such.
+RawPicture flattened(const RawPicture& picture, int size);
+
+/// Says how much of a picture's variation is light that differs over more than a tile.
+struct UnevenLight
+{
+    double share = 0;     ///< slow_power() below one over two tiles
+    double by_chance = 0; ///< what a texture of such features has without any uneven light, on average
+    double most = 0;      ///< what one in a thousand of such textures has; 0 of smooth pictures, see is_smooth()
+    bool is_uneven() const;
+};
+
+/// Measures a picture and what flattened() made of it. The share is 0 where the picture has no such frequency, since
+/// it is at most two tiles wide.
+///
+/// The power spectrum of a texture without slow light is flat below the size of its features. If its correlation is
+/// exp(-d^2 / 2 s^2), its integral is 2 pi s^2, so that the part of the power below 1/(2 T) is 2 pi s^2 pi / (2 T)^2.
+/// feature_side(), the side of squares whose means have half of the variance, is 2.35 s of such a texture: the share is
+/// 0.89 (feature_side / T)^2. Features are measured in the flattened picture, as slow light would enlarge them.
+/// The power of n frequencies, of which half are those of the other half, varies as chi-squared with n degrees of
+/// freedom. A smooth picture has no edges by which features could be told from light: all of it is light.
+UnevenLight uneven_light(const PngPixels& picture, const PngPixels& flat, int size);
+
+}

@@ -1,0 +1,30 @@
+// What measures say of textures, in a sentence for each and a verdict over all that have one exemplar.
+#pragma once
+
+#include "results/pictures/distribution_result.hpp"
+#include "results/texture_measures.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The gates that a texture fails, in their order. Gates whose measure it does not have are passed.
+std::vector<const TextureGate*> failed_gates(const DistributionResult& texture);
+
+/// "Edges kept; recurs every 64 pixels; shapes whole.": what it has values of; empty where that is nothing.
+std::string texture_sentence(const DistributionResult& texture);
+
+/// The numbers of textures in the order in which a person should look at them: those that pass all gates first, by
+/// their shares of new patches, which no construction optimises; then the others, by how many gates they fail. Others
+/// keep their order.
+std::vector<std::size_t> judged_order(const std::vector<const DistributionResult*>& textures);
+
+/// The label of a texture without the name of its exemplar in front.
+std::string label_of_method(const DistributionResult& texture);
+
+/// Says which of several textures to take, which others pass, and what is wrong with the rest; empty where no texture
+/// has a value that a gate asks for. `textures` are in their judged_order().
+std::string textures_verdict(const std::vector<const DistributionResult*>& textures);
+
+}
