@@ -1,6 +1,8 @@
 #include "app/commands/kind_options.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/standard_streams.hpp"
+#include "experiment/run/progress.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -155,6 +157,13 @@ std::string KindOptions::command_comment(const std::string& what) const
 void KindOptions::say_note(const std::string& note) const
 {
     if (!note.empty() && !is_quiet()) fmt::print(stderr, "poissonlab: note: {}\n", note);
+}
+
+void KindOptions::say_written(const std::string& what) const
+{
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin_;
+    if (kept_standard_output() < 0)
+        say_note(fmt::format("{}: {}, made in {}", printable(out.string()), what, duration_text(time.count())));
 }
 
 void print_numbers(const std::vector<DistributionNumber>& numbers)

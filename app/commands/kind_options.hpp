@@ -6,6 +6,7 @@
 #include "host/kinds/kind.hpp"
 #include "results/pictures/distribution_result.hpp"
 
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <string>
@@ -69,6 +70,10 @@ public:
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
 
+    /// Says what was written to --out, and in what time, unless nothing is to be said or the points go to standard
+    /// output.
+    void say_written(const std::string& what) const;
+
     /// Returns the command that makes the points again, for a comment in their file, followed by `what` they are, as
     /// a comment of the shell. Options that change no point are left out.
     std::string command_comment(const std::string& what) const;
@@ -97,6 +102,7 @@ private:
     std::string placed_;
     std::deque<Typed> typed_;
     WorkOptions work_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     bool as_json_ = false;
 };
 

@@ -75,13 +75,14 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
 inline constexpr const char* crs_of_lengths = "null";
 
 /// write_points_in_pieces() for .geojson, with the member `crs` if it is not empty: without it, points are in degrees.
+/// Each point is a feature, whose number is its property `id`, and `features`, JSON for each point, its property
+/// `feature` if they are there.
 void write_geojson_points(const std::filesystem::path& path, int dimension, const std::string& crs,
-                          const std::string& comment, const std::function<void(const PointSink& sink)>& write);
+                          const std::string& comment, const std::function<void(const PointSink& sink)>& write,
+                          const std::vector<std::string>& features = {});
 
-/// Writes each point as a feature with this property, whose value is JSON.
-void write_geojson_features(const std::filesystem::path& path, const PointSet& points, const std::string& crs,
-                            const std::string& comment, const std::string& property,
-                            const std::vector<std::string>& values);
+/// A point as a feature of a list, with a comma before all but the first. `more_properties` begin with a comma.
+std::string geojson_feature(std::uint64_t id, const std::string& more_properties, std::span<const double> position);
 
 /// write_points_in_pieces() for .csv, with names of the columns as the first line.
 void write_csv_points(const std::filesystem::path& path, int dimension, std::string_view names,

@@ -87,14 +87,21 @@ double Progress::Pace::seconds_each() const
     return (seconds - first_seconds) / static_cast<double>(count - first_count);
 }
 
-/// Seconds left, if each remaining realization takes as long to make and to analyse as those that are done. While only
-/// one of the two times is known, it stands for both.
-double Progress::seconds_left() const
+std::optional<double> Progress::Pace::seconds_left(std::uint64_t total) const
 {
-    const double make = made_.count > 0 ? made_.seconds_each() : analysed_.seconds_each();
-    const double analyse = analysed_.count > 0 ? analysed_.seconds_each() : make;
-    return make * static_cast<double>(totals_.to_make - made_.count) +
-           analyse * static_cast<double>(totals_.to_analyse - analysed_.count);
+    if (total == count) return 0;
+    if (count < 2) return std::nullopt;
+    return seconds_each() * static_cast<double>(total - count);
+}
+
+/// Seconds left, if each remaining realization takes as long to make and to analyse as those that are done. Nothing
+/// while one of the two times is not known, and after the last realization: how long what belongs to a series as a
+/// whole will take is not known then.
+std::optional<double> Progress::seconds_left() const
+{
+    const auto make = made_.seconds_left(totals_.to_make), analyse = analysed_.seconds_left(totals_.to_analyse);
+    if (!make || !analyse || *make + *analyse == 0) return std::nullopt;
+    return *make + *analyse;
 }
 
 /// "52/120 realizations, 1.20 M points/s, 2 min 05 s left"
@@ -102,8 +109,9 @@ std::string Progress::state() const
 {
     const std::uint64_t stored = totals_.realizations - totals_.to_make;
     const std::string rate = points_per_second_ > 0 ? ", " + rate_text(points_per_second_) : "";
-    return fmt::format("{}/{} realizations{}, {} left", stored + made_.count, totals_.realizations, rate,
-                       duration_text(seconds_left()));
+    const auto seconds = seconds_left();
+    return fmt::format("{}/{} realizations{}{}", stored + made_.count, totals_.realizations, rate,
+                       seconds ? ", " + duration_text(*seconds) + " left" : "");
 }
 
 void Progress::sampled(std::size_t points, double seconds)
@@ -143,12 +151,13 @@ void Progress::show_state()
     } else if (style_ == Style::plain && is_time(seconds_between_lines)) {
         print(state());
     } else if (style_ == Style::json && is_time(seconds_between_events)) {
+        const auto seconds = seconds_left();
         print_event({{"event", "progress"},
                      {"realizations", totals_.realizations},
                      {"made", totals_.realizations - totals_.to_make + made_.count},
                      {"analysed", totals_.realizations - totals_.to_analyse + analysed_.count},
                      {"points_per_second", points_per_second_},
-                     {"seconds_left", seconds_left()}});
+                     {"seconds_left", seconds ? nlohmann::ordered_json(*seconds) : nlohmann::ordered_json()}});
     }
 }
 

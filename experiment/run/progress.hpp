@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace poissonlab {
@@ -78,6 +79,9 @@ private:
         void add(double time, std::uint64_t more);
         double seconds_each() const; ///< 0: nothing is done yet
 
+        /// Seconds that are left where there are `total`; nothing while one is done at most, and work is left.
+        std::optional<double> seconds_left(std::uint64_t total) const;
+
         double seconds = 0;
         std::uint64_t count = 0;
         double first_seconds = 0;
@@ -92,7 +96,7 @@ private:
     void clear();
     bool is_time(double seconds);
     double elapsed() const;
-    double seconds_left() const;
+    std::optional<double> seconds_left() const;
 
     Style style_;
     Clock clock_;

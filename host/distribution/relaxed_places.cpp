@@ -127,14 +127,15 @@ std::uint64_t place_at(double part, int side, int size)
 }
 
 PixelPlaces relaxed_places(const Density& density, const PixelPlaces& places, std::size_t iterations,
-                           const DistributionPlace& place)
+                           const DistributionPlace& place, const std::string& purpose)
 {
     const std::size_t points = places.size() / 2;
     if (points < least_relaxed_places) return places;
     const MirrorStrips strips(density, points);
     const Density square = strips.squared(density);
     const double step = usual_gaussian_step(widest_gaussian, 2);
-    if (place.on_step) place.on_step(fmt::format("Gaussian blue noise: {} points, {} iterations", points, iterations));
+    if (place.on_step)
+        place.on_step(fmt::format("{}Gaussian blue noise: {} points, {} iterations", purpose, points, iterations));
 
     PointSet set{2, {}};
     for (const std::uint64_t coordinate : places)

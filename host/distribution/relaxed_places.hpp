@@ -11,6 +11,7 @@
 #include "host/sampling/warp/warp.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace poissonlab {
 
@@ -19,7 +20,8 @@ inline constexpr std::size_t least_relaxed_places = 135;
 
 /// Places after so many iterations, by the engine of the workplace; the same by both. Throws InputError where the
 /// device has no memory for that, and for pictures so long that the square around them has more than 2^26 pixels.
+/// `purpose` is said with the step.
 PixelPlaces relaxed_places(const Density& density, const PixelPlaces& places, std::size_t iterations,
-                           const DistributionPlace& place);
+                           const DistributionPlace& place, const std::string& purpose = "");
 
 }

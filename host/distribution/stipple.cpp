@@ -113,7 +113,8 @@ double relaxed_radius(const StippleSettings& settings, std::size_t points, int w
     const Density constant = constant_density(width, height);
     const SquarePoints even =
         even_points(chosen_method(settings.method), std::min(points, enough_points), width, height, 1, place);
-    const PixelPlaces places = relaxed_places(constant, warp_points(constant, even, place), settings.iterations, place);
+    const PixelPlaces places = relaxed_places(constant, warp_points(constant, even, place), settings.iterations, place,
+                                              "from which ink on marks overlap: ");
     return std::min(1.0, local_spacing(constant, places).least);
 }
 

@@ -40,11 +40,13 @@ TEST_F(DistributeDarts, WritesPointsInUnitsOfTheRegion)
     for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LE(points[i][1], points[i][0] * 4 / 9 + 1e-9);
     EXPECT_EQ(read_points(folder_.path() / "b.csv", CoordinateRange{0, 1000}).at(0), points);
     const auto json = nlohmann::json::parse(content_of(folder_.path() / "c.geojson"));
-    EXPECT_EQ(json.at("type"), "MultiPoint");
     const PointSet stored = read_points(folder_.path() / "a.txt", any_coordinates).at(0);
-    ASSERT_EQ(json.at("coordinates").size(), stored.size());
-    for (std::size_t i = 0; i < stored.size(); ++i)
-        EXPECT_EQ(json.at("coordinates")[i], (nlohmann::json{stored[i][0], stored[i][1]}));
+    ASSERT_EQ(json.at("features").size(), stored.size());
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        EXPECT_EQ(json.at("features")[i].at("properties"), (nlohmann::json{{"id", i}}));
+        EXPECT_EQ(json.at("features")[i].at("geometry").at("coordinates"),
+                  (nlohmann::json{stored[i][0], stored[i][1]}));
+    }
 }
 
 TEST_F(DistributeDarts, KeepsAwayFromObstacles)

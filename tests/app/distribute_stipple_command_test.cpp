@@ -155,7 +155,11 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
         EXPECT_GE(std::min(x, y), r);
         EXPECT_LE(std::max(x, y), 86.383 - r);
     }
-    EXPECT_THAT(outcome.error, HasSubstr("86.38 x 86.38 mm; the pen's way between marks is "));
+    // A dot has the area of two of 40 x 40 pixels of 2 mm: 2 sqrt(8 / pi) mm across. The way is that of 200 dots.
+    EXPECT_THAT(outcome.error, testing::ContainsRegex(
+                                   "the sheet is 86.38 x 86.38 mm, wider than --width for dots at the edges; the "
+                                   "pen's way between marks is [0-9.]+ mm \\([0-9]\\.[0-9] m as made\\); dots are 3.19 "
+                                   "mm in diameter, which a pen of up to that width draws"));
 }
 
 /// Separations of colours have equal sheets, wherever their dots lie and however many they are: pixels of 2.5 mm, dots

@@ -84,6 +84,12 @@ TEST(Manual, EveryMethodHasAPageWithItsParametersAndStoredPictures)
     }
 }
 
+TEST(Manual, TheCheckoutSaysWhichMethodToUse)
+{
+    EXPECT_EQ(content_of(source_folder() + "/docs/methods.md"), stored_choice_page())
+        << "poissonlab manual --stored . writes it anew";
+}
+
 TEST(Manual, EveryKindHasAPageWithItsKeysAnExampleAndAPicture)
 {
     const ManualPages pages = kind_pages();

@@ -5,6 +5,7 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/support/command_test.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,6 +67,24 @@ TEST_F(PointsDartThrowingCommand, SaysWhatItMade)
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_THAT(outcome.out, HasSubstr("\"min_distance\": 0.02"));
     EXPECT_THAT(content_of(folder_.path() / "a.txt"), HasSubstr("between which no further one fits"));
+}
+
+/// The last line says how many points there are, on standard error; what goes to standard output is the points alone.
+TEST_F(PointsDartThrowingCommand, SaysWhereThePointsAreAndHowMany)
+{
+    const Outcome saturated = run("--points 3000 --seed 3 --out a.txt");
+    const std::size_t count = read_points(folder_.path() / "a.txt").at(0).size();
+    ASSERT_NE(count, 3000U);
+    EXPECT_THAT(saturated.error, testing::MatchesRegex(fmt::format(
+                                     "poissonlab: note: a.txt: {} points at least 0\\.0[0-9]+ apart, between "
+                                     "which no further one fits \\(3000 were asked for; without "
+                                     "--relative-radius it depends on chance how many fit\\), made in .*s\n",
+                                     count)));
+    const Outcome exact = run("--points 3000 --relative-radius 0.5 --seed 3 --out a.txt");
+    EXPECT_THAT(exact.error,
+                testing::MatchesRegex("poissonlab: note: a.txt: 3000 points at least 0\\.0[0-9]+ apart, made in "
+                                      ".*s\n"));
+    EXPECT_EQ(run("--points 3000 --seed 3 --out -").error, "");
 }
 
 /// Saturation comes by chance: it is found when all blocks are there.

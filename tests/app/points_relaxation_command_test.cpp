@@ -70,6 +70,15 @@ protected:
     const SamplerSpec lloyd_ = lloyd_sampler();
 };
 
+TEST_F(PointsLloydCommand, SaysWhereThePointsAreAndHowMany)
+{
+    const Outcome outcome =
+        run_program(folder_.path(), test::words_of("points lloyd --points 500 --iterations 2 --out a.txt"));
+    EXPECT_THAT(outcome.error,
+                testing::MatchesRegex("poissonlab: note: a.txt: 500 points of relative radius 0\\.[0-9]+, "
+                                      "made in .*s\n"));
+}
+
 /// --memory 0.001 divides the torus into several slabs.
 TEST_F(PointsLloydCommand, WritesTheMethodsPoints)
 {
@@ -127,7 +136,7 @@ TEST_F(PointsLloydCommand, HasAPlainTwin)
     expect_points(
         "--points 300 --iterations 3 --engine reference", "plain.txt",
         made_as_a_whole(lloyd_, with_values(lloyd_, {{"iterations", std::int64_t{3}}}), 300, 2, Engine::reference));
-    const std::string json = printed("--points 300 --iterations 3 --seed 3 --json --out a.txt");
+    const std::string json = printed("--points 300 --iterations 3 --seed 3 --json --quiet --out a.txt");
     EXPECT_THAT(json, HasSubstr("\"iteration\": 3,"));
     EXPECT_THAT(
         content_of(folder_.path() / "a.txt"),

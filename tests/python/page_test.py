@@ -38,11 +38,12 @@ class Page(FolderTest):
         here = os.getcwd()
         self.addCleanup(os.chdir, here)
         os.chdir(self.folder)
+        os.symlink(SOURCE / "runtime", "runtime")
         os.environ.setdefault("MPLBACKEND", "Agg")
         with warnings.catch_warnings(), contextlib.suppress(ImportError):  # of these themselves
             warnings.simplefilter("ignore")
             import matplotlib.pyplot, pandas  # noqa: F401, E401
-        names = {"TILE_SETS": str(SOURCE / "runtime/tile_sets")}
+        names = {}
         for block in blocks:
             with self.subTest(block):
                 try:

@@ -117,8 +117,9 @@ void say_tones(const KindOptions& o, bool has_strokes, const TonesOfMarks& tones
                has_strokes ? "strokes" : "dots", stippling.mark_width, has_strokes ? "wide" : "in diameter",
                tones.error);
     fmt::print("{:.1f} % of the pixels are too dark: they have more ink than {:.3f}, where {} overlap; {:.2f} % of the "
-               "ink lies on other ink\n",
-               100 * tones.too_dark, tones.darkest_ink, has_strokes ? "strokes can" : "dots", 100 * tones.overlap);
+               "ink lies on other ink{}\n",
+               100 * tones.too_dark, tones.darkest_ink, has_strokes ? "strokes can" : "dots", 100 * tones.overlap,
+               tones.too_dark > 0 && !has_strokes ? "; a smaller --ink prints them right" : "");
 }
 
 void stipple_picture(const KindOptions& o)

@@ -1,9 +1,8 @@
 // poissonlab points dart-throwing: one set of any size, thrown block by block, as a point file.
-#include "app/commands/kind_options.hpp"
+#include "app/commands/large_sets/relaxed_points.hpp"
 #include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "base/programs/interrupt.hpp"
 #include "host/large_sets/large_darts.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +21,7 @@ needs as much room again as the file takes while it is made. Started by mpirun, 
 file, the same bytes as one process, for .npy and HDF5.
 Points come in the order in which darts fall: each begin of the file is a dart throwing of its own.
 With --relative-radius, so many points; without, darts are thrown until no further one fits: about --points of them, or at
---min-distance. The format follows the extension: .npy, .h5, .csv, .usda, .ply or text; in 3D .hdf5 and .h5part, too.
+--min-distance. A last line says how many there are. What is interrupted keeps nothing. The format follows the extension: .npy, .h5, .csv, .usda, .ply or text; in 3D .hdf5 and .h5part, too.
   poissonlab points dart-throwing --points 100000000 --relative-radius 0.75 --out points.npy
   mpirun -n 4 poissonlab points dart-throwing --points 1000000000 --out saturated.h5
   poissonlab points dart-throwing --dimension 3 --min-distance 0.004 --out spheres.npy)help";
@@ -102,16 +101,28 @@ std::string comment_of(const KindOptions& o, const LargeDarts& set)
                                          set.darts.points ? "" : ", between which no further one fits"));
 }
 
+/// A line that says how many points there are, and why there are others than were asked for.
+std::string words_of(const LargeDarts& set, std::uint64_t count, const std::optional<std::uint64_t>& asked)
+{
+    std::string what = fmt::format("{} points at least {:.6g} apart", count, set.darts.min_distance);
+    if (!set.darts.points) what += ", between which no further one fits";
+    if (asked && *asked != count)
+        what +=
+            fmt::format(" ({} were asked for; without --relative-radius it depends on chance how many fit)", *asked);
+    return what;
+}
+
 void throw_large_darts(const KindOptions& o)
 {
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
-    if (!crew->leads()) say_nothing_when_interrupted();
+    say_what_interruption_keeps(*crew);
     LargeDarts set;
+    AskedDarts asked;
     std::optional<DistributionPlace> place;
     PointFileHead head;
     const bool is_ready = crew->together([&] {
-        const auto asked = o.read<AskedDarts>();
+        asked = o.read<AskedDarts>();
         checked_output(o.command(), "--out", o.out, point_formats());
         set = set_of(asked, o.seed());
         head.dimension = set.darts.dimension;
@@ -125,7 +136,9 @@ void throw_large_darts(const KindOptions& o)
     });
     if (!is_ready) return;
     const std::uint64_t count = write_large_darts(o.out, head, set, *place, *crew);
-    if (o.prints_json() && crew->leads())
+    if (!crew->leads()) return;
+    o.say_written(words_of(set, count, asked.points));
+    if (o.prints_json())
         fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(o.out.string())},
                                                   {"points", count},
                                                   {"dimension", head.dimension},

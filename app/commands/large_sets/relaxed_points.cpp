@@ -98,7 +98,9 @@ public:
     void work()
     {
         if (place_->engine == Engine::reference ? !make_plainly() : !make_in_slabs()) return;
-        if (options_.prints_json() && crew_.leads())
+        if (!crew_.leads()) return;
+        options_.say_written(fmt::format("{} points of relative radius {:.4f}", made_.points, made_.relative_radius));
+        if (options_.prints_json())
             fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(options_.out.string())},
                                                       {"points", made_.points},
                                                       {"dimension", asked_.dimension},
@@ -248,6 +250,12 @@ private:
 
 }
 
+void say_what_interruption_keeps(const Crew& crew)
+{
+    if (!crew.leads()) return say_nothing_when_interrupted();
+    say_when_interrupted("nothing of the set is kept: the same command makes it from the beginning");
+}
+
 void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& method)
 {
     keys.integer("points", asked.points, 1, most_relaxed_points, "how many points").otherwise("those of the start");
@@ -278,7 +286,7 @@ void write_relaxed_points(const KindOptions& options, const RelaxedMethod& metho
 {
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
-    if (!crew->leads()) say_nothing_when_interrupted();
+    say_what_interruption_keeps(*crew);
     RelaxationWork work(options, method, *crew);
     if (work.prepare()) work.work();
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/commands/kind_options.hpp"
+#include "base/crew/crew.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/slabs/slab_method.hpp"
 
@@ -39,6 +40,9 @@ struct AskedRelaxation
     int dimension = 2;
     double memory = 1; ///< GB
 };
+
+/// Says what an interruption of a command that makes one set leaves: nothing, in one line for all processes.
+void say_what_interruption_keeps(const Crew& crew);
 
 /// The keys of such a command: the method's own, and those of the set.
 void relaxation_keys(Keys& keys, AskedRelaxation& asked, const RelaxedMethod& method);

@@ -24,6 +24,9 @@ using ManualPages = std::map<std::string, std::string>;
 /// A page a method, methods/NAME.md, and methods.md, which helps to choose one.
 ManualPages method_pages();
 
+/// methods.md as the checkout has it, which lacks the pages of methods.
+std::string stored_choice_page();
+
 /// A page for each other kind of work, kinds/TABLE-WORD.md, and beside-methods.md, which lists them. Pictures and
 /// examples are those of docs/kinds.
 ManualPages kind_pages();

@@ -34,6 +34,7 @@ void write_stored_texts(const std::filesystem::path& checkout, const std::vector
     std::vector<ManifestEntry> entries = entries_of_laboratory();
     std::ranges::move(entries_of_commands(), std::back_inserter(entries));
     write_whole_file(checkout / "host/modules/manifest.tsv", manifest_text(entries));
+    write_whole_file(checkout / "docs/methods.md", stored_choice_page());
     const std::filesystem::path folder = checkout / "app/stored";
     write_whole_file(folder / "samplers.txt", samplers_text(sampler_registry(), region_sampler_registry()));
     write_whole_file(folder / "kinds.txt", kinds_text());

@@ -178,22 +178,31 @@ std::string method_page(const SamplerSpec& spec)
     return text + cost_of(spec) + gallery_rows(spec.name) + claims_about(spec);
 }
 
-std::string choice_page()
+std::string title_in_choice(const SamplerSpec& spec, bool has_pages)
 {
-    std::string text =
-        "# Which method\n\nEvery method has a page with pictures, its parameters, and what was measured. "
-        "All of them take the same keys in configs, arguments in Python, and appear in the same "
-        "reports; [samplers](samplers.md) has all parameters in one table.\n\n| | | use it |\n| --- | --- "
-        "| --- |\n";
+    return has_pages ? fmt::format("[{}](methods/{}.md)", spec.title, spec.name) : spec.title;
+}
+
+std::string choice_page(bool has_pages)
+{
+    std::string text = "# Which method\n\n";
+    text += has_pages ? "Every method has a page with pictures, its parameters, and what was measured. "
+                      : "`./lab docs` makes a page for every method, with pictures, and what was measured; [one "
+                        "table](results.md#todays-methods-on-one-scale) compares them. ";
+    text += "All of them take the same keys in configs, arguments in Python, and appear in the same "
+            "reports; [samplers](samplers.md) has all parameters in one table.\n\n| | | use it |\n| --- | --- "
+            "| --- |\n";
     for (const SamplerSpec& spec : sampler_registry()) {
         std::string traits = spec.dimensions.size() == 2 ? "2D, 3D" : fmt::format("{}D", spec.dimensions.front());
-        text += fmt::format("| [{}](methods/{}.md) | {} | {} |\n", spec.title, spec.name, traits,
+        text += fmt::format("| {} | `{}`, {} | {} |\n", title_in_choice(spec, has_pages), spec.name, traits,
                             first_sentence(sampler_guide(spec.name).use));
     }
     return text;
 }
 
 }
+
+std::string stored_choice_page() { return choice_page(false); }
 
 std::string scale_table()
 {
@@ -204,7 +213,7 @@ std::string scale_table()
 
 ManualPages method_pages()
 {
-    ManualPages pages{{"methods.md", choice_page()}};
+    ManualPages pages{{"methods.md", choice_page(true)}};
     for (const SamplerSpec& spec : sampler_registry())
         pages[fmt::format("methods/{}.md", spec.name)] = method_page(spec);
     return pages;

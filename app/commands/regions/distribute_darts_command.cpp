@@ -10,9 +10,9 @@ namespace {
 
 constexpr auto distribute_darts_notes =
     R"help(Darts are thrown into a region until there are --points of them, or until no further one fits: then every place of
-the region is nearer than --min-distance to a point. Coordinates and distances are in the region's own units. Points on
-the boundary are inside; with --boundary disks whole disks of half the distance around points are, and with --boundary on
-the boundary is sampled first. --min-distance may vary: a formula in the region's x and y, or a picture over its box
+the region is nearer than --min-distance to a point. Coordinates and distances are in the region's own units. Points may
+lie on the boundary; with --boundary disks whole disks of half the distance around points are inside, as trees want it, and
+with --boundary on the boundary is sampled first. --min-distance may vary: a formula in the region's x and y, or a picture over its box
 with --distance-range for black and white; with --points it is a shape, scaled until so many have room. --distances FILE
 writes the distance at each point. A region is
   FILE                         GeoJSON (Polygon, MultiPolygon, Feature, FeatureCollection), or WKT
@@ -34,7 +34,7 @@ through the plane.
 Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT, and
 points of CSV, NPY and other point files. They are never in polygons, and nearer than --obstacle-distance to none: by
 default than --min-distance to points.
-  poissonlab distribute darts --region park.geojson --min-distance 4 --out trees.csv --out trees.geojson
+  poissonlab distribute darts --region park.geojson --min-distance 4 --boundary disks --out trees.csv --out trees.geojson
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
   poissonlab distribute darts --region roads.geojson --along --min-distance 25 --out lamps.geojson
   poissonlab distribute darts --region "ball 0 0 0 10" --min-distance 1 --boundary disks --out grains.ply

@@ -20,19 +20,18 @@ namespace {
 
 OutputFormats distance_formats() { return {{".npy"}}; }
 
-/// Points in the system of coordinates that the region's file names, as features with the id of the region's feature
-/// that they lie in, where it has several.
+/// Points in the system of coordinates that the region's file names, with the id of the region's feature that they
+/// lie in, where it has several.
 void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, const std::string& comment)
 {
     const PlaneRegion* const whole = darts.request.land ? &darts.request.land->whole : nullptr;
     const std::string crs = whole ? crs_in_files(*whole) : crs_of_lengths;
     const PointSet points = darts.file_points();
+    std::vector<std::string> features;
     if (whole && whole->source && !whole->source->features.empty())
-        return write_geojson_features(file, points, crs, comment, "feature",
-                                      darts.features.empty() ? ids_of_features(whole->source->features, darts.points)
-                                                             : darts.features);
-    write_geojson_points(file, points.dimension, crs, comment,
-                         [&](const PointSink& sink) { sink(points.coordinates); });
+        features = darts.features.empty() ? ids_of_features(whole->source->features, darts.points) : darts.features;
+    write_geojson_points(
+        file, points.dimension, crs, comment, [&](const PointSink& sink) { sink(points.coordinates); }, features);
 }
 
 /// Points for a program that draws, or for one that reads tables.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto distribute_surface_notes =
     R"help(MESH is a file of polygons: .obj, .ply, .off, .stl, .gltf or .glb. Points lie on its triangles, and distances are straight through
-space, in units of the mesh. Points whose normals are more than --normal-angle apart do not see each other: the two
+space, in units of the mesh. Distances count between points whose normals are at most --normal-angle apart: the two
 sides of a thin sheet are each even by themselves, and points of different sides may be near.
   --min-distance D                       darts until no further one fits: all of the surface is nearer than D to a point
   --points N --min-distance D            darts until there are N, or --relative-radius instead of --min-distance
@@ -26,8 +26,8 @@ sides of a thin sheet are each even by themselves, and points of different sides
   --method quads --points N              about N points of tiles on the quads of a closed surface, which fit everywhere:
                                          its own faces, or with --quads cube or polycube squares that it is mapped to
 Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
---out, as often as you like: .ply (binary, with normals nx, ny, nz), .png (views from the front and from behind, --pixels
-wide; z is up), and point files such as .npy, .csv and text.
+--out, as often as you like: .ply (binary) and .csv, both with normals nx, ny, nz, .png (left the view from the front, right from behind, --pixels
+wide together; z is up), and point files such as .npy and text.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
   poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";
@@ -49,8 +49,9 @@ void place_on_surface(const KindOptions& o)
     std::string what =
         fmt::format("{} {}, {}", set.points.size(), noun(set.points.size(), "point"), surface_fact(set, settings));
     if (set.min_distance > 0)
-        what +=
-            fmt::format("; {}at least {} apart", set.angle < 180 ? "those that see each other " : "", set.min_distance);
+        what += fmt::format(
+            "; at least {} apart{}", set.min_distance,
+            set.angle < 180 ? fmt::format(" where their normals differ by {:.4g} degrees at most", set.angle) : "");
     o.say_note(what);
     for (const std::filesystem::path& out : o.outs.files())
         write_surface_output(out, set, static_cast<int>(o.pixels), o.command_comment(what));

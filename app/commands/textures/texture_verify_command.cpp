@@ -70,12 +70,25 @@ void print_judgement(const TilingJudgement& found)
             fmt::print("{:.1f} % of the patches of {} x {} pixels of a tiling are new\n", 100 * *found.novelty[i],
                        found.sides[i], found.sides[i]);
     if (found.fragments)
-        fmt::print("{:.1f} fragments a tile are smaller than a feature of {} x {} pixels\n", *found.fragments,
-                   found.feature, found.feature);
+        fmt::print("{:.1f} fragments a tile are smaller than a feature of {} x {} pixels (fewer are better among sets "
+                   "of one exemplar)\n",
+                   *found.fragments, found.feature, found.feature);
     if (found.slow)
         fmt::print("{:.1f} % of a tiling's power is light that changes over more than a tile, {:.1f} % of the "
                    "exemplar's\n",
                    100 * found.slow->tiling, 100 * found.slow->exemplar);
+}
+
+/// What is proven, and how far seams show. Exemplars of one colour have no steps to compare with.
+std::string verdict_on(const TextureCertificate& proof, const SeamMeasures& seams)
+{
+    std::string verdict = "Verdict: proven, all tiles fit wherever they may lie side by side";
+    if (proof.exceptions > 0) verdict += fmt::format(", but for {} pairs of pixels beside corners", proof.exceptions);
+    if (seams.natural > 0)
+        verdict += fmt::format(". Steps that are large for this exemplar are {:.1f} times as frequent across seams as "
+                               "in the exemplar: 1 is as good as the exemplar itself, more shows",
+                               seams.conspicuous / seams.natural);
+    return verdict;
 }
 
 void verify_texture(const TextureVerifyOptions& options)
@@ -136,6 +149,7 @@ void verify_texture(const TextureVerifyOptions& options)
     if (found) print_judgement(*found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);
+    fmt::print("{}\n", verdict_on(proof, seams));
 }
 
 }

@@ -6,10 +6,8 @@
 #include "base/regions/region_source.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -30,16 +28,8 @@ void append_record(std::string& to, std::span<const double> at, std::uint32_t of
     to.append(reinterpret_cast<const char*>(&of), sizeof of);
 }
 
-void append_feature(std::string& to, std::span<const double> at, std::uint32_t of)
-{
-    to += fmt::format("{{\"type\":\"Feature\",\"properties\":{{\"class\":{}}},\"geometry\":{{\"type\":\"Point\","
-                      "\"coordinates\":[{:.17g}]}}}}",
-                      of, fmt::join(at, ","));
-}
-
 void append_point(std::string& to, const std::string& format, std::span<const double> at, std::uint32_t of)
 {
-    if (format == ".geojson") return append_feature(to, at, of);
     if (format == ".csv") return append_row(to, at, of, ',', false);
     if (format == ".ply") return append_row(to, at, of, ' ', true);
     append_record(to, at, of);
@@ -80,12 +70,15 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
     const bool is_geojson = format == ".geojson";
     write_whole_file_in_pieces(file, [&](const FileSink& sink) {
         sink(header_of(format, dimension, points, comment, region));
-        bool is_first = true;
+        std::uint64_t id = 0;
         source([&](std::span<const double> coordinates, std::span<const std::uint32_t> classes) {
             std::string piece;
             for (std::size_t i = 0; i < classes.size(); ++i) {
-                if (is_geojson && !std::exchange(is_first, false)) piece += ",\n";
-                append_point(piece, format, coordinates.subspan(i * axes, axes), classes[i]);
+                const auto at = coordinates.subspan(i * axes, axes);
+                if (is_geojson)
+                    piece += geojson_feature(id++, fmt::format(",\"class\":{}", classes[i]), at);
+                else
+                    append_point(piece, format, at, classes[i]);
             }
             sink(piece);
         });

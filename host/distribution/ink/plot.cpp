@@ -159,9 +159,17 @@ Plot plot_of(const MarkGroup& marks, double width, double height, double margin,
 std::string plot_words(const Plot& plot)
 {
     const std::string unit = plot.sheet.width > 0 ? "mm" : "pixels";
-    std::string words = fmt::format("{:.4g} x {:.4g} {}; the pen's way between marks is {:.4g} {}", plot.width,
-                                    plot.height, unit, plot.way, unit);
-    if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({:.4g} as made)", plot.way_as_made);
+    const bool is_on_paper = plot.sheet.width > 0;
+    const auto way_text = [&](double way) {
+        return is_on_paper && way >= 1000 ? fmt::format("{:.1f} m", way / 1000) : fmt::format("{:.4g} {}", way, unit);
+    };
+    std::string words =
+        fmt::format("the sheet is {:.4g} x {:.4g} {}{}; the pen's way between marks is {}", plot.width, plot.height,
+                    unit, is_on_paper ? ", wider than --width for dots at the edges" : "", way_text(plot.way));
+    if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({} as made)", way_text(plot.way_as_made));
+    if (is_on_paper && !plot.marks.disks.empty())
+        words += fmt::format("; dots are {:.3g} mm in diameter, which a pen of up to that width draws",
+                             2 * plot.marks.disks.front()[2]);
     if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
         words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
                              plot.widest_hole);

@@ -87,7 +87,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
         .excludes("min_distance")
         .otherwise("none");
     keys.number("normal_angle", s.normal_angle, {1, 180},
-                "the largest angle between normals of points that see each other; 180: all do")
+                "the largest angle between normals of points that keep a distance; 180: all do")
         .unit("degrees");
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")

@@ -223,8 +223,9 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     numbers.push_back({"area", "Area", surface.area, "of the surface, in squares of its units"});
     if (set.min_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
-                           set.angle < 180 ? "that points which see each other are sure to keep, straight through space"
-                                           : "that points are sure to keep, straight through space"});
+                           set.angle < 180
+                               ? "that points whose normals are near enough are sure to keep, straight through space"
+                               : "that points are sure to keep, straight through space"});
     if (set.darts > 0)
         numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
@@ -238,7 +239,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
                                        : "of two points, in units of the mesh"});
     if (set.angle < 180)
         numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
-                           "also of points that do not see each other, such as those on two sides of a sheet"});
+                           "also of points whose normals are too far apart, such as those on two sides of a sheet"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});
     numbers.push_back(
         {"relative_radius", "Relative radius", found.least / packed_distance(surface.area, set.points.size()),

@@ -7,6 +7,7 @@
 #include "base/surfaces/triangle_mesh.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -221,6 +222,16 @@ void write_surface_ply(const std::filesystem::path& file, const PointSet& places
     });
 }
 
+/// 17 significant digits tell every double from its neighbours.
+void write_surface_csv(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
+{
+    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
+        sink("x,y,z,nx,ny,nz\n");
+        for (std::size_t i = 0; i < places.size(); ++i)
+            sink(fmt::format("{:.17g},{:.17g}\n", fmt::join(places[i], ","), fmt::join(normals[i], ",")));
+    });
+}
+
 }
 
 void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
@@ -228,6 +239,7 @@ void write_surface_points(const std::filesystem::path& file, const FixedSurface&
 {
     const PointSet places = points_of(surface, points);
     if (file.extension() == ".ply") return write_surface_ply(file, places, normals_of(surface, points), comment);
+    if (file.extension() == ".csv") return write_surface_csv(file, places, normals_of(surface, points));
     write_points(file, places, comment);
 }
 

@@ -186,7 +186,8 @@ std::vector<DistributionNumber> tiling_numbers(const SurfaceSet& set)
                        "parts of the surface whose texture coordinates hang together"});
     if (!tiling.least_without_seams) return numbers;
     numbers.push_back({"least_without_seams", "Least distance without seams", *tiling.least_without_seams,
-                       "of two points that see each other with no seam of charts between them, in units of the mesh"});
+                       "of two points whose normals are near enough, with no seam of charts between them, in units of "
+                       "the mesh"});
     numbers.push_back({"broken_by_seams", "Points broken by seams",
                        static_cast<double>(tiling.broken) / static_cast<double>(set.points.size()),
                        "the part of the points that are nearer than that to one beyond a seam"});

@@ -154,7 +154,8 @@ public:
 private:
     void tell_round(int round) const
     {
-        progress_("better pieces", static_cast<std::size_t>(round), static_cast<std::size_t>(request_.rounds));
+        progress_("rounds that look for better pieces", static_cast<std::size_t>(round),
+                  static_cast<std::size_t>(request_.rounds));
     }
 
     void improve_all(const WindowSearch& search, int round)

@@ -15,26 +15,40 @@
 namespace poissonlab {
 namespace {
 
-TEST(PointFileGeoJson, IsOneMultiPoint)
+/// The property `id` of each feature, which must be a point, and its position.
+std::vector<std::pair<int, std::vector<double>>> features_of(const nlohmann::json& json)
+{
+    EXPECT_EQ(json.at("type"), "FeatureCollection");
+    std::vector<std::pair<int, std::vector<double>>> features;
+    for (const nlohmann::json& feature : json.at("features")) {
+        EXPECT_EQ(feature.at("type"), "Feature");
+        EXPECT_EQ(feature.at("geometry").at("type"), "Point");
+        features.emplace_back(feature.at("properties").at("id").get<int>(),
+                              feature.at("geometry").at("coordinates").get<std::vector<double>>());
+    }
+    return features;
+}
+
+TEST(PointFileGeoJson, HasAFeatureForEachPoint)
 {
     const TemporaryFolder folder;
     const auto file = folder.path() / "a.geojson";
     write_points(file, {2, {0.1, 1.0 / 3, 1e-9, 0}}, "two \"points\"\nhere");
     const auto json = nlohmann::json::parse(read_whole_file(file));
-    EXPECT_EQ(json.at("type"), "MultiPoint");
     EXPECT_EQ(json.at("comment"), "two \"points\"\nhere");
     EXPECT_TRUE(json.at("crs").is_null()); // lengths
-    EXPECT_EQ(json.at("coordinates"), (nlohmann::json{{0.1, 1.0 / 3}, {1e-9, 0}}));
+    using Features = std::vector<std::pair<int, std::vector<double>>>;
+    EXPECT_EQ(features_of(json), (Features{{0, {0.1, 1.0 / 3}}, {1, {1e-9, 0}}}));
     // Pieces join without a gap, and numbers are the same doubles.
     PointSet many{3, {}};
     for (int i = 0; i < 3 * 10'000; ++i) many.coordinates.push_back(i / 30'000.0);
     write_points(file, many);
-    const auto all = nlohmann::json::parse(read_whole_file(file)).at("coordinates");
+    const auto all = features_of(nlohmann::json::parse(read_whole_file(file)));
     ASSERT_EQ(all.size(), many.size());
     for (std::size_t i = 0; i < many.size(); ++i)
-        ASSERT_EQ(all[i], (nlohmann::json{many[i][0], many[i][1], many[i][2]}));
+        ASSERT_EQ(all[i], std::pair(static_cast<int>(i), (std::vector<double>{many[i][0], many[i][1], many[i][2]})));
     write_points(file, {2, {}});
-    EXPECT_TRUE(nlohmann::json::parse(read_whole_file(file)).at("coordinates").empty());
+    EXPECT_EQ(features_of(nlohmann::json::parse(read_whole_file(file))), Features{});
 }
 
 /// Who gives a region in metres gets points that say so, and can keep away from them next time.

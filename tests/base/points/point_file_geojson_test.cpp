@@ -43,7 +43,8 @@ TEST(GeoJsonPointFiles, ReadBackAsTheyWereWritten)
     const PointSet points{2, {0.1, 1.0 / 3, 0.7, 1e-9}};
     write_points(folder.path() / "a.geojson", points);
     EXPECT_EQ(read_points(folder.path() / "a.geojson").at(0), points);
-    write_geojson_features(folder.path() / "b.geojson", points, crs_of_lengths, "", "feature", {"\"oak\"", "null"});
+    write_geojson_points(folder.path() / "b.geojson", 2, crs_of_lengths, "",
+                         [&](const PointSink& sink) { sink(points.coordinates); }, {"\"oak\"", "null"});
     EXPECT_EQ(read_points(folder.path() / "b.geojson").at(0), points);
     const PointSet space{3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
     write_points(folder.path() / "c.geojson", space);

@@ -83,28 +83,38 @@ TEST(Progress, InAPipeLongWorkIsALineNowAndThen)
         progress.step("tile 3 of 16");
     });
     // The time before the first realization, which samples for 0.1 s, is not expected again: six seconds each are left.
-    EXPECT_EQ(text, "2/8 realizations, 1 k points/s, 36.0 s left\n"
+    // When two are made, one is analysed, which says nothing of the others.
+    EXPECT_EQ(text, "2/8 realizations, 1 k points/s\n"
                     "4/8 realizations, 1 k points/s, 24.0 s left\n"
                     "tile 3 of 16\n");
 }
 
 TEST(Progress, SecondsLeftLeaveOutWhatHappensOnce)
 {
-    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once. When two
-    // are made and one is analysed, 89 s are left.
+    // Ten realizations take 1 s to make and 9 s to analyse, after 30 s of work that is done once, and 20 s that are
+    // part of the first analysis. While only one of them is analysed, nothing is known of the others; when three are
+    // made and two are analysed, 79 s are left. Nothing is said of what comes after the last one.
     const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime& time) {
         progress.start({10, 10, 10});
         time.wait(31);
         progress.sampled(100, 1);
-        time.wait(9);
+        time.wait(29);
         progress.analysed();
-        time.wait(1);
-        progress.sampled(100, 1);
-        time.wait(9);
-        progress.analysed();
+        for (int i = 0; i < 2; ++i) {
+            time.wait(1);
+            progress.sampled(100, 1);
+            time.wait(9);
+            progress.analysed();
+        }
+        progress.elsewhere(7, 7);
+        time.wait(11);
+        progress.elsewhere(1, 1);
     });
-    EXPECT_EQ(text, "1/10 realizations, 100 points/s, 19.0 s left\n"
-                    "2/10 realizations, 100 points/s, 1 min 29 s left\n");
+    EXPECT_EQ(text, "1/10 realizations, 100 points/s\n"
+                    "1/10 realizations, 100 points/s\n"
+                    "2/10 realizations, 100 points/s, 1 min 20 s left\n"
+                    "3/10 realizations, 100 points/s, 1 min 10 s left\n"
+                    "10/10 realizations, 100 points/s\n");
 }
 
 TEST(Progress, WhatIsStoredCountsAsDone)
@@ -112,10 +122,10 @@ TEST(Progress, WhatIsStoredCountsAsDone)
     const std::string text = printed(Progress::Style::plain, [](Progress& progress, FakeTime& time) {
         progress.start({10, 4, 5});
         time.wait(12);
-        progress.elsewhere(2, 1);
+        progress.elsewhere(2, 2);
     });
     EXPECT_EQ(text, "6 of 10 realizations are there already\n"
-                    "8/10 realizations, 24.0 s left\n");
+                    "8/10 realizations, 15.0 s left\n");
 }
 
 TEST(Progress, QuietIsQuiet)
@@ -140,7 +150,7 @@ TEST(Progress, OnATerminalOneLineUpdatesItself)
         progress.analysed(); // too soon after the last
         progress.step("half-way");
     });
-    EXPECT_EQ(text, "\r\033[K[######------------------] 1/2 realizations, 1 k points/s, 0.3 s left"
+    EXPECT_EQ(text, "\r\033[K[######------------------] 1/2 realizations, 1 k points/s"
                     "\r\033[Khalf-way\r\033[K");
 }
 
@@ -167,7 +177,7 @@ TEST(Progress, EventsAreObjectsALine)
                                          {"made", 3},
                                          {"analysed", 0},
                                          {"points_per_second", 1000.0},
-                                         {"seconds_left", 0.5}}));
+                                         {"seconds_left", nullptr}}));
     EXPECT_EQ(events[2], (nlohmann::json{{"event", "series"}, {"text", "A \"b\""}, {"seconds", 2.0}}));
     EXPECT_EQ(events[3],
               (nlohmann::json{{"event", "run"}, {"number", 1}, {"count", 2}, {"title", "T"}, {"seconds", 2.0}}));

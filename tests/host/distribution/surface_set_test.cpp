@@ -2,6 +2,7 @@
 #include "host/distribution/surfaces/surface_set.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
@@ -17,8 +18,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace poissonlab {
 namespace {
@@ -183,6 +186,30 @@ TEST(SurfaceFiles, AreReadByCgal)
         EXPECT_NEAR(normal.squared_length(), 1, 1e-6);
         // Normals of a sphere point away from its middle, but for the slopes of flat triangles.
         EXPECT_GT(normal * (point - CGAL::ORIGIN), 0.9);
+    }
+}
+
+/// The columns of normals are those of the triangles' slopes, and other readers find x, y and z by their names.
+TEST(SurfaceFiles, HaveNormalsInTables)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(8));
+    settings.points = 50;
+    settings.relative_radius = 0.5;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "points.csv";
+    write_surface_points(file, set.mesh->surface, set.points, "");
+    EXPECT_EQ(read_points(file, any_coordinates).at(0), set.places());
+    std::istringstream lines(read_whole_file(file));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "x,y,z,nx,ny,nz");
+    for (std::size_t i = 0; i < 50; ++i) {
+        std::array<double, 6> row{};
+        char comma = 0;
+        for (std::size_t k = 0; k < 6; ++k) (k > 0 ? lines >> comma : lines) >> row[k];
+        EXPECT_NEAR(std::hypot(row[3], row[4], row[5]), 1, 1e-12);
+        EXPECT_GT(row[0] * row[3] + row[1] * row[4] + row[2] * row[5], 0.9); // away from the middle of the sphere
     }
 }
 
