@@ -25,6 +25,8 @@ std::vector<PaperClaim> claims_about_tiles()
 
 std::vector<Paper> papers_on_tiles() { return {}; }
 
+Scene read_scene(const std::filesystem::path& /*file*/) { throw MissingModule(module_of_tiles); }
+
 Drawing draw_construction(const Scene& /*scene*/) { throw MissingModule(module_of_tiles); }
 
 void draw_tiling_pictures(const ReportTiling& /*tiling*/, PictureStore& /*store*/)

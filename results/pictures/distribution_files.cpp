@@ -1,6 +1,7 @@
 #include "results/pictures/distribution_files.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "results/pictures/curve_chart.hpp"
 
 namespace poissonlab {
 

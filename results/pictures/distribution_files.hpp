@@ -1,7 +1,6 @@
 // The files that a distribution or scheme consists of, while it is made.
 #pragma once
 
-#include "results/pictures/curve_chart.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "results/pictures/mark_picture.hpp"
 
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace poissonlab {
+
+struct CurveChart;
 
 /// The files of one distribution: where each is to be written, and which there are.
 class DistributionFiles
