@@ -90,6 +90,16 @@ int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box)
     return size;
 }
 
+int size_asked_for(std::size_t points, int dimension, const PeriodicBox& box)
+{
+    return 2 * static_cast<int>(std::ceil(samples_asked_for(points, dimension) * box.longest() / 2));
+}
+
+bool reaches_as_asked(int size, std::size_t points, int dimension, const PeriodicBox& box)
+{
+    return size >= samples_asked_for(points, dimension) * box.longest();
+}
+
 double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
 {
     double sum = 0;

@@ -31,7 +31,7 @@ AnalysisOptions small_options()
 {
     AnalysisOptions options;
     options.spectrum = PeriodogramMethod::fast;
-    options.spectrum_size = 64;
+    options.spectrum_size = 128;
     return options;
 }
 
