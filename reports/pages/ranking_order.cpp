@@ -154,15 +154,15 @@ std::string blue_noise_words(const std::vector<const ReportSeries*>& all, int di
 {
     constexpr std::size_t most_named = 6;
     std::vector<std::string> parts;
-    for (const char* answer : {"yes", "weakly", "no"}) {
+    for (const char* answer : {"Yes", "Weakly", "No"}) {
         std::vector<std::string> names;
         for (const ReportSeries* series : ranked_of(all, dimension))
-            if (series->stored->blue_noise && series->stored->blue_noise->answer == answer)
+            if (series->stored->blue_noise && series->stored->blue_noise->answer.substr(1) == answer + 1)
                 names.push_back(series->full_label);
         if (names.size() > most_named) names = {format_count(names.size()) + " series"};
-        if (!names.empty()) parts.push_back(fmt::format("{}: {}", answer, fmt::join(names, ", ")));
+        if (!names.empty()) parts.push_back(fmt::format("{}: {}.", answer, fmt::join(names, "; ")));
     }
-    return parts.empty() ? "" : fmt::format("Blue noise? {}.", fmt::join(parts, "; "));
+    return parts.empty() ? "" : fmt::format("Blue noise? {}", fmt::join(parts, " "));
 }
 
 std::string directions_words(const std::vector<const ReportSeries*>& all, int dimension)

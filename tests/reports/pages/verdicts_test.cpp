@@ -147,10 +147,10 @@ TEST(RankingOrder, NamesNoWideRangeWhereNoneIs)
     add("best candidate", 0.13, 0, "weakly");
     const auto is_of_range = [](const BestFor& best) { return std::string(best.what).starts_with("the widest"); };
     EXPECT_TRUE(std::ranges::none_of(best_series(report.series(), 2), is_of_range));
-    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? weakly: jittered, best candidate.");
+    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? Weakly: jittered; best candidate.");
     add("darts", 0.06, 0.63, "yes");
     EXPECT_TRUE(std::ranges::any_of(best_series(report.series(), 2), is_of_range));
-    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? yes: darts; weakly: jittered, best candidate.");
+    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? Yes: darts. Weakly: jittered; best candidate.");
     EXPECT_EQ(blue_noise_words(report.series(), 3), "");
 }
 
