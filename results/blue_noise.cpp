@@ -64,10 +64,9 @@ std::string unknown_because(const Series& series, int dimension)
                                                            : "the spectrum ends too early to show all peaks";
 }
 
-bool reaches_as_asked(const Series& series, int dimension)
+int asked_size(const Series& series, int dimension)
 {
-    return reaches_as_asked(series.spectrum_size, series.points_of_first(), dimension,
-                            series.box ? series.box->box() : PeriodicBox{});
+    return size_asked_for(series.points_of_first(), dimension, series.box ? series.box->box() : PeriodicBox{});
 }
 
 }
@@ -120,16 +119,14 @@ std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dim
 std::string short_spectrum_words(const Series& series, int dimension)
 {
     if (series.spectrum_size == 0) return {};
-    const bool is_whole = reaches_as_asked(series, dimension),
-               has_rise = number_of(series, "effective_nyquist").has_value();
+    const int asked = asked_size(series, dimension);
+    const bool is_whole = series.spectrum_size >= asked, has_rise = number_of(series, "effective_nyquist").has_value();
     if (is_whole && has_rise) return {};
     std::vector<std::string> missing;
     if (!number_of(series, "low_frequency_mean")) missing.emplace_back("power at low frequencies");
     if (!has_rise) missing.emplace_back("effective Nyquist frequency");
     if (!is_whole) missing.emplace_back("oscillation, anisotropy and lattice peaks");
     const double root = std::pow(static_cast<double>(series.points), 1.0 / dimension), reach = spectrum_reach(series);
-    const int asked =
-        size_asked_for(series.points_of_first(), dimension, series.box ? series.box->box() : PeriodicBox{});
     const bool can_be_set = asked <= (dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d) && !series.region;
     return fmt::format(
         "The spectrum ends at frequency {:.4g} ({:.2g} {}), too early for these measures, which are left "

@@ -92,12 +92,12 @@ int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box)
 
 int size_asked_for(std::size_t points, int dimension, const PeriodicBox& box)
 {
-    return 2 * static_cast<int>(std::ceil(samples_asked_for(points, dimension) * box.longest() / 2));
-}
-
-bool reaches_as_asked(int size, std::size_t points, int dimension, const PeriodicBox& box)
-{
-    return size >= samples_asked_for(points, dimension) * box.longest();
+    const double samples = samples_asked_for(points, dimension);
+    int size = 2;
+    while (size < samples) size *= 2;
+    const int step = std::max(2, size / 8);
+    while (size < samples * box.longest()) size += step;
+    return size;
 }
 
 double mean_power(const Spectrum& spectrum, int fx, int fy, int block)

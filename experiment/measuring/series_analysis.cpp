@@ -45,7 +45,7 @@ bool ends_within(const FrequencyRange& range, const std::vector<RadialBin>& radi
 
 bool SeriesAnalysis::reaches_as_asked() const
 {
-    return estimate_ && poissonlab::reaches_as_asked(spectrum_size_, sets_.front().points, dimension_, box_);
+    return estimate_ && spectrum_size_ >= size_asked_for(sets_.front().points, dimension_, box_);
 }
 
 /// A set must be like the first one.

@@ -46,7 +46,7 @@ TEST(ShortSpectrum, HasNoOtherMeasuresThanTheUsualOne)
             const auto right = measured(set, usual);
             EXPECT_TRUE(right.contains("oscillation") && right.contains("effective_nyquist"));
             std::size_t fewest = right.size();
-            for (int size = 4; size < 2.48 * 2 * n; size += 2) {
+            for (int size = 4; size < usual; size += 2) {
                 const auto numbers = measured(set, size);
                 fewest = std::min(fewest, numbers.size());
                 for (const auto& [key, value] : numbers)

@@ -117,7 +117,7 @@ TEST(BlueNoiseVerdict, IsUnknownWhereTheSpectrumIsNotTheSets)
     early.spectrum_size = 64; // ends at root N
     early.measures.peak_anisotropy.reset();
     EXPECT_EQ(answer(early), "unknown");
-    EXPECT_THAT(short_spectrum_words(early, 2), testing::HasSubstr("They need spectrum_size = 160 or more."));
+    EXPECT_THAT(short_spectrum_words(early, 2), testing::HasSubstr("They need spectrum_size = 256 or more."));
     EXPECT_EQ(short_spectrum_words(small_series(0.05, 0.8), 2), "");
     Series followed = small_series(0.05, 0.8);
     followed.region.emplace().has_density = true;

@@ -44,7 +44,7 @@ TEST(SpectrumImage, SmallPicturesShowMeanPower)
 TEST(SpectrumImage, SmallPicturesKeepSpikes)
 {
     for (const int block : {1, 2, 4, 8}) {
-        const auto image = draw_spectrum(with_spike(16, 2, 4, 40), report_tone_mapping, block);
+        auto image = draw_spectrum(with_spike(16, 2, 4, 40), report_tone_mapping, block);
         EXPECT_EQ(image.at((8 + 2) / block, 16 / block - 1 - (8 + 4) / block), 255) << block;
     }
     EXPECT_LT(report_tone_mapping.grey(40 / 64.0 + 1), 255) << "the mean would hide it";
