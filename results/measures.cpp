@@ -241,11 +241,14 @@ std::vector<Measure> spectral_measures()
         number("effective_nyquist", "effective Nyquist frequency", "{√N|∛N} / 2", Better::higher, MeasureKind::estimate,
                significant(3),
                "The frequency up to which the mean power stays below 0.1, with its standard error: what lies below it "
-               "is sampled almost without noise."),
-        of_power_laws(detail(
-            row("low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate,
-                decimals(3), "b in power ~ frequency^b: 0 for random points, above 0 errors of integrals fall faster.",
-                from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error)))),
+               "is sampled almost without noise. It is 0 for random points, and for sets whose power levels out above "
+               "0.1, as that of best candidate does, however far their low frequencies reach."),
+        of_power_laws(detail(row(
+            "low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate, decimals(3),
+            "b in power ~ frequency^b: 0 for random points, above 0 errors of integrals fall faster. It is the slope "
+            "of a line through the logarithms of the rings' powers. The hyperuniformity exponent estimates the "
+            "same b by maximum likelihood, without the bias of logarithms: it is the one to quote.",
+            from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error)))),
         detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::lower, MeasureKind::estimate,
                    decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
                    from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),

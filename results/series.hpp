@@ -9,6 +9,7 @@
 #include "analysis/measures/peak_anisotropy.hpp"
 #include "analysis/measures/voronoi_diagram.hpp"
 #include "base/geometry/periodic_box.hpp"
+#include "results/blue_noise.hpp"
 #include "results/iteration_records.hpp"
 #include "results/method_grid.hpp"
 #include "results/records/sample_records.hpp"
@@ -155,12 +156,13 @@ struct Series
     std::optional<Statistic> relative_radius;
     std::optional<Statistic> covered_fraction;
     Measures measures;
-    std::optional<BorderResult> border; ///< of sets that were made elsewhere and measured as periodic
-    bool is_estimate = false;           ///< true: "power spectrum estimate", false: "periodogram"
-    int spectrum_size = 0;              ///< frequency samples along each axis
-    std::string spectrum_file;          ///< empty: not stored
-    std::string volume_file;            ///< all of a 3D spectrum; empty: not stored
-    std::string radial_file;            ///< empty: no spectrum was made
+    std::optional<BlueNoiseVerdict> blue_noise; ///< whether sets are that
+    std::optional<BorderResult> border;         ///< of sets that were made elsewhere and measured as periodic
+    bool is_estimate = false;                   ///< true: "power spectrum estimate", false: "periodogram"
+    int spectrum_size = 0;                      ///< frequency samples along each axis
+    std::string spectrum_file;                  ///< empty: not stored
+    std::string volume_file;                    ///< all of a 3D spectrum; empty: not stored
+    std::string radial_file;                    ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
     std::string pair_correlation_file;               ///< empty: sets of one point
     std::string number_variance_file;                ///< empty: sets of a few points

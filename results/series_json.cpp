@@ -79,6 +79,12 @@ void members(JsonMembers& m, Stored<BorderResult> auto& border)
     m.member("mean_nearest_distance", border.mean_nearest_distance);
 }
 
+void members(JsonMembers& m, Stored<BlueNoiseVerdict> auto& blue_noise)
+{
+    m.member("answer", blue_noise.answer);
+    m.member("because", blue_noise.because);
+}
+
 void members(JsonMembers& m, Stored<RegionPoints> auto& region)
 {
     m.member("points", region.points);
@@ -196,6 +202,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.object_or_null("relative_radius", series.relative_radius);
     m.object_or_null("covered_fraction", series.covered_fraction);
     m.object_or_none("measures", series.measures);
+    m.object("blue_noise", series.blue_noise);
     m.object("border", series.border);
     m.group_if(!series.spectrum_file.empty(), "spectrum", [&](JsonMembers& spectrum) {
         spectrum.word("kind", series.is_estimate, {"periodogram", "power spectrum estimate"});

@@ -48,15 +48,16 @@ double crossing(const RadialBin& bin, double mean_before, int dimension)
 
 }
 
-double effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::size_t points, int dimension)
+std::optional<double> effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::size_t points,
+                                                  int dimension)
 {
     const double s = points_per_axis(points, dimension);
     const std::vector<double> means = mean_power_up_to(radial, dimension);
     std::size_t i = 0;
     while (i < radial.size() && !(radial[i].frequency + 0.5 >= s / 2 && means[i] > risen_power)) ++i;
-    if (i == radial.size()) return 0;
+    if (i == radial.size()) return std::nullopt;
     while (i > 0 && means[i - 1] >= low_power) --i;
-    if (i == 0) return 0;
+    if (i == 0) return 0.0;
     return crossing(radial[i], means[i - 1], dimension) / s;
 }
 

@@ -38,10 +38,11 @@
 namespace poissonlab {
 
 /// nu: f*/2 over half of points^(1/dimension). 0 where there is no such frequency, as for white noise, whose
-/// mean power is never below 0.1, and where C never exceeds 0.5 within the spectrum.
+/// mean power is never below 0.1. Nothing where C does not exceed 0.5 within the spectrum: it ends before f0.
 ///
 /// `radial` is what radial_statistics gives; `points` >= 1, `dimension` 2 or 3, otherwise InputError.
-double effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::size_t points, int dimension);
+std::optional<double> effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::size_t points,
+                                                  int dimension);
 
 struct Oscillation
 {

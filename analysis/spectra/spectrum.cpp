@@ -90,6 +90,16 @@ int spectrum_size(std::size_t points, int dimension, const PeriodicBox& box)
     return size;
 }
 
+int size_asked_for(std::size_t points, int dimension, const PeriodicBox& box)
+{
+    const double samples = samples_asked_for(points, dimension);
+    int size = 2;
+    while (size < samples) size *= 2;
+    const int step = std::max(2, size / 8);
+    while (size < samples * box.longest()) size += step;
+    return size;
+}
+
 double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
 {
     double sum = 0;

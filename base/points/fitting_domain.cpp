@@ -52,13 +52,6 @@ double round_number_below(double value, double high, double near, double far)
 
 double length_of(const CoordinateRange& range) { return range.high - range.low; }
 
-std::string fitting_rectangle(const Extent& extent, const PointOptions& options)
-{
-    const CoordinateRange x = fitting_range(extent.along(0), extent.points(), 2);
-    const CoordinateRange y = fitting_range(extent.along(1), extent.points(), 2);
-    return fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
-}
-
 constexpr CoordinateRange all_longitudes{-180, 180}, all_latitudes{-90, 90};
 
 CoordinateRange within(const CoordinateRange& range, const CoordinateRange& all)
@@ -105,6 +98,16 @@ bool are_small_and_far(const Extent& extent)
         longest = std::max(longest, length_of(range));
     }
     return fits_globe(extent) && longest > 0 && nearest > far_away * longest;
+}
+
+std::string fitting_rectangle(const Extent& extent, const PointOptions& options)
+{
+    const CoordinateRange x = fitting_range(extent.along(0), extent.points(), 2);
+    const CoordinateRange y = fitting_range(extent.along(1), extent.points(), 2);
+    const std::string region = fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
+    const std::string_view one_range = "--domain {}:{}"; // other interfaces have other words for boxes
+    if (options.domain != one_range || are_small_and_far(extent)) return region;
+    return fmt::format("--domain \"{}:{} {}:{}\" (a periodic box) or {}", x.low, x.high, y.low, y.high, region);
 }
 
 }

@@ -35,6 +35,17 @@ double largest_bin_width(int size, const PeriodicBox& box)
     return (0.5 * size - 0.5) / box.longest() - 0.5;
 }
 
+/// Rings are one cycle wide.
+bool ends_within(const FrequencyRange& range, const std::vector<RadialBin>& radial)
+{
+    return !radial.empty() && range.end < radial.back().frequency + 1;
+}
+
+}
+
+bool SeriesAnalysis::reaches_as_asked() const
+{
+    return estimate_ && spectrum_size_ >= size_asked_for(sets_.front().points, dimension_, box_);
 }
 
 /// A set must be like the first one.
@@ -190,7 +201,7 @@ Series SeriesAnalysis::result() const
         if (const Estimate within = mean_of(&SetMeasures::radius_within); std::isfinite(within.value))
             series.measures.numbers["relative_radius_within_tiles"] = within;
     if (integration_) series.measures.integration = integration_->mean(independent_groups());
-    if (estimate_ && options_.tiles > 0)
+    if (reaches_as_asked() && options_.tiles > 0)
         series.measures.numbers["lattice_share"] = mean_of(&SetMeasures::lattice_share);
     if (seams_) {
         if (const auto deviation = seams_->largest_deviation())
@@ -230,16 +241,27 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
     const std::size_t n = sets_.front().points;
-    measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
-    measures_.oscillation = oscillation(radial, n, mean.dimension);
+    if (const auto nyquist = effective_nyquist_frequency(radial, n, mean.dimension))
+        measures_.numbers["effective_nyquist"] = {*nyquist, {}};
+    const FrequencyRange low = low_frequency_range(n, mean.dimension);
+    if (ends_within(low, radial)) {
+        measures_.low_frequency_power = low_frequency_power(radial, low);
+        if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
+        if (!options_.region) measure_hyperuniformity(mean);
+    }
+    if (reaches_as_asked()) measure_whole(radial, mean);
+    measure_errors(radial, mean);
+    measure_peak_error(radial, mean);
+}
+
+/// The measures that look at all frequencies, and are others where a spectrum ends early.
+void SeriesAnalysis::measure_whole(const std::vector<RadialBin>& radial, const Spectrum& mean)
+{
+    measures_.oscillation = oscillation(radial, sets_.front().points, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial);
     // Curves of tapers are not independent of each other: what chance gives is not known.
     if (const auto above = anisotropy_above_chance_db(radial, mean.realizations); above && !has_tapers())
         measures_.numbers["anisotropy_above_chance"] = {*above, {}};
-    const FrequencyRange low = low_frequency_range(n, mean.dimension);
-    measures_.low_frequency_power = low_frequency_power(radial, low);
-    if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
-    if (!options_.region) measure_hyperuniformity(mean);
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -249,8 +271,6 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
         if (const auto db = off_lattice_anisotropy_db(mean, options_.tiles))
             measures_.numbers["off_lattice_anisotropy"] = {*db, {}};
     }
-    measure_errors(radial, mean);
-    measure_peak_error(radial, mean);
 }
 
 void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)

@@ -222,6 +222,8 @@ private:
     void add_to_spectrum(const PointStrips& points) { estimate_->add(points); }
     void start_pairs();
     void leave_out_pairs();
+    bool reaches_as_asked() const;
+    void measure_whole(const std::vector<RadialBin>& radial, const Spectrum& mean);
     void measure_hyperuniformity(const Spectrum& mean);
     void measure_exponent_error(const std::vector<PowerShell>& shells, int realizations, double least);
     void measure_errors(std::vector<RadialBin> radial, const Spectrum& mean);

@@ -61,10 +61,13 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, const Spectru
     };
     using Curve = std::vector<RadialBin>;
     if (sets_.size() > 1) { // of one set by tapers, steep rises and noise that adds to squares would have half too much
-        measures_.numbers["effective_nyquist"].standard_error = errors.of(
-            of_curve([&](const Curve& curve) { return effective_nyquist_frequency(curve, n, mean.dimension); }));
-        measures_.oscillation->standard_error = errors.of_squares(
-            of_curve([&](const Curve& curve) { return oscillation(curve, n, mean.dimension).value; }));
+        if (const auto found = measures_.numbers.find("effective_nyquist"); found != measures_.numbers.end())
+            found->second.standard_error = errors.of(of_curve([&](const Curve& curve) {
+                return effective_nyquist_frequency(curve, n, mean.dimension).value_or(found->second.value);
+            }));
+        if (measures_.oscillation)
+            measures_.oscillation->standard_error = errors.of_squares(
+                of_curve([&](const Curve& curve) { return oscillation(curve, n, mean.dimension).value; }));
     }
     if (const auto found = measures_.numbers.find("low_frequency_mean"); found != measures_.numbers.end())
         found->second.standard_error =

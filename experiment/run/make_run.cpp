@@ -2,6 +2,7 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
+#include "base/files/text_lines.hpp"
 #include "base/regions/region_source.hpp"
 #include "results/file_names.hpp"
 #include "results/periodograms.hpp"
@@ -97,6 +98,15 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     return series;
 }
 
+/// True where the spectrum is that of a density as well.
+bool follows_density(const Parameters& parameters)
+{
+    const Json given = parameters_json(parameters);
+    double number = 0;
+    return given.contains("density") && given["density"].is_string() &&
+           !parse_number(given["density"].get<std::string>(), number);
+}
+
 /// Adds a result to the list of its kind, with its name and its files' folder.
 class AddExhibit
 {
@@ -158,8 +168,9 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
     run.missing.insert(run.missing.end(), results.failures.begin(), results.failures.end());
     for (std::size_t i = 0; i < results.series.size(); ++i) {
         if (!results.series[i]) continue;
-        run.series.push_back(
-            series_of(experiment.series[i], experiment.analysis_of(experiment.series[i]), *results.series[i]));
+        const SeriesTask& task = experiment.series[i];
+        Series& series = run.series.emplace_back(series_of(task, experiment.analysis_of(task), *results.series[i]));
+        if (!follows_density(task.parameters)) series.blue_noise = blue_noise_verdict(series, run.dimension);
     }
     for (std::size_t i = 0; i < results.exhibits.size(); ++i)
         if (results.exhibits[i]) std::visit(AddExhibit(experiment.exhibits[i], run), *results.exhibits[i]);

@@ -190,11 +190,15 @@ private:
         if (job.kind == Job::Kind::series) {
             const SeriesWork& series = work.series(job.item);
             const Series result = series.result();
+            const int dimension = runs_[job.run].experiment.dimension;
             progress_.finish_series(summary(series.task(), result));
             if (const std::string border = border_words(result); !border.empty())
-                progress_.note(fmt::format("{}: {} {}", series.task().label, border,
-                                           border_advice(runs_[job.run].experiment.dimension)));
+                progress_.note(fmt::format("{}: {} {}", series.task().label, border, border_advice(dimension)));
+            if (const std::string left_out = short_spectrum_words(result, dimension); !left_out.empty())
+                progress_.note(fmt::format("{}: {}", series.task().label, left_out));
             const bool is_read = series.task().sampler->name == "file";
+            if (const auto verdict = blue_noise_verdict(result, dimension); is_read && verdict)
+                progress_.message(fmt::format("{}: {}", series.task().label, verdict->words()));
             if (const std::string mixture = mixture_words(result); is_read && !mixture.empty())
                 progress_.note(fmt::format("{}: {}", series.task().label, mixture));
         }

@@ -1,5 +1,6 @@
 #include "reports/images/spectrum_image.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -8,6 +9,19 @@ namespace poissonlab {
 namespace {
 
 constexpr int largest_page_picture = 512;
+
+/// White noise of one set has a power above this at one in 10^8 frequencies: a single one is a spike.
+constexpr double spike = 20;
+
+/// The mean power of a block, or the largest where that is a spike, which the mean would hide.
+double shown_power(const Spectrum& spectrum, int fx, int fy, int block)
+{
+    double largest = 0;
+    for (int y = fy; y < fy + block; ++y)
+        for (int x = fx; x < fx + block; ++x)
+            if (x != 0 || y != 0) largest = std::max(largest, spectrum.at(x, y));
+    return largest > spike ? largest : mean_power(spectrum, fx, fy, block);
+}
 
 }
 
@@ -20,7 +34,7 @@ GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mappin
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column)
             image.at(column, size - 1 - row) =
-                grey(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
+                grey(shown_power(spectrum, lowest + column * block, lowest + row * block, block));
     return image;
 }
 

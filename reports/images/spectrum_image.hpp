@@ -8,8 +8,8 @@
 namespace poissonlab {
 
 /// A 2D spectrum as grey values. Frequencies along y grow upwards, as in the picture of the points. A pixel
-/// shows the mean power of `block` x `block` frequencies, so that a small picture keeps the spikes that
-/// thinning out grey values would lose; `block` divides the size. Frequency zero (DC, always N) is left out:
+/// shows the mean power of `block` x `block` frequencies, or the largest where that is a spike of more than 20, which
+/// readers should see in small pictures too; `block` divides the size. Frequency zero (DC, always N) is left out:
 /// black where a pixel would show nothing else.
 GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mapping, int block = 1);
 

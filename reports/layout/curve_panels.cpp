@@ -109,17 +109,19 @@ Panel structure_factor_panel(const ReportSeries& series, std::size_t index, cons
 Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
 {
     const bool in_space = series.run->dimension == 3;
-    return {.stem = "anisotropy",
-            .picture = anisotropy_alone(plots.anisotropy, index, series.curve),
-            .title = "Anisotropy",
-            .caption = fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
-                                   format_fixed(series.curve.background_db, 1), series.curve.periodograms),
-            .guide = fmt::format(
-                "How much the power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
-                "Where the curve follows that line, no direction is preferred; values far above it come "
-                "from a grid, from tiles, or from rows. The first few {} hold few samples and scatter.",
-                in_space ? "shell" : "ring", in_space ? "spherical shells" : "rings"),
-            .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
+    return {
+        .stem = "anisotropy",
+        .picture = anisotropy_alone(plots.anisotropy, index, series.curve),
+        .title = "Anisotropy",
+        .caption = fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}; the measure "
+                               "“anisotropy above chance” is counted from there.",
+                               format_fixed(series.curve.background_db, 1), series.curve.periodograms),
+        .guide =
+            fmt::format("How much the power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
+                        "Where the curve follows that line, no direction is preferred; values far above it come "
+                        "from a grid, from tiles, or from rows. The first few {} hold few samples and scatter.",
+                        in_space ? "shell" : "ring", in_space ? "spherical shells" : "rings"),
+        .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
 }
 
 Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)

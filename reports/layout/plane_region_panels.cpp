@@ -87,9 +87,10 @@ Panel region_points_panel(const ReportSeries& series)
     return {.stem = "points",
             .picture = MarkPanel{series.run->folder / region.picture_file},
             .title = "Points",
-            .caption = fmt::format("{} {} in {}, of area {}{}.", format_count(series.stored->points_of_first()),
+            .caption = fmt::format("{} {} in {}, of area {}{}{}.", format_count(series.stored->points_of_first()),
                                    noun(series.stored->points_of_first(), "point"), region.name,
-                                   format_significant(region.area, 4), first_of_several(series)),
+                                   format_significant(region.area, 4), region.is_in_metres ? " m²" : "",
+                                   first_of_several(series)),
             .guide =
                 "A good set looks even but not regular. Clumps and holes waste samples; rows and repetition appear in "
                 "sampled pictures as patterns that are not there.",

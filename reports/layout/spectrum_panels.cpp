@@ -43,7 +43,9 @@ std::string caption(const ReportSeries& series)
         text += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
                             format_fixed(-size / 2, 0), format_fixed(size / 2 - 1, 0));
     if (const int block = spectrum_page_block(size, series.run->dimension); block > 1)
-        text += fmt::format("; a pixel here is the mean of {0} × {0}, and a larger picture is one click away", block);
+        text += fmt::format("; a pixel here is the mean of {0} × {0}, or the highest of them above 20, and a larger "
+                            "picture is one click away",
+                            block);
     return text + ".";
 }
 

@@ -173,13 +173,23 @@ PageData number_cell(const RankingColumn& column, const ReportSeries& series, co
     return data;
 }
 
-PageData number_column(const RankingColumn& column)
+/// The dimension of all series; 0 where they differ.
+int only_dimension(const Site& site)
+{
+    const auto all = site.series();
+    const auto differs = [&](const ReportSeries* series) {
+        return series->run->dimension != all.front()->run->dimension;
+    };
+    return all.empty() || std::ranges::any_of(all, differs) ? 0 : all.front()->run->dimension;
+}
+
+PageData number_column(const RankingColumn& column, int dimension)
 {
     const Measure& measure = *column.measure;
     PageData data;
     data.set("key", measure.key);
-    data.set("title", column.choice ? std::string(column.choice->heading) : in_dimension(measure.title()));
-    data.set("unit", optional_text(in_dimension(column.choice ? column.choice->unit : measure.unit)));
+    data.set("title", column.choice ? std::string(column.choice->heading) : in_dimension(measure.title(), dimension));
+    data.set("unit", optional_text(in_dimension(column.choice ? column.choice->unit : measure.unit, dimension)));
     data.set("better", words_of(measure.better).name);
     data.set("arrow", optional_text(words_of(measure.better).arrow));
     data.set("sorting", measure.key == sorted_by ? "descending" : "none");
@@ -192,7 +202,7 @@ PageData columns_data(const Site& site, const std::vector<RankingColumn>& column
     PageData list{PageData::type::list};
     list << text_column("series", "Series");
     if (site.has_several_runs()) list << text_column("run", "Run");
-    for (const RankingColumn& column : columns) list << number_column(column);
+    for (const RankingColumn& column : columns) list << number_column(column, only_dimension(site));
     if (from.machines.any()) list << text_column("device", "Machine");
     if (from.versions.any()) list << text_column("version", "Version");
     return list;
@@ -247,6 +257,7 @@ PageData best_lines(const Site& site)
             wishes << item;
         }
         line.set("wishes", wishes);
+        line.set("blue_noise", optional_text(blue_noise_words(all, dimension)));
         line.set("directions", optional_text(directions_words(all, dimension)));
         lines << line;
     }
@@ -273,22 +284,22 @@ PageData notices(const Site& site, const Provenances& from)
 }
 
 /// The meaning of columns; neighbours with one meaning share a note.
-PageData notes(const std::vector<RankingColumn>& columns)
+PageData notes(const std::vector<RankingColumn>& columns, int dimension)
 {
     PageData list{PageData::type::list};
     for (std::size_t i = 0; i < columns.size();) {
         const std::string& meaning = columns[i].measure->meaning;
-        std::string names = in_dimension(columns[i].measure->title());
+        std::string names = in_dimension(columns[i].measure->title(), dimension);
         bool is_detail = columns[i].is_detail;
         for (++i; i < columns.size() && columns[i].measure->meaning == meaning; ++i) {
-            names += "; " + in_dimension(columns[i].measure->title());
+            names += "; " + in_dimension(columns[i].measure->title(), dimension);
             is_detail = is_detail && columns[i].is_detail;
         }
         if (meaning.empty()) continue;
         PageData note;
         note.set("name", names);
         note.set("is_detail", is_detail);
-        note.set("text", in_dimension(meaning));
+        note.set("text", in_dimension(meaning, dimension));
         list << note;
     }
     return list;
@@ -315,7 +326,7 @@ void set_ranking(PageData& page, const Site& site)
     page.set("is_long", series.size() > long_ranking);
     page.set("series_count", format_count(series.size()));
     page.set("notices", notices(site, from));
-    page.set("notes", notes(columns));
+    page.set("notes", notes(columns, only_dimension(site)));
 }
 
 }

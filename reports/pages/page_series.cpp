@@ -79,6 +79,9 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     data.set("relative_radius", optional_text(radius_words(*series.stored, 4)));
     data.set("min_distance", min_distance(*series.stored));
     data.set("measures", measures_list(series));
+    const auto& blue_noise = series.stored->blue_noise;
+    data.set("blue_noise", optional_text(blue_noise ? blue_noise->words() : ""));
+    data.set("left_out", optional_text(short_spectrum_words(*series.stored, run.stored->dimension)));
     data.set("border", optional_text(border_notice(series)));
     data.set("mixture", optional_text(series.stored->sampler == "file" ? mixture_words(*series.stored) : ""));
     data.set("file_groups", files);

@@ -28,19 +28,24 @@ constexpr std::array choice_columns{
 /// Two values that are closer than this number of standard errors of their difference are as good.
 constexpr double errors_apart = 2;
 
+/// The low frequencies, up to root N / 4, whose mean power is a measure of its own, end at 0.5. Levels decide below:
+/// jittered points have 0.25 and best candidate, whose power levels out at 0.13, just above the limit of 0.1, has 0.
+constexpr double least_wide_range = 0.5;
+
 struct Wish
 {
     const char* what;
     const char* key;
     const char* before; ///< the value
     const char* after;
+    double least = -1; ///< the value below which not even the best one is good
 };
 
 constexpr std::array wishes{
     Wish{"points far apart", "relative_radius", "mean ρ = ", ""},
     Wish{"little noise at low frequencies", "low_frequency_mean", "power ", ""},
-    Wish{"the widest range almost without noise", "effective_nyquist", "Nyquist ", ""},
-    Wish{"integrals across edges", "integration_disk", "squared error ", " of random points'"},
+    Wish{"the widest range almost without noise", "effective_nyquist", "Nyquist ", "", least_wide_range},
+    Wish{"integrals across edges", "integration_disk", "squared error ", " of that of random points"},
     Wish{"speed", "sample_time", "", " a set"},
 };
 
@@ -134,6 +139,7 @@ std::vector<BestFor> best_series(const std::vector<const ReportSeries*>& all, in
         const Measure& wanted = measure(wish.key);
         if (!compare(wanted, ranked)) continue;
         const ReportSeries* series = best_of(wanted, even.empty() ? ranked : even);
+        if (series && wanted.get(*series->stored)->value < wish.least) continue;
         const auto is_best = [&](const ReportSeries* other) {
             return !wanted.get(*other->stored) || is_as_good(wanted, *other, *series);
         };
@@ -142,6 +148,21 @@ std::vector<BestFor> best_series(const std::vector<const ReportSeries*>& all, in
         best.push_back({wish.what, series, wish.before + words.shown + wish.after});
     }
     return best;
+}
+
+std::string blue_noise_words(const std::vector<const ReportSeries*>& all, int dimension)
+{
+    constexpr std::size_t most_named = 6;
+    std::vector<std::string> parts;
+    for (const char* answer : {"Yes", "Weakly", "No"}) {
+        std::vector<std::string> names;
+        for (const ReportSeries* series : ranked_of(all, dimension))
+            if (series->stored->blue_noise && series->stored->blue_noise->answer.substr(1) == answer + 1)
+                names.push_back(series->full_label);
+        if (names.size() > most_named) names = {format_count(names.size()) + " series"};
+        if (!names.empty()) parts.push_back(fmt::format("{}: {}.", answer, fmt::join(names, "; ")));
+    }
+    return parts.empty() ? "" : fmt::format("Blue noise? {}", fmt::join(parts, " "));
 }
 
 std::string directions_words(const std::vector<const ReportSeries*>& all, int dimension)

@@ -46,6 +46,9 @@ struct BestFor
 std::vector<BestFor> best_series(const std::vector<const ReportSeries*>& all, int dimension);
 
 /// "None of them has preferred directions.", "Preferred directions: A, B.": of the ranked series of a dimension.
+/// "Blue noise? Yes: dart-throwing. Weakly: jittered. No: random."; empty where no series has an answer.
+std::string blue_noise_words(const std::vector<const ReportSeries*>& all, int dimension);
+
 std::string directions_words(const std::vector<const ReportSeries*>& all, int dimension);
 
 }

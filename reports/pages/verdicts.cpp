@@ -15,8 +15,8 @@ namespace poissonlab {
 namespace {
 
 /// The limits of the sentence.
-constexpr double far_apart = 0.65, near_each_other = 0.4;                   ///< relative radius
-constexpr double quiet = 0.02, noisy = 0.5, like_random = 0.9, worse = 1.1; ///< mean power at low frequencies
+constexpr double far_apart = 0.65, near_each_other = 0.4;                  ///< relative radius
+constexpr double quiet = 0.1, noisy = 0.5, like_random = 0.9, worse = 1.1; ///< mean power at low frequencies
 constexpr double no_waves = 1e-3;    ///< mean power at low frequencies, below which long waves do not show
 constexpr double strong_peaks = 1.5; ///< lattice peaks over the power around them
 constexpr double deep_seams = 0.2;   ///< deviation of the density at seams
@@ -142,6 +142,8 @@ std::string sentence_about(const ReportSeries& series)
         judge_directions(series, opinion);
     }
     std::vector<std::string> parts;
+    if (const auto& blue_noise = series.stored->blue_noise)
+        parts.push_back(fmt::format("Blue noise: {}.", blue_noise->answer));
     if (is_not_periodic(series)) parts.push_back(border_words(*series.stored));
     if (!opinion.good.empty()) parts.push_back(fmt::format("Strengths: {}.", fmt::join(opinion.good, "; ")));
     if (!opinion.bad.empty()) parts.push_back(fmt::format("Weaknesses: {}.", fmt::join(opinion.bad, "; ")));

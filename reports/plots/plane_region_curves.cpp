@@ -17,6 +17,15 @@ double l_minus_r(double k, double r) { return std::sqrt(std::max(k, 0.0) / std::
 /// A curve in the same colour, with dashes.
 std::size_t dashed(std::size_t index) { return index + palette().size(); }
 
+/// A round step with two to five labels, which do not run into each other however long they are.
+double few_labels(const PlotAxis& axis)
+{
+    const double least = (axis.high - axis.low) / 5, unit = std::pow(10, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * unit >= least) return step * unit;
+    return 10 * unit;
+}
+
 /// Distance 0, where all curves begin, is no row.
 Plot function_plot(const PlaneRegionCurves& curves, RegionFunction function, const char* name,
                    const std::function<double(double value, double r)>& shown)
@@ -32,6 +41,7 @@ Plot function_plot(const PlaneRegionCurves& curves, RegionFunction function, con
     }
     curve.end = curve.x.back();
     plot.x = {.label = region_distance_axis, .high = curve.x.back()};
+    plot.x.step = few_labels(plot.x);
     plot.y = {.label = name};
     plot.curves.push_back(std::move(curve));
     return plot;
@@ -80,6 +90,7 @@ Plot region_l_plot(const PlaneRegionCurves& curves)
     const double span = std::max(high - low, 1e-12);
     plot.y.low = low - 0.05 * span;
     plot.y.high = high + 0.05 * span;
+    plot.y.step = few_labels(plot.y);
     plot.left_margin = 9;
     add_formula(plot, curves, [](const RegionCurveRow& row) { return l_minus_r(row.k_isotropic, row.distance); });
     return plot;
@@ -95,6 +106,7 @@ Plot region_distance_plot(const PlaneRegionCurves& curves, RegionFunction functi
         return row.of(RegionFunction::nearest) > 0.999 && row.of(RegionFunction::empty_space) > 0.999;
     });
     if (end != rows.end()) plot.x.high = std::min(rows.back().distance, 1.6 * end->distance);
+    plot.x.step = few_labels(plot.x);
     if (curves.has_formula)
         add_formula(plot, curves, [&](const RegionCurveRow& row) {
             return 1 - std::exp(-curves.intensity * std::numbers::pi * row.distance * row.distance);
@@ -113,6 +125,7 @@ Plot region_j_plot(const PlaneRegionCurves& curves)
         return std::isfinite(row.of(RegionFunction::j)) || std::isfinite(row.high[4]);
     });
     if (last != rows.rend()) plot.x.high = last->distance;
+    plot.x.step = few_labels(plot.x);
     return plot;
 }
 

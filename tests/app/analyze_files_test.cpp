@@ -79,7 +79,8 @@ TEST_F(AnalyzeFiles, SayWhichDomainWouldFit)
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.error,
               "poissonlab: error: a.csv:2: 128.5: must be a number in [0, 1); the numbers go from 2.5 to "
-              "511.7: --domain 0:512 or --region 'rectangle 0 0 512 410' would fit\n");
+              "511.7: --domain 0:512 or --domain \"0:512 0:410\" (a periodic box) or --region 'rectangle 0 0 512 410' "
+              "would fit\n");
     EXPECT_EQ(series_of("a.csv --domain 0:512")["points"], 4);
 }
 

@@ -95,6 +95,13 @@ TEST_F(Border, NoGoesWithOtherDomainsAndWithMeasuresOfSquares)
         run_program(folder_.path(), {"analyze", "large.txt", "--domain", "40", "--periodic", "no", "--out", "o"});
     ASSERT_EQ(scaled.status, 0) << scaled.error;
     EXPECT_NEAR(series()["min_distance"]["min"], std::hypot(10, 5) / 40, 1e-8);
+    // Points keep their units: all results are those of the region.
+    const auto by_domain = series();
+    EXPECT_EQ(by_domain["region"]["name"], "rectangle 0 0 40 40");
+    ASSERT_EQ(
+        run_program(folder_.path(), {"analyze", "large.txt", "--region", "rectangle 0 0 40 40", "--out", "o"}).status,
+        0);
+    for (const char* member : {"region", "min_distance", "measures"}) EXPECT_EQ(series()[member], by_domain[member]);
     const Outcome tiled = analyze({"--periodic", "no", "--set", "analysis.tiles=2"});
     ASSERT_EQ(tiled.status, 0) << tiled.error;
     EXPECT_EQ(series()["window"], true);

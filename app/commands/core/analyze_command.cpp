@@ -92,16 +92,27 @@ ConfigTable region_entry(const std::string& region)
 /// Sets that are not periodic are measured as sets in the square as a region, whose border is corrected for. Windows,
 /// whose border leaves a cross in the spectrum, are what else can be: in space, on the disk, and with measures that
 /// regions do not have.
-ConfigTable window_entry(const Experiment& experiment, const std::vector<std::string>& overrides)
+bool is_measured_in_square(const Experiment& experiment, const AnalyzeOptions& options)
 {
     const auto is_of_squares = [](const std::string& text) {
         return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
                text.starts_with("analysis.zone_plate");
     };
-    if (experiment.dimension == 2 && experiment.series.front().strips.empty() &&
-        std::ranges::none_of(overrides, is_of_squares))
+    return experiment.dimension == 2 && experiment.series.front().strips.empty() &&
+           std::ranges::none_of(options.overrides, is_of_squares);
+}
+
+ConfigTable window_entry(const Experiment& experiment, const AnalyzeOptions& options)
+{
+    if (is_measured_in_square(experiment, options))
         return entry_of("--periodic", "region", std::string(unit_square_region), "no");
     return entry_of("--periodic", "window", true, "no");
+}
+
+/// The square or rectangle of a typed domain as a region, in which sets keep their units.
+std::string rectangle_of(const PointDomain& domain)
+{
+    return fmt::format("rectangle {} {} {} {}", domain[0].low, domain[1].low, domain[0].high, domain[1].high);
 }
 
 /// The box of sets whose domain has sides that differ.
@@ -224,10 +235,15 @@ void analyze(const AnalyzeOptions& options)
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
                                    : import_points(options.files, options.label, how, large);
     const std::vector<double> sides = experiment.analysis.box_sides;
-    if (!sides.empty())
+    if (domain && options.periodic == "no" && is_measured_in_square(experiment, options)) {
+        entries = entry_of("--periodic", "region", rectangle_of(*domain), "no");
+        how.domain.reset();
+        experiment = import_region_points(options.files, options.label,
+                                          *overridden_region(options.overrides, entries)->region, how);
+    } else if (!sides.empty())
         entries = box_entry(options, sides);
     else if (options.periodic == "no")
-        entries = window_entry(experiment, options.overrides);
+        entries = window_entry(experiment, options);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
     experiment.analysis.is_periodic = options.periodic == "yes";

@@ -316,7 +316,9 @@ RegionSize size_of(const RegionDarts& darts)
 {
     if (darts.length > 0) return {darts.length, 1, "length", "Length", "of the lines, in units of the region"};
     if (darts.space) return {darts.space->volume(), 3, "volume", "Volume", "of the region, in cubes of its units"};
-    return {darts.request.region->area()};
+    RegionSize size{darts.request.region->area()};
+    if (darts.request.land && is_mapped(darts.request.land->whole)) size.meaning = "of the region, in m²";
+    return size;
 }
 
 /// Returns the least distance over that of the densest packing or, on lines, over the length that each point has.

@@ -72,8 +72,10 @@ TEST(FittingDomain, IsARectangleWhereAxesDiffer)
 {
     EXPECT_THAT(message("a.csv", "x,y\n500000,5400000\n500999,5400400\n500500,5400100\n"), HasSubstr("would fit"));
     EXPECT_THAT(message("a.csv", "x,y\n500000,5400000\n500999,5400400\n500500,5400100\n"),
-                HasSubstr(": --region 'rectangle 500000 5400000 501000 54004"));
-    EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"), HasSubstr("--domain 0:100 or --region 'rectangle 0 0 100 8"));
+                HasSubstr(" (a periodic box) or --region 'rectangle 500000 5400000 501000 54004"));
+    EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"), HasSubstr("--domain 0:100 or --domain \"0:100 0:8"));
+    EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"),
+                HasSubstr("\" (a periodic box) or --region 'rectangle 0 0 100 8"));
 }
 
 /// The regions that are suggested are read without an error; none is suggested only of large extents.

@@ -31,7 +31,7 @@ AnalysisOptions small_options()
 {
     AnalysisOptions options;
     options.spectrum = PeriodogramMethod::fast;
-    options.spectrum_size = 64;
+    options.spectrum_size = 128;
     return options;
 }
 
@@ -130,6 +130,7 @@ TEST(RepeatedTiles, HaveNoErrorOfLatticePeaksButAmongOthers)
     const auto tiles = random_sets(3);
     AnalysisOptions options = small_options();
     options.tiles = 2;
+    options.spectrum_size = 256; // as much as 800 points need
     for (const std::size_t repeated : {1, 3}) {
         SeriesAnalysis analysis("s", false, options);
         for (std::size_t set = 0; set < tiles.size(); ++set) {

@@ -41,6 +41,15 @@ TEST(SpectrumImage, SmallPicturesShowMeanPower)
     EXPECT_EQ(image.at(4, 3), report_tone_mapping.grey(1));
 }
 
+TEST(SpectrumImage, SmallPicturesKeepSpikes)
+{
+    for (const int block : {1, 2, 4, 8}) {
+        auto image = draw_spectrum(with_spike(16, 2, 4, 40), report_tone_mapping, block);
+        EXPECT_EQ(image.at((8 + 2) / block, 16 / block - 1 - (8 + 4) / block), 255) << block;
+    }
+    EXPECT_LT(report_tone_mapping.grey(40 / 64.0 + 1), 255) << "the mean would hide it";
+}
+
 TEST(SpectrumImage, PagesShowAtMost512Pixels)
 {
     EXPECT_EQ(page_block(64), 1);

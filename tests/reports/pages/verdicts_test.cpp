@@ -35,8 +35,9 @@ std::string sentence(double radius, double noise, double directions)
 
 TEST(Verdicts, FollowFromTheNumbers)
 {
-    EXPECT_EQ(sentence(0.75, 0.062, 0), "Strengths: all points keep apart (least ρ = 0.749); no preferred directions. "
-                                        "Weaknesses: noise at low frequencies, 6.2 % of that of random points.");
+    EXPECT_EQ(sentence(0.75, 0.062, 0),
+              "Strengths: all points keep apart (least ρ = 0.749); little noise at low frequencies, "
+              "6.2 % of that of random points; no preferred directions.");
     EXPECT_EQ(
         sentence(0.45, 0.002, 12.34),
         "Strengths: little noise at low frequencies, 0.20 % of that of random points. Weaknesses: some points are "
@@ -45,7 +46,7 @@ TEST(Verdicts, FollowFromTheNumbers)
 
 TEST(Verdicts, OfNoiseNeverContradictTheNumber)
 {
-    EXPECT_THAT(sentence(0.7, 0.019, 0), HasSubstr("little noise at low frequencies, 1.9 %"));
+    EXPECT_THAT(sentence(0.7, 0.099, 0), HasSubstr("little noise at low frequencies, 9.9 %"));
     EXPECT_THAT(sentence(0.7, 0.4, 0), HasSubstr("Weaknesses: noise at low frequencies, 40 %"));
     EXPECT_THAT(sentence(0.7, 0.6, 0), HasSubstr("much noise at low frequencies, 60 %"));
     EXPECT_THAT(sentence(0.7, 1.02, 0), HasSubstr("as noisy at low frequencies as random points"));
@@ -130,6 +131,27 @@ TEST(RankingOrder, MarksTheBestAndWhatIsAsGood)
     EXPECT_FALSE(is_as_good(radius, worse, best));
     EXPECT_EQ(best_to_mark(measure("low_frequency_mean"), all, 2), nullptr) << "all are as good";
     EXPECT_EQ(best_to_mark(radius, all, 3), nullptr);
+}
+
+/// Jittered points have an effective Nyquist frequency where best candidate, which levels out just above the limit of
+/// the mean power, has none: neither has a wide range almost without noise.
+TEST(RankingOrder, NamesNoWideRangeWhereNoneIs)
+{
+    test::MadeUpReport report;
+    const auto add = [&](const char* name, double noise, double nyquist, const char* answer) {
+        Series& stored = test::stored_of(add_series(report, name, 0.5, noise, 0));
+        stored.measures.numbers["effective_nyquist"] = {nyquist, {}};
+        stored.blue_noise = BlueNoiseVerdict{answer, ""};
+    };
+    add("jittered", 0.1, 0.25, "weakly");
+    add("best candidate", 0.13, 0, "weakly");
+    const auto is_of_range = [](const BestFor& best) { return std::string(best.what).starts_with("the widest"); };
+    EXPECT_TRUE(std::ranges::none_of(best_series(report.series(), 2), is_of_range));
+    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? Weakly: jittered; best candidate.");
+    add("darts", 0.06, 0.63, "yes");
+    EXPECT_TRUE(std::ranges::any_of(best_series(report.series(), 2), is_of_range));
+    EXPECT_EQ(blue_noise_words(report.series(), 2), "Blue noise? Yes: darts. Weakly: jittered; best candidate.");
+    EXPECT_EQ(blue_noise_words(report.series(), 3), "");
 }
 
 TEST(RankingOrder, NamesTheBestOfThoseWithoutDirections)
