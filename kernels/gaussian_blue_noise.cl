@@ -214,9 +214,10 @@ double reach_of(float exponent, uint grid_size)
     return (sqrt(CUT_EXPONENT / exponent) * 1.000001 + 2) * 0x1p-32 * grid_size;
 }
 
-/// One work-item owns BLOCK_POINTS points, of those that are asked about: their displacements, the Gaussians of all
-/// others there, and the squared distances of the nearest of them, of the torus' side; too large where it is farther
-/// away than Gaussians.near. With a density, a point's own width of Gaussians counts for all of its pairs.
+/// Each work-item owns BLOCK_POINTS of the requested points. It finds their displacements, the sums of the Gaussians of
+/// all other points there, and the squared distance to the nearest one, in units of the torus' side. This distance is
+/// too large if the nearest point is farther away than Gaussians.near. With a density, a point's own width of Gaussians
+/// counts for all of its pairs.
 kernel void sum_gaussians(struct Gaussians g, struct GridPart part, global const double* positions,
                           global const int* coordinates, global const uint* starts, global double* displacements,
                           global double* energies, global double* squared_near

@@ -8,8 +8,7 @@
 // sort_few does all of that in one work-item where there are few points: launches would take longer.
 //
 // Needs DIMENSION (2 or 3), DOUBLES (0 or 1), see reals.clh, and LISTED (0 or 1): whether only some cells are there, as
-// listed_cells.clh has them. Rows of a
-// plane come after those of the plane below.
+// listed_cells.clh has them. Rows of a plane come after those of the plane below.
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -145,15 +144,14 @@ kernel void gather_points(global const real* positions, global const uint* ids, 
                     stride);
 }
 
-#if !LISTED
 /// The first work-item owns everything.
 kernel void sort_few(global const real* positions, global const uint* ids, uint point_count, struct GridPart part,
                      global uint* counts, global uint* cells, global uint* starts, global uint* order,
-                     global real* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride)
+                     global real* sorted_positions, global uint* sorted_ids, global uint* fixed_point, uint stride LISTED_CELLS)
 {
     if (get_global_id(0) > 0) return;
     for (uint id = 0; id < point_count; ++id) {
-        cells[id] = cell_of_point(positions, id, &part);
+        cells[id] = cell_of_point(positions, id, &part THE_LISTED_CELLS);
         ++counts[cells[id]];
     }
     starts[part.held] = scan_cells(part.held, counts, starts);
@@ -164,4 +162,3 @@ kernel void sort_few(global const real* positions, global const uint* ids, uint 
                     stride);
     }
 }
-#endif

@@ -55,7 +55,7 @@ std::optional<double> frequencies_with_power(const Series& series)
 std::string unknown_because(const Series& series, int dimension)
 {
     if (series.border && series.border->is_not_periodic())
-        return "the sets are not periodic but were measured as if they were: measure them by --periodic no";
+        return "the sets are not periodic but were measured as if they were: use --periodic no";
     if (series.is_window) return "the border of a window leaves a cross in the spectrum";
     const auto& numbers = series.measures.numbers;
     const bool has_numbers = numbers.contains("low_frequency_mean") && numbers.contains("mean_nearest_distance");
@@ -89,8 +89,8 @@ std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dim
                                              : fmt::format("{}, which is not safely below {}", power, percent(noisy)));
     const auto frequencies = frequencies_with_power(series);
     if (frequencies && *frequencies <= (dimension == 2 ? most_of_a_lattice_2d : most_of_a_lattice_3d))
-        against.push_back(fmt::format("its spectrum has spikes as that of a lattice: {:.0f} of {} frequencies have the "
-                                      "power of a {}",
+        against.push_back(fmt::format("its spectrum has spikes like that of a lattice: {:.0f} of {} frequencies hold "
+                                      "the power of a {}",
                                       std::max(1.0, *frequencies), series.measures.peak_anisotropy->samples,
                                       dimension == 2 ? "ring" : "shell"));
     if (!against.empty()) return BlueNoiseVerdict{"no", fmt::format("{}", fmt::join(against, ", and "))};
@@ -106,14 +106,13 @@ std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dim
                                       *number_of(series, "anisotropy_above_chance")));
     if (!against.empty()) return BlueNoiseVerdict{"weakly", fmt::format("{}", fmt::join(against, ", and "))};
     return BlueNoiseVerdict{
-        "yes",
-        fmt::format("{}, {}, and {}", power,
-                    nearest < apart ? fmt::format("the spectrum rises late and steeply (effective "
-                                                  "Nyquist frequency {:.2f})",
-                                                  nyquist)
-                                    : fmt::format("points keep apart (mean nearest distance {:.2f})", nearest),
-                    number_of(series, "anisotropy_above_chance") ? "no peaks or directions rise above chance"
-                                                                 : "its tapers do not tell directions from chance")};
+        "yes", fmt::format("{}, {}, and {}", power,
+                           nearest < apart ? fmt::format("the spectrum rises late and steeply (effective "
+                                                         "Nyquist frequency {:.2f})",
+                                                         nyquist)
+                                           : fmt::format("points keep apart (mean nearest distance {:.2f})", nearest),
+                           number_of(series, "anisotropy_above_chance") ? "no peaks or directions rise above chance"
+                                                                        : "a mean over tapers hides any directions")};
 }
 
 std::string short_spectrum_words(const Series& series, int dimension)

@@ -99,15 +99,14 @@ const std::vector<Measure>& texture_measures()
         texture_row("coverage", "coverage", "of the exemplar", higher, three,
                     "The part of the exemplar's pixels that some tile shows."),
         texture_row(
-            "recurrence", "what recurs", "of the power", lower, three,
-            "The part of a texture's power at whole multiples of one over the width and the height of what could "
-            "recur, "
-            "beyond what chance gives: 0 for independent pieces, 1 for a picture again and again. That is a tile, of "
-            "omega tiles 2 x 2, over 32 x 32 tiles; of plain repetition the exemplar; of methods without tiles their "
-            "squares, hexagons or blocks. With regular waves that fit the tiles, beside the exemplar's means at their "
-            "phase. Above 0.05 an eye notices it."),
-        texture_row("recurrence_width", "what recurs is as wide as", "pixels", neither, whole,
-                    "The width of the tile, or of what else could recur."),
+            "recurrence", "recurring power", "of the power", lower, three,
+            "The part of a texture's power at whole multiples of one over the width and the height of a rectangle, "
+            "beyond chance: it is 0 for independent pieces and 1 for a picture that repeats. The rectangle is a tile "
+            "(2 x 2 omega tiles) in a tiling of 32 x 32 tiles, the exemplar of plain repetition, or a square, a pair "
+            "of rows of hexagons or a block of methods without tiles. If regular waves fit the tiles, the exemplar's "
+            "means at their phase are subtracted first. An eye notices values above 0.05."),
+        texture_row("recurrence_width", "width of the recurring rectangle", "pixels", neither, whole,
+                    "The width of the tile, or of the other rectangle that could recur."),
         texture_row("lattice_power", "power at 1/T", "of the power", lower, three,
                     "The part of the power of a tiling of 16 x 16 tiles at whole multiples of one over the side of a "
                     "tile, with "

@@ -18,8 +18,8 @@ const std::vector<Measure>& texture_measures();
 /// The value that a texture has of a measure.
 std::optional<MeasuredValue> texture_value(const Measure& measure, const DistributionResult& texture);
 
-/// What a person notices in a texture at 12 x 12 tiles: a value beyond the limit fails, and no other number makes up
-/// for it. Limits are judgements; docs/texture-tiles.md says from which textures they come.
+/// A limit on something that a person notices in a texture at 12 x 12 tiles. A value beyond it fails, and no other
+/// number makes up for that. Limits are judgements; docs/texture-tiles.md says from which textures they come.
 struct TextureGate
 {
     std::string_view key; ///< of the measure

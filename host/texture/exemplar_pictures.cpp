@@ -137,9 +137,9 @@ void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked)
         if (companion.is_original) set_picture(companion, flattened(companion.picture, size));
         has_others = has_others || !companion.is_original;
     }
-    pictures.notes.push_back(fmt::format("{}; flattened{}{}{}", differs, is_asked ? "" : " (--flatten off keeps it)",
-                                         clipped > 0 ? fmt::format(", {} values are clipped", clipped) : "",
-                                         has_others ? ", companions are as they were" : ""));
+    pictures.notes.push_back(fmt::format("{}; it is evened{}{}{}", differs, is_asked ? "" : " (--flatten off keeps it)",
+                                         clipped > 0 ? fmt::format("; {} values are clipped", clipped) : "",
+                                         has_others ? "; companions stay as they are" : ""));
     pictures.is_flattened = true;
 }
 

@@ -150,8 +150,8 @@ int slow_frequencies(const PngPixels& picture, int period)
     return count;
 }
 
-/// What one in a thousand of chi-squared variates with so many degrees of freedom exceeds, in parts of the mean (Wilson
-/// and Hilferty, The distribution of chi-square, 1931).
+/// Returns the value that one in a thousand chi-squared variates with so many degrees of freedom exceeds, divided by
+/// their mean (Wilson and Hilferty, The distribution of chi-square, 1931).
 double largest_mean(int degrees)
 {
     if (degrees == 0) return 0;

@@ -23,8 +23,8 @@ namespace poissonlab {
 /// along each axis.
 PngPixels flattened(const PngPixels& picture, int size, std::size_t& clipped);
 
-/// A picture of other numbers; alpha stays, whole numbers are clipped, floating-point ones are not. Throws nothing for
-/// numbers that are not finite: all numbers around them become such.
+/// Flattens a picture of any type of numbers. Alpha stays as it is. Whole numbers are clipped, floating-point ones are
+/// not. Numbers that are not finite throw no error; they make the numbers around them not finite.
 RawPicture flattened(const RawPicture& picture, int size);
 
 /// Says how much of a picture's variation is light that differs over more than a tile.
@@ -43,8 +43,9 @@ struct UnevenLight
 /// exp(-d^2 / 2 s^2), its integral is 2 pi s^2, so that the part of the power below 1/(2 T) is 2 pi s^2 pi / (2 T)^2.
 /// feature_side(), the side of squares whose means have half of the variance, is 2.35 s of such a texture: the share is
 /// 0.89 (feature_side / T)^2. Features are measured in the flattened picture, as slow light would enlarge them.
-/// The power of n frequencies, of which half are those of the other half, varies as chi-squared with n degrees of
-/// freedom. A smooth picture has no edges by which features could be told from light: all of it is light.
+/// The spectrum of a real picture is symmetric, so that the power of n frequencies in n / 2 pairs f and -f varies as
+/// chi-squared with n degrees of freedom. A smooth picture has no edges that tell features from light: all of it counts
+/// as light.
 UnevenLight uneven_light(const PngPixels& picture, const PngPixels& flat, int size);
 
 }

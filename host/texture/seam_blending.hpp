@@ -2,10 +2,10 @@
 //
 // Perez, Gangnet, Blake, Poisson image editing, SIGGRAPH 2003, with a term that keeps what is far from a seam as it is
 // (a screened Poisson equation; Bhat and others, Fourier analysis of the 2D screened Poisson equation for gradient
-// domain problems, 2008). Where two neighbours p and q show windows A and B, q should be as much lighter than p as both
-// windows say on average; the sum over all tiles of squares of what is missing, and of each pixel's change over the
-// square of a length, is least. A pixel that tiles share is one unknown, so that they still fit. Nothing is blurred:
-// windows keep their gradients but for a slope that falls off over that length.
+// domain problems, 2008). Where two neighbours p and q show windows A and B, the step from p to q should be the mean of
+// the steps in both windows. The method minimises a sum over all tiles: the squared errors of these steps, and each
+// pixel's squared change over the square of a length. A pixel that tiles share is one unknown, so that tiles still fit.
+// The method blurs nothing: windows keep their gradients except for a slope that fades over that length.
 #pragma once
 
 #include "host/texture/texture_request.hpp"

@@ -60,7 +60,7 @@ struct TextureRequest
     /// corners, and where there are as many of both, from either. Wang: tiles are multiplied by the marks of their
     /// corners (marked_tiles.hpp).
     int split = 0;
-    bool is_joint_open = false; ///< nobody says whether pieces are chosen together: settle_joint() does
+    bool is_joint_open = false; ///< settle_joint() decides if pieces are chosen together
     bool joint = false;         ///< patches and cuts are chosen for the whole set together (joint/joint_texture.cpp)
     bool is_judged = false;     ///< joint: only if that is better than one piece after another (judged_texture.hpp)
     int rounds = 12;            ///< joint: how often a better window is looked for at each corner, edge and tile

@@ -36,8 +36,8 @@ INLINE uint piece_texel(struct EndlessPlane plane, uint x, uint y, int dx, int d
     return (uint)row * (uint)plane.width + (uint)column;
 }
 
-/// What a turned piece shows: between the four texels of the exemplar around a place, in 256ths of them, as bytes of
-/// the channels.
+/// Returns the colour of a turned piece as bytes of the channels. It interpolates between the four texels of the
+/// exemplar around a place, whose position is rounded to 256ths of a texel.
 INLINE uint turned_texel(struct EndlessPlane plane, global const uint* texels, global const float* turns, uint x,
                          uint y, int dx, int dy)
 {

@@ -41,7 +41,7 @@ Shape color_number(Color color, const DrawingPoint& at)
             {}};
 }
 
-/// Where the number of a shape stands, between its first corners and the middle of a tile.
+/// Returns the place of a shape's number, between the shape's first corners and the middle of the tile.
 TilePoint number_place(const WangTile&, std::size_t side)
 {
     constexpr double inwards = 0.17;
@@ -59,8 +59,8 @@ TilePoint number_place(const CornerTile&, std::size_t corner)
 
 TilePoint number_place(const Domino&, std::size_t half) { return {0.25 + 0.5 * static_cast<double>(half), 0.5}; }
 
-/// Tiles of a tiling share their corners, of which each has one number: that of the tile to the north-east, or beyond
-/// the last column and above the first row of others.
+/// Tiles of a tiling share their corners, and each corner gets one number. The tile to its north-east draws the number;
+/// other tiles do so beyond the last column and above the first row.
 bool has_number(const TileGrid& grid, std::size_t tile, std::size_t corner)
 {
     const bool is_last_column = tile % grid.columns + 1 == grid.columns, is_first_row = tile < grid.columns;

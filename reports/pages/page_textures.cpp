@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the verdict goes by, and what else textures are chosen by.
+/// The verdict uses the first three of these measures; readers choose textures by the others as well.
 constexpr std::array shown_measures = {"recurrence",        "gradient_spread", "novelty",
                                        "conspicuous_seams", "contrast",        "structure_spread",
                                        "atlas_bytes",       "fetches",         "pixel_nanoseconds"};
@@ -205,7 +205,7 @@ PageData texture_cards(const ReportRun& run, const TexturePlaces& places, const 
             card.set("far_alt", false);
             card.set("label", "Exemplar");
             card.set("anchor", false);
-            card.set("sentence", "What all others are made of.");
+            card.set("sentence", "All other textures are made of it.");
             card.set("faults", false);
             card.set("failed", false);
             list << card;

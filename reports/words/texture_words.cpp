@@ -18,8 +18,9 @@ std::optional<double> number_in(const DistributionResult& texture, std::string_v
     return found == texture.numbers.end() ? std::nullopt : std::optional(found->value);
 }
 
-/// What recurs is not spoken of below this; most shapes are whole below this share of new patches. Seams show above
-/// twice the share of conspicuous steps that an exemplar has itself.
+/// Sentences say that nothing recurs below the first limit, and call shapes whole below the second one, a share of
+/// new patches. Seams show above the third limit, twice the share of conspicuous steps in an exemplar. A texture whose
+/// recurrence reaches the last limit repeats.
 constexpr double least_recurrence = 0.01, most_whole = 0.05, most_hidden = 0.1, repeated_altogether = 0.5;
 
 std::string recurrence_part(double recurs, const std::optional<double>& width)

@@ -78,7 +78,7 @@ TEST_F(PointsDartThrowingCommand, SaysWhereThePointsAreAndHowMany)
     EXPECT_THAT(saturated.error, testing::MatchesRegex(fmt::format(
                                      "poissonlab: note: a.txt: {} points at least 0\\.0[0-9]+ apart, between "
                                      "which no further one fits \\(3000 were asked for; without "
-                                     "--relative-radius it depends on chance how many fit\\), made in .*s\n",
+                                     "--relative-radius, chance decides how many fit\\), made in .*s\n",
                                      count)));
     const Outcome exact = run("--points 3000 --relative-radius 0.5 --seed 3 --out a.txt");
     EXPECT_THAT(exact.error,

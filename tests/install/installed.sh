@@ -79,7 +79,7 @@ END
 cat >ten/CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(ten C)
-find_package(poissonlab_runtime 0.2 REQUIRED)
+find_package(poissonlab_runtime 0.3 REQUIRED)
 add_executable(ten ten.c)
 target_link_libraries(ten PRIVATE poissonlab::runtime)
 file(WRITE ${CMAKE_BINARY_DIR}/sets ${poissonlab_runtime_TILE_SETS})

@@ -26,9 +26,9 @@ StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size);
 /// rectangles of this size, over that of all pixels. Sums over channels. What does not fill a rectangle takes no part.
 double lattice_power(const PngPixels& tiling, int width, int height);
 
-/// What a share of the power on a lattice is beyond chance. Of `squares` rectangles of `pixels` pixels the lattice has
-/// pixels - 1 of squares x pixels - 1 frequencies, and white noise as large a share of the power: this is 0 for it on
-/// average, and 1 for one rectangle again and again. `squares` and `pixels` are at least 2.
+/// Returns the share of the power on a lattice beyond chance. For `squares` rectangles of `pixels` pixels, the lattice
+/// holds pixels - 1 of the squares x pixels - 1 frequencies, and white noise has that share of its power on it. The
+/// result is 0 for white noise on average, and 1 for one repeated rectangle. `squares` and `pixels` are at least 2.
 double beyond_chance(double share, double squares, double pixels);
 
 /// Says how much of a tiling recurs: lattice_power() beyond chance. There is no value for fewer than two rectangles,

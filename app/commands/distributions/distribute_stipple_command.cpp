@@ -130,8 +130,8 @@ void stipple_picture(const KindOptions& o)
     o.say_note(picture.ink.note);
     if (settings.by == MarkPlaces::ranks && settings.method.tiles.empty())
         o.say_note(
-            fmt::format("--by ranks: without --tiles, of the self-similar tile, {}; ranked tiles, of tiles build "
-                        "--ranked, do not",
+            fmt::format("--by ranks without --tiles takes the ranks of the self-similar tile, {}; tiles made by tiles "
+                        "build --ranked show none",
                         lattice_words));
     const DistributionPlace place = o.place();
     const Stippling stippling = stipple(picture, settings, o.seed(), place);

@@ -101,14 +101,13 @@ std::string comment_of(const KindOptions& o, const LargeDarts& set)
                                          set.darts.points ? "" : ", between which no further one fits"));
 }
 
-/// A line that says how many points there are, and why there are others than were asked for.
+/// Returns a line with the number of points and, if it is not the requested one, the reason.
 std::string words_of(const LargeDarts& set, std::uint64_t count, const std::optional<std::uint64_t>& asked)
 {
     std::string what = fmt::format("{} points at least {:.6g} apart", count, set.darts.min_distance);
     if (!set.darts.points) what += ", between which no further one fits";
     if (asked && *asked != count)
-        what +=
-            fmt::format(" ({} were asked for; without --relative-radius it depends on chance how many fit)", *asked);
+        what += fmt::format(" ({} were asked for; without --relative-radius, chance decides how many fit)", *asked);
     return what;
 }
 

@@ -10,9 +10,9 @@ namespace poissonlab {
 namespace {
 
 constexpr auto texture_advise_notes =
-    R"(Looks at the picture alone, and makes nothing. It measures how wide the things are that the picture shows, whether
-they are regular, whether the light is even, and whether all parts of the picture look alike. A tile should be larger than
-what the picture shows, and the picture at least twice as wide as a tile.
+    R"(The command measures the picture alone and writes no file. It says how large the features of the picture are,
+whether they are regular, whether the light is even, and whether all parts of the picture look alike. A tile should be
+larger than the features, and the picture at least twice as wide as a tile.
 texture build takes --colors and --size from this advice where they are not given.
 docs/texture-tiles.md says how often the advice is right.
   poissonlab texture advise gravel.png)";

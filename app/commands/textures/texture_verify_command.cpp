@@ -79,14 +79,14 @@ void print_judgement(const TilingJudgement& found)
                    100 * found.slow->tiling, 100 * found.slow->exemplar);
 }
 
-/// What is proven, and how far seams show. Exemplars of one colour have no steps to compare with.
+/// Says what is proven and how visible seams are. Exemplars of one colour have no steps to compare with.
 std::string verdict_on(const TextureCertificate& proof, const SeamMeasures& seams)
 {
     std::string verdict = "Verdict: proven, all tiles fit wherever they may lie side by side";
     if (proof.exceptions > 0) verdict += fmt::format(", but for {} pairs of pixels beside corners", proof.exceptions);
     if (seams.natural > 0)
         verdict += fmt::format(". Steps that are large for this exemplar are {:.1f} times as frequent across seams as "
-                               "in the exemplar: 1 is as good as the exemplar itself, more shows",
+                               "in the exemplar: 1 is as good as the exemplar itself, and seams with more are visible",
                                seams.conspicuous / seams.natural);
     return verdict;
 }

@@ -226,8 +226,7 @@ void add_varied_results(const VariedSet& set, DistributionFiles& files, Distribu
     write_distances(files.add("distances.npy"), set);
     result.files.push_back("distances.npy");
     files.add_curves("nearest", nearest_chart(set),
-                     "How near the nearest points are, over the distance that both keep: none is nearer than 1.",
-                     result);
+                     "Nearest distances of points, over the distance that both points keep: none is below 1.", result);
 }
 
 std::string words_of_region(const RegionDarts& darts)

@@ -46,7 +46,7 @@ void add_judgement(const TextureSet& set, std::uint64_t seed, TextureValues& val
 
 namespace {
 
-/// How often each tile lies at each of period x period places of a window.
+/// Counts how often each tile lies at each of period x period places of a window.
 std::vector<std::vector<double>> tile_counts(const TextureWindow& window, std::size_t tiles, std::size_t period)
 {
     std::vector<std::vector<double>> counts(period * period, std::vector<double>(tiles));
@@ -57,7 +57,7 @@ std::vector<std::vector<double>> tile_counts(const TextureWindow& window, std::s
     return counts;
 }
 
-/// What the pixels of a tile have beside means of the exemplar, channel by channel.
+/// Subtracts the exemplar's means at their phase from the pixels of a tile, channel by channel.
 std::vector<double> deviations(const TextureSet& set, std::size_t tile, const PhaseMeans& means)
 {
     const auto values = set.values_of(tile);

@@ -24,7 +24,7 @@ inline constexpr int compared_tiles = 64;
 /// Seams, what recurs, and colours of a set, laid by a seed.
 TextureValues tile_values(const TextureSet& set, std::uint64_t seed);
 
-/// Tiles along the sides of the tiling in which what recurs is measured: by chance 0.1 % does.
+/// Recurrence is measured in a tiling with so many tiles along each side, where 0.1 % of the power recurs by chance.
 inline constexpr std::uint64_t recurrence_tiles = 32;
 
 /// Tiles after which a tiling could recur: 2 of omega tiles, whose colours alternate.
@@ -38,7 +38,7 @@ std::optional<double> set_recurrence(const TextureSet& set, std::uint64_t seed);
 /// The line that commands print of it: "2.0 % of a tiling's power recurs every 64 pixels: ...".
 std::string recurrence_words(const TextureSet& set, double recurrence);
 
-/// The power at 1/T of a picture that is a texture, and its colours: what needs no tiles.
+/// Adds the measures that need no tiles: the power of a picture at 1/T and 1/2T, and its colours.
 void add_picture_values(const PngPixels& picture, const PngPixels& exemplar, int size, TextureValues& values);
 
 /// Seams where sources of a picture's pixels are no neighbours, per T x T pixels.

@@ -112,7 +112,7 @@ PointGrid::PointGrid(Device device, int dimension, std::size_t points, const Gri
     add_totals_ = device_.kernel(program, "add_totals");
     place_ = device_.kernel(program, "place_points");
     gather_ = device_.kernel(program, "gather_points");
-    if (!is_listed_) sort_few_ = device_.kernel(program, "sort_few");
+    sort_few_ = device_.kernel(program, "sort_few");
 }
 
 void PointGrid::load(const PointSet& points)
@@ -151,18 +151,21 @@ void PointGrid::sort()
     std::swap(b.ids, b.unsorted_ids);
     const auto points = static_cast<std::uint32_t>(size_);
     const std::uint32_t cells = part_.held;
-    if (!is_listed_ && size_ <= few_points && cells <= few_points && device_.info().type == "CPU") {
-        sort_few_.run(1, 1, b.unsorted_positions, b.unsorted_ids, points, part_, b.counts, b.point_cells, b.starts,
-                      b.order, b.positions, b.ids, b.fixed_point, stride_);
+    const auto run_with_list = [&](Kernel& kernel, std::size_t items, std::size_t group, const auto&... arguments) {
+        if (is_listed_)
+            kernel.run(items, group, arguments..., b.row_starts, b.columns);
+        else
+            kernel.run(items, group, arguments...);
+    };
+    if (size_ <= few_points && cells <= few_points && device_.info().type == "CPU") {
+        run_with_list(sort_few_, 1, 1, b.unsorted_positions, b.unsorted_ids, points, part_, b.counts, b.point_cells,
+                      b.starts, b.order, b.positions, b.ids, b.fixed_point, stride_);
         return;
     }
     const std::uint32_t chunk = chunk_of(cells);
     const auto chunks = static_cast<std::uint32_t>(chunks_of(cells));
-    if (is_listed_)
-        count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places,
-                   b.row_starts, b.columns);
-    else
-        count_.run(size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells, b.places);
+    run_with_list(count_, size_, work_group_size_, b.unsorted_positions, points, part_, b.counts, b.point_cells,
+                  b.places);
     scan_.run(chunks, work_group_size_, b.counts, cells, chunk, b.starts, b.totals);
     if (chunks > 1) {
         scan_totals_.run(1, 1, b.totals, chunks);

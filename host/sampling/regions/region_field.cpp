@@ -27,8 +27,8 @@ constexpr double widest = 8;
 /// The part of the points under a Gaussian that is enough.
 constexpr double enough_under = 1.0 / 4;
 
-/// Listed cells at most: four a point is what strips of a fifth of a mean distance have. In narrower ones Gaussians
-/// begin wider, and cells with them.
+/// These limit the number of listed cells. Strips a fifth of a mean distance wide have four listed cells a point. In
+/// narrower strips, the narrowest Gaussians are wider, and so are the cells.
 constexpr double listed_of_point = 4, listed_always = 1024;
 
 /// A mean distance is looked for again where margins leave so little of it.

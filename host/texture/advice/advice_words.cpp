@@ -9,7 +9,7 @@
 namespace poissonlab {
 namespace {
 
-/// What is in the way, and the word of JSON for it.
+/// Returns the reason why a picture should not be tiled, in words and as the value of the JSON member.
 std::pair<std::string, const char*> obstacle_words(const TextureAdvice& advice)
 {
     switch (advice.obstacle) {
@@ -18,13 +18,13 @@ std::pair<std::string, const char*> obstacle_words(const TextureAdvice& advice)
     case TextureObstacle::one_object:
         return {"its middle has much more contrast than its rim, as one object on a plain ground does", "one object"};
     case TextureObstacle::not_alike:
-        return {fmt::format("it is not alike everywhere: the contrast of its parts differs by {:.2f} octaves, that of "
-                            "textures by at most 0.25",
+        return {fmt::format("it does not look alike everywhere: the contrast of its parts has a standard deviation of "
+                            "{:.2f} octaves; textures have at most 0.25",
                             advice.contrast_spread),
                 "not alike"};
     case TextureObstacle::other_colors:
-        return {fmt::format("it is not alike everywhere: the lightness of its parts has {:.0f} % of its variance; if "
-                            "that is uneven light alone, --flatten on evens it",
+        return {fmt::format("it does not look alike everywhere: differences of lightness between its parts make up "
+                            "{:.0f} % of its variance; if uneven light is the only cause, --flatten on evens it",
                             100 * advice.part_variance),
                 "uneven"};
     case TextureObstacle::too_small:
@@ -48,21 +48,21 @@ std::vector<std::string> advice_lines(const TextureAdvice& advice)
     std::vector<std::string> lines;
     if (!advice.is_texture()) lines.push_back("Do not tile this picture: " + obstacle_words(advice).first);
     if (advice.obstacle == TextureObstacle::one_color) return lines;
-    lines.push_back(fmt::format("Take tiles of {} x {} pixels of {} colours, {}: {}{}", advice.size, advice.size,
-                                advice.colors,
-                                advice.is_joint ? "which are made both ways, of which the better set is kept"
-                                                : "fitted one piece after another",
-                                scale_words(advice),
-                                advice.is_wide ? ", which is wide for such tiles; a larger part of the scene would be "
-                                                 "better"
-                                               : ""));
+    lines.push_back(
+        fmt::format("Take tiles of {} x {} pixels of {} colours, {}: {}{}", advice.size, advice.size, advice.colors,
+                    advice.is_joint ? "made both ways, the better set being kept" : "fitted one piece after another",
+                    scale_words(advice),
+                    advice.is_wide ? ", which is wide for such tiles; a larger part of the scene would be "
+                                     "better"
+                                   : ""));
     if (!advice.periods.empty())
         lines.push_back(fmt::format("It is regular, every {:.1f} pixels: {}", fmt::join(advice.periods, " and "),
                                     advice.is_straightened ? "--straighten lets joints run through"
                                                            : "tiles hold a whole number of periods"));
     if (advice.is_flattened)
-        lines.push_back(fmt::format("Its light is uneven: {:.0f} % of its power is slower than two tiles, which tiles "
-                                    "would show as a pattern; it is flattened (--flatten off keeps it)",
+        lines.push_back(fmt::format("Its light is uneven: {:.0f} % of its power varies over more than two tiles, and "
+                                    "tilings would show it as a pattern; texture build flattens it (--flatten off "
+                                    "keeps it)",
                                     100 * advice.slow_power));
     return lines;
 }
@@ -99,7 +99,7 @@ std::string advice_note(const TextureAdvice& advice, const TextureRequest& reque
         return fmt::format("The picture has {} x {} pixels: --size {} is advised, {} was given", advice.width,
                            advice.height, advice.size, request.size);
     if (request.kind == TextureKind::corner && request.colors.horizontal < advice.colors && request.split == 0)
-        return fmt::format("Tilings repeat more with {} colours: --colors {} is advised", request.colors.horizontal,
+        return fmt::format("Tilings repeat visibly with {} colours: --colors {} is advised", request.colors.horizontal,
                            advice.colors);
     return "";
 }

@@ -1,8 +1,8 @@
 // The scales of a picture: how wide the things are that it shows, and whether it is alike everywhere.
 //
-// Means over squares vary less the larger the squares are. For a random field the variance of local averages falls from
-// that of single pixels at the scale of fluctuation (VanMarcke, Random Fields, 1983, chapter 5), that of what the
-// picture shows; later it falls as one over the area.
+// Means over squares vary less the larger the squares are. For a random field, the variance of local averages begins to
+// fall at the scale of fluctuation (VanMarcke, Random Fields, 1983, chapter 5), which is the size of the picture's
+// features. For larger squares it falls as one over the area.
 #pragma once
 
 #include "host/texture/comparison/light_map.hpp"

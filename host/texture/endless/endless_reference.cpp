@@ -103,7 +103,7 @@ private:
         return static_cast<int>(texture_.texels[at] >> (8 * channel) & 255u);
     }
 
-    /// What a piece shows that turns by the angle of its hash, bilinearly in 256ths of a texel.
+    /// Returns the colour of a piece that is turned by the angle of its hash, bilinearly at 256ths of a texel.
     std::uint32_t turned(std::uint32_t hash, int dx, int dy) const
     {
         const std::size_t turn = endless_turn(hash);

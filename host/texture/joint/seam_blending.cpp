@@ -87,7 +87,7 @@ private:
                                            static_cast<int>(channel))];
     }
 
-    /// Adds the step that a pair lacks: what the window of p is lighter than that of q, averaged over both pixels.
+    /// Adds the step that a pair should lose: the mean difference of the windows of p and q over both pixels.
     void add_step(std::size_t p, std::size_t q, int dx, int dy)
     {
         const SourcePixel a = sources_[p], b = sources_[q];

@@ -181,7 +181,7 @@ TEST(TilingMeasures, RecurrenceIsThatOfAnotherProgram)
     }
 }
 
-/// Of white noise nothing recurs: (P - 1) frequencies of the lattice have the mean power of all, so that their share
+/// White noise does not recur: (P - 1) frequencies of the lattice have the mean power of all, so that their share
 /// has a relative standard error of sqrt(2 / (P - 1)), whatever the number of squares is. Plain repetition is 1.
 TEST(TilingMeasures, RecurrenceIsZeroOfNoiseAndOneOfACopy)
 {
