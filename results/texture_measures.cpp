@@ -164,9 +164,9 @@ const std::vector<Measure>& texture_measures()
 const std::vector<TextureGate>& texture_gates()
 {
     static const std::vector<TextureGate> all{
-        {"recurrence", 0.05, "repeats"},
-        {"gradient_spread", 2, "blurs edges"},
-        {"novelty", 0.2, "breaks shapes"},
+        {"recurrence", 0.05, "repeats", "repetition"},
+        {"gradient_spread", 2, "blurs edges", "edges"},
+        {"novelty", 0.2, "breaks shapes", "shapes"},
     };
     return all;
 }

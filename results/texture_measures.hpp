@@ -25,6 +25,7 @@ struct TextureGate
     std::string_view key; ///< of the measure
     double limit;         ///< the largest value that passes
     const char* fault;    ///< what a texture does that fails: "repeats"
+    const char* judged;   ///< what it is about: "repetition"
 
     bool passes(double value) const { return value <= limit; }
 };

@@ -134,7 +134,7 @@ void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked)
     pictures.exemplar = std::move(flat);
     bool has_others = false;
     for (CompanionMap& companion : pictures.companions) {
-        if (companion.is_original) set_picture(companion, flattened(companion.picture, size));
+        if (companion.is_original) set_picture(companion, flattened(companion.picture, size, clipped));
         has_others = has_others || !companion.is_original;
     }
     pictures.notes.push_back(fmt::format("{}; it is evened{}{}{}", differs, is_asked ? "" : " (--flatten off keeps it)",

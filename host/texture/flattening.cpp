@@ -114,6 +114,14 @@ Sample whole_number(double value, std::size_t& clipped)
     return static_cast<Sample>(std::clamp(rounded, 0.0, most));
 }
 
+/// The number of a plane's value. Light does not become negative: counts what would be.
+float light_number(double value, float before, std::size_t& clipped)
+{
+    if (value >= 0 || before < 0) return static_cast<float>(value);
+    ++clipped;
+    return 0;
+}
+
 /// Flattens a channel of samples of one type that lie `stride` samples from each other.
 template <class Sample>
 void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int height, int size, std::size_t& clipped)
@@ -127,10 +135,12 @@ void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int hei
     flatten(plane, size);
     for (std::size_t i = 0; i < plane.values.size(); ++i) {
         Sample sample{};
-        if constexpr (std::is_integral_v<Sample>)
+        if constexpr (std::is_integral_v<Sample>) {
             sample = whole_number<Sample>(plane.values[i], clipped);
-        else
-            sample = static_cast<Sample>(plane.values[i]);
+        } else {
+            std::memcpy(&sample, bytes + i * stride * sizeof(Sample), sizeof(Sample));
+            sample = light_number(plane.values[i], sample, clipped);
+        }
         std::memcpy(bytes + i * stride * sizeof(Sample), &sample, sizeof(Sample));
     }
 }
@@ -172,17 +182,20 @@ PngPixels flattened(const PngPixels& picture, int size, std::size_t& clipped)
     return flat;
 }
 
-RawPicture flattened(const RawPicture& picture, int size)
+RawPicture flattened(const RawPicture& picture, int size, std::size_t& clipped)
 {
+    clipped = 0;
     RawPicture flat = picture;
     const auto flatten_as = picture.type == SampleType::byte   ? flatten_channel<std::uint8_t>
                             : picture.type == SampleType::word ? flatten_channel<std::uint16_t>
                                                                : flatten_channel<float>;
     const std::size_t channels = picture.channels.size(), bytes = picture.pixel_bytes() / channels;
-    std::size_t clipped = 0; // as many as of the 8 bits, of which is told
+    std::vector<std::size_t> shown;
     for (std::size_t c = 0; c < channels; ++c)
-        if (picture.channels[c] != "A")
-            flatten_as(&flat.bytes[c * bytes], channels, picture.width, picture.height, size, clipped);
+        if (picture.channels[c] != "A" && !picture.channels[c].ends_with(".A")) shown.push_back(c);
+    shown.resize(shown.size() >= 3 ? 3 : std::min<std::size_t>(1, shown.size()));
+    for (const std::size_t c : shown)
+        flatten_as(&flat.bytes[c * bytes], channels, picture.width, picture.height, size, clipped);
     return flat;
 }
 

@@ -23,9 +23,10 @@ namespace poissonlab {
 /// along each axis.
 PngPixels flattened(const PngPixels& picture, int size, std::size_t& clipped);
 
-/// Flattens a picture of any type of numbers. Alpha stays as it is. Whole numbers are clipped, floating-point ones are
-/// not. Numbers that are not finite throw no error; they make the numbers around them not finite.
-RawPicture flattened(const RawPicture& picture, int size);
+/// Flattens the channels of a picture of any type of numbers that read_exemplar() shows, which must be finite: three
+/// colours, or the first one alone. Alpha, depths, normals and others stay as they are. Whole numbers are clipped, and
+/// floating-point ones that would become negative; `clipped` becomes their number.
+RawPicture flattened(const RawPicture& picture, int size, std::size_t& clipped);
 
 /// Says how much of a picture's variation is light that differs over more than a tile.
 struct UnevenLight

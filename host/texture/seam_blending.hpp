@@ -11,6 +11,7 @@
 #include "host/texture/texture_request.hpp"
 #include "tiles/texture/texture_set.hpp"
 
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -30,6 +31,9 @@ double fading_length(const PngPixels& exemplar, int size);
 /// together, without marked corners, of at most most_blended_pixels.
 bool can_blend(const TextureRequest& request);
 inline constexpr std::size_t most_blended_pixels = std::size_t{1} << 22;
+
+/// Says so in words that follow the name of the option.
+std::string blended_sets();
 
 /// The change of each value of a set, tile after tile, before it is rounded.
 std::vector<double> seam_changes(const TextureSet& set);

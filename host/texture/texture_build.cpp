@@ -300,8 +300,17 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
         built.notes.push_back(
             fmt::format("seams are blended over {:.0f} pixels{}", fading_length(exemplar, request.size),
                         request.blend ? "" : ", since the picture is smooth (--blend off leaves them)"));
+    } else if (!request.blend && !request.smooth && is_smooth(exemplar)) {
+        built.notes.push_back(fmt::format("the picture is smooth, but seams are not blended: that {}", blended_sets()));
     }
     return built;
+}
+
+void add_companions(BuiltTexture& built, std::vector<CompanionMap> companions)
+{
+    built.set.companions = std::move(companions);
+    if (built.set.is_blended && !built.set.companions.empty())
+        built.notes.emplace_back("seams of companions, and of the exemplar's own numbers, are not blended");
 }
 
 }

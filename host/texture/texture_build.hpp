@@ -28,4 +28,7 @@ using HarmonicSolver = std::function<void(GradientDomain& domain)>;
 BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
                            const HarmonicSolver& solve = relax_reference);
 
+/// Gives the set its companions, which show their sources as they are, and says so where seams of the set are blended.
+void add_companions(BuiltTexture& built, std::vector<CompanionMap> companions);
+
 }

@@ -183,12 +183,7 @@ void check(const TextureRequest& r)
     check_joint(r);
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
-    if (r.blend.value_or(false) && !can_blend(r))
-        refuse(
-            "blend", "true",
-            fmt::format("is for corner and omega tiles with a ring, and Wang tiles that are chosen together, without "
-                        "marked corners and smooth, of at most {} pixels",
-                        most_blended_pixels));
+    if (r.blend.value_or(false) && !can_blend(r)) refuse("blend", "true", blended_sets());
     const std::size_t pixels = pixels_of(r);
     if (pixels > most_atlas_pixels)
         refuse("size", std::to_string(r.size),

@@ -52,8 +52,8 @@ INLINE uint turned_texel(struct EndlessPlane plane, global const uint* texels, g
         columns[k] = column + k;
         rows[k] = row + k;
         if (plane.is_tileable) {
-            columns[k] = (columns[k] + plane.width) % plane.width;
-            rows[k] = (rows[k] + plane.height) % plane.height;
+            columns[k] = (columns[k] + 2 * plane.width) % plane.width; // a piece reaches less than two exemplars far
+            rows[k] = (rows[k] + 2 * plane.height) % plane.height;
         }
     }
     uint bytes = 0;

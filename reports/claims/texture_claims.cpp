@@ -44,7 +44,8 @@ std::vector<std::pair<const Texture*, const Texture*>> texture_pairs(const Claim
     for (const Texture* a : report.distributions("texture"))
         for (const Texture* b : report.distributions("texture"))
             if (one(*a) && other(*b) && a->parameter("exemplar") == b->parameter("exemplar") &&
-                a->parameter("size") == b->parameter("size") && number_of(*a, "tiles") == number_of(*b, "tiles"))
+                a->parameter("size") == b->parameter("size") && a->parameter("flatten") == b->parameter("flatten") &&
+                number_of(*a, "tiles") == number_of(*b, "tiles"))
                 pairs.emplace_back(a, b);
     return pairs;
 }

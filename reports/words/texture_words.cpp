@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
@@ -38,20 +39,31 @@ std::string capital(std::string text)
     return text;
 }
 
-bool is_judged(const DistributionResult& texture)
+/// What the gates are about whose measure a texture does not have.
+std::vector<const char*> unmeasured_in(const DistributionResult& texture)
 {
-    return std::ranges::any_of(texture_gates(),
-                               [&](const TextureGate& gate) { return number_in(texture, gate.key).has_value(); });
+    std::vector<const char*> unmeasured;
+    for (const TextureGate& gate : texture_gates())
+        if (!number_in(texture, gate.key)) unmeasured.push_back(gate.judged);
+    return unmeasured;
 }
+
+bool is_judged(const DistributionResult& texture) { return unmeasured_in(texture).size() < texture_gates().size(); }
 
 /// True of a quilted picture, which is no function of the plane.
 bool is_finished(const DistributionResult& texture) { return texture.parameter("kind") == "quilted"; }
 
-std::vector<std::string> faults_of(const DistributionResult& texture)
+/// What is said of textures that cannot be taken; empty of those that pass all gates.
+std::string objection_to(const DistributionResult& texture)
 {
     std::vector<std::string> faults;
     for (const TextureGate* gate : failed_gates(texture)) faults.emplace_back(gate->fault);
-    return faults;
+    if (!faults.empty()) return fmt::format("Rejected ({})", fmt::join(faults, ", "));
+    const std::vector<const char*> unmeasured = unmeasured_in(texture);
+    if (unmeasured.empty()) return "";
+    const bool needs_compare = !number_in(texture, "gradient_spread");
+    return fmt::format("Passes what was measured ({} not measured{})", fmt::join(unmeasured, " and "),
+                       needs_compare ? ": set compare = true" : "");
 }
 
 }
@@ -75,7 +87,10 @@ std::string texture_sentence(const DistributionResult& texture)
         parts.emplace_back(*novelty < most_whole                      ? "shapes whole"
                            : texture_gate("novelty").passes(*novelty) ? "some shapes fused or broken"
                                                                       : "shapes fused or broken");
-    if (number_in(texture, "conspicuous_seams").value_or(0) > most_hidden) parts.emplace_back("seams show");
+    // Seams are judged by sources, and say nothing of what blending made of them.
+    const bool is_blended = texture.parameter("smooth") == "true" || texture.parameter("blend") == "true";
+    if (!is_blended && number_in(texture, "conspicuous_seams").value_or(0) > most_hidden)
+        parts.emplace_back("seams show");
     if (!parts.empty() && is_finished(texture)) parts.emplace_back("a picture, not endless");
     return parts.empty() ? "" : capital(fmt::format("{}.", fmt::join(parts, "; ")));
 }
@@ -85,8 +100,9 @@ std::vector<std::size_t> judged_order(const std::vector<const DistributionResult
     std::vector<std::size_t> order(textures.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-        return std::pair(failed_gates(*textures[i]).size(),
-                         number_in(*textures[i], "novelty").value_or(std::numeric_limits<double>::infinity()));
+        const std::size_t failed = failed_gates(*textures[i]).size();
+        return std::tuple(failed, failed == 0 && !unmeasured_in(*textures[i]).empty(),
+                          number_in(*textures[i], "novelty").value_or(std::numeric_limits<double>::infinity()));
     });
     return order;
 }
@@ -103,24 +119,28 @@ std::string label_of_method(const DistributionResult& texture)
 std::string textures_verdict(const std::vector<const DistributionResult*>& textures)
 {
     if (std::ranges::none_of(textures, [](const auto* texture) { return is_judged(*texture); })) return "";
-    std::vector<std::string> good;
-    std::vector<std::pair<std::string, std::vector<std::string>>> others; // faults, and the textures that have them
+    std::vector<std::string> good, sentences;
+    std::vector<std::pair<std::string, std::vector<std::string>>> others; // objections, and the textures that have them
     for (const DistributionResult* texture : textures) {
-        const std::string faults = fmt::format("{}", fmt::join(faults_of(*texture), ", "));
-        if (faults.empty()) {
-            if (is_judged(*texture))
-                good.push_back(label_of_method(*texture) + (is_finished(*texture) ? " (not endless)" : ""));
+        if (!is_judged(*texture)) continue;
+        const std::string objection = objection_to(*texture);
+        const std::string label = label_of_method(*texture);
+        const bool is_rejected = !failed_gates(*texture).empty();
+        const std::string named = label + (is_finished(*texture) && !is_rejected ? " (not endless)" : "");
+        if (objection.empty()) {
+            good.push_back(named);
             continue;
         }
-        auto group = std::ranges::find(others, faults, &std::pair<std::string, std::vector<std::string>>::first);
-        if (group == others.end()) group = others.insert(group, {faults, {}});
-        group->second.push_back(label_of_method(*texture));
+        auto group = std::ranges::find(others, objection, &std::pair<std::string, std::vector<std::string>>::first);
+        if (group == others.end()) group = others.insert(group, {objection, {}});
+        group->second.push_back(named);
     }
-    std::string words = good.empty() ? "None of these passes" : "Take: " + good.front();
-    if (good.size() > 1) words += fmt::format(". Good as well: {}", fmt::join(good.begin() + 1, good.end(), "; "));
-    for (const auto& [faults, labels] : others)
-        words += fmt::format(". Rejected ({}): {}", faults, fmt::join(labels, "; "));
-    return words + ".";
+    sentences.push_back(good.empty() ? "None of these passes all gates" : "Take: " + good.front());
+    if (good.size() > 1)
+        sentences.push_back(fmt::format("Good as well: {}", fmt::join(good.begin() + 1, good.end(), "; ")));
+    for (const auto& [objection, labels] : others)
+        sentences.push_back(fmt::format("{}: {}", objection, fmt::join(labels, "; ")));
+    return fmt::format("{}.", fmt::join(sentences, ". "));
 }
 
 }

@@ -106,20 +106,39 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
+/// What the caller has left to the picture.
+OpenAdvice open_advice(const TextureSettings& asked, bool is_marked)
+{
+    OpenAdvice open;
+    open.colors = asked.are_colors_open && asked.request.kind == TextureKind::corner && !is_marked;
+    open.joint = asked.request.is_joint_open && asked.request.has_corners();
+    open.straighten = !asked.is_straightened && !is_marked;
+    open.flatten = !asked.is_flattened && !is_marked;
+    open.is_light_said = true;
+    return open;
+}
+
 /// Takes what is not given from the picture, and says so before the work begins, or where a size that is given is
 /// against the advice. Returns what was said.
 std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, TextureSettings& asked,
                                            const ExemplarPictures& pictures)
 {
     const PngPixels& picture = pictures.exemplar;
-    const TextureAdvice advice =
+    TextureAdvice advice =
         advise_texture(pictures.split > 0 ? picture_part(picture, 0, 0, pictures.split, picture.height) : picture);
     take_advice(asked.request, advice, asked.is_size_open, asked.are_colors_open);
     check(asked.request);
-    const std::string note = advice_note(advice, asked.request);
+    if (!asked.request.joint && asked.request.rounds != TextureRequest{}.rounds)
+        throw InputError(fmt::format("rounds = {}: is for tiles that are chosen together, which {} of {} x {} pixels "
+                                     "are only with --joint on",
+                                     asked.request.rounds, requested_tiles(asked.request).size(), asked.request.size,
+                                     asked.request.size));
+    advice.is_joint = asked.request.is_judged;
+    const OpenAdvice open = open_advice(asked, pictures.split > 0);
+    const std::string note = advice_note(advice, asked.request, open);
     std::vector<std::string> lines;
     if (asked.is_size_open)
-        lines = advice_lines(advice);
+        lines = advice_lines(advice, open);
     else if (!note.empty())
         lines.push_back(note);
     if (options.prints_json() || options.is_quiet()) return lines;
@@ -153,8 +172,8 @@ AdvisedTexture built_texture(const TextureBuildOptions& options, TextureSettings
         asked.request.split = pictures.split;
         for (const std::string& note : pictures.notes) options.say_note(note);
         BuiltTexture built = build_texture(asked.request, pictures.exemplar, tell, harmonic_solver(place));
+        add_companions(built, std::move(pictures.companions));
         for (const std::string& note : built.notes) options.say_note(note);
-        built.set.companions = std::move(pictures.companions);
         if (asked.is_straightened) built.set.parameters["straighten"] = "true";
         if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
         return {std::move(built), advice};

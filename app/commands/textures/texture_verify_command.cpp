@@ -79,12 +79,13 @@ void print_judgement(const TilingJudgement& found)
                    100 * found.slow->tiling, 100 * found.slow->exemplar);
 }
 
-/// Says what is proven and how visible seams are. Exemplars of one colour have no steps to compare with.
-std::string verdict_on(const TextureCertificate& proof, const SeamMeasures& seams)
+/// Says what is proven and how visible seams are. Exemplars of one colour have no steps to compare with, and seams that
+/// were blended are measured as they were before.
+std::string verdict_on(const TextureSet& set, const TextureCertificate& proof, const SeamMeasures& seams)
 {
     std::string verdict = "Verdict: proven, all tiles fit wherever they may lie side by side";
     if (proof.exceptions > 0) verdict += fmt::format(", but for {} pairs of pixels beside corners", proof.exceptions);
-    if (seams.natural > 0)
+    if (seams.natural > 0 && !set.is_smoothed && !set.is_blended)
         verdict += fmt::format(". Steps that are large for this exemplar are {:.1f} times as frequent across seams as "
                                "in the exemplar: 1 is as good as the exemplar itself, and seams with more are visible",
                                seams.conspicuous / seams.natural);
@@ -149,7 +150,7 @@ void verify_texture(const TextureVerifyOptions& options)
     if (found) print_judgement(*found);
     for (const auto& [file, pixels] : companions)
         fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);
-    fmt::print("{}\n", verdict_on(proof, seams));
+    fmt::print("{}\n", verdict_on(set, proof, seams));
 }
 
 }

@@ -106,7 +106,10 @@ void add_recurrence(const MadeTexture& made, const PngPixels& exemplar, const Di
               side = static_cast<int>(
                   std::min<std::int64_t>(most, static_cast<std::int64_t>(recurrence_tiles) * std::max(width, height)));
     values["recurrence_width"] = width;
-    if (const auto recurs = recurrence(square_of(made, side, side, place), width, height))
+    // An exemplar of which the square does not hold two is repeated all the same.
+    if (made.request.method == EndlessMethod::repeated && (side / width) * (side / height) < 2)
+        values["recurrence"] = 1;
+    else if (const auto recurs = recurrence(square_of(made, side, side, place), width, height))
         values["recurrence"] = *recurs;
 }
 
@@ -172,7 +175,8 @@ void add_pictures(const TextureSettings& settings, const MadeTexture& made, cons
             write("plane.png",
                   made.endless ? plane_picture(mapped_endless(made.request, exemplar), place)
                                : plane_picture(made.quilted.pixels, place),
-                  "The endless plane, with anisotropic filtering.");
+                  made.endless ? "The endless plane, with anisotropic filtering."
+                               : "A square of the picture, repeated, with anisotropic filtering.");
         if (word == "gaussian")
             write("gaussian.png", gaussian_picture(exemplar),
                   "The Gaussian exemplar that is blended: its coordinates as red, green and blue.");

@@ -5,6 +5,8 @@
 #include "host/distribution/textures/frame_rate.hpp"
 #include "host/texture/comparison/light_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -32,14 +34,27 @@ PngPixels pyramid_picture(const TexturePyramid& pyramid, TextureLookup lookup, i
                           frame_width, frame_height, pyramid.channels);
 }
 
+/// The window has as many tiles along each side as the square of this. Omega tiles recur in twos.
+int laid_root(const TextureSet& set)
+{
+    const bool is_large = 25 * set.size > static_cast<int>(most_laid_pixels);
+    return is_large || set.kind == TextureKind::omega ? 4 : 5;
+}
+
 }
 
 PngPixels plane_picture(const TextureSet& set, std::uint64_t seed, const DistributionPlace& place)
 {
-    const int laid_root = 25 * set.size <= static_cast<int>(most_laid_pixels) ? 5 : 4;
     return has_places(set)
                ? pyramid_picture(texture_pyramid(set, seed), TextureLookup::exact, set.size, place)
-               : pyramid_picture(laid_pyramid(set, seed, laid_root), TextureLookup::repeated, set.size, place);
+               : pyramid_picture(laid_pyramid(set, seed, laid_root(set)), TextureLookup::repeated, set.size, place);
+}
+
+std::string plane_caption(const TextureSet& set)
+{
+    if (has_places(set)) return "The endless plane, with anisotropic filtering.";
+    const int tiles = laid_root(set) * laid_root(set);
+    return fmt::format("A window of {} x {} tiles, repeated, with anisotropic filtering.", tiles, tiles);
 }
 
 PngPixels plane_picture(const MappedEndless& mapped, const DistributionPlace& place)

@@ -1,8 +1,10 @@
 // The kind of [[texture]], and what `texture build` makes: tiles from a picture.
+#include "base/errors/errors.hpp"
 #include "host/distribution/textures/endless_keys.hpp"
 #include "host/distribution/textures/texture_run.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
+#include "host/texture/advice/texture_advice.hpp"
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 
@@ -148,6 +150,23 @@ void flatten_key(Keys& keys, TextureSettings& s)
         throw keys.invalid("flatten", "cannot be combined with " + keys.name_of("marked_exemplar"));
 }
 
+/// Checks what is asked for with any size and colours that may be advised; the command checks it again with those that
+/// are.
+void check_open(const TextureSettings& s)
+{
+    constexpr int largest = 256;
+    TextureAdvice advice;
+    for (advice.size = 64;; advice.size *= 2) {
+        TextureRequest request = s.request;
+        take_advice(request, advice, s.is_size_open, s.are_colors_open);
+        try {
+            return check(request);
+        } catch (const InputError&) {
+            if (advice.size == largest) throw;
+        }
+    }
+}
+
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     keys.word("kind", s.request.kind, texture_kinds, "the kind of tiles");
@@ -159,7 +178,7 @@ void texture_set_keys(Keys& keys, TextureSettings& s)
     also_key(keys, s);
     straighten_key(keys, s);
     flatten_key(keys, s);
-    if (keys.is_read()) keys.check([&] { check(s.request); });
+    if (keys.is_read()) keys.check([&] { check_open(s); });
 }
 
 /// The kind of tiles, or the method that endless textures are made by without tiles.

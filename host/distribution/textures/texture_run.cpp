@@ -65,8 +65,7 @@ public:
                   fmt::format("Levels of the atlas, in light. Look-ups in it are exact up to level {}{}.",
                               exact_level(), set_.has_corners() ? "" : ", but at corners of tiles"));
         if (word == "plane" && is_power_of_two())
-            write("plane.png", plane_picture(set_, settings_.request.seed, place_),
-                  "The endless plane, with anisotropic filtering.");
+            write("plane.png", plane_picture(set_, settings_.request.seed, place_), plane_caption(set_));
     }
 
 private:
@@ -141,7 +140,7 @@ std::vector<std::string> facts_of(const TextureSettings& settings, const BuiltTe
 }
 
 /// The words that tell placements and exemplars apart.
-std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& settings)
+std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& settings, const TextureSet& set)
 {
     std::vector<DistributionParameter> parameters{
         {"exemplar", settings.pattern.empty() ? settings.exemplar.stem().string() : "pattern of " + settings.pattern},
@@ -153,7 +152,8 @@ std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& 
     };
     if (!settings.marked_exemplar.empty())
         parameters.push_back({"marked_exemplar", settings.marked_exemplar.stem().string()});
-    if (settings.is_straightened) parameters.push_back({"straighten", "true"});
+    for (const char* key : {"straighten", "flatten", "blend"})
+        if (set.parameters.contains(key)) parameters.push_back({key, set.parameters.at(key)});
     for (const auto& [key, value] : parameters_of(settings.request)) {
         const auto is_there = [&](const DistributionParameter& parameter) { return parameter.key == key; };
         if (std::ranges::none_of(parameters, is_there)) parameters.push_back({key, value});
@@ -210,10 +210,10 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
             add_comparison(built.set.exemplar, square_of_tiles(built.set, request.seed), compared_tiles * request.size,
                            values.back());
         if (number > 0) continue;
-        result.parameters = parameters_for_claims(settings);
-        built.set.companions = pictures.companions;
+        add_companions(built, pictures.companions);
         if (settings.is_straightened) built.set.parameters["straighten"] = "true";
         if (pictures.is_flattened) built.set.parameters["flatten"] = "true";
+        result.parameters = parameters_for_claims(settings, built.set);
         add_set(settings, built, place, files, result);
         if (!built.choice.empty()) result.facts.push_back(built.choice);
         result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());

@@ -19,6 +19,9 @@ namespace {
 /// Pictures are reduced to so many pixels before they are measured.
 constexpr std::size_t measured_pixels = std::size_t{1} << 18;
 
+/// Light is measured in pictures of so many pixels as they are.
+constexpr std::size_t most_exact_pixels = std::size_t{1} << 20;
+
 /// Means over squares as wide as the scale have this part of the variance.
 constexpr double scale_share = 0.25;
 
@@ -64,15 +67,19 @@ void choose_size(TextureAdvice& advice, const PngPixels& picture, const LightMap
         advice.is_wide = !advice.scale || least_tile_scales * *advice.scale > size;
         if (!advice.is_wide) break;
     }
-    if (advice.size > 128) advice.colors = 2; // as many pixels as 256 tiles of 64
+    advice.colors = advised_colors(advice.size);
 }
 
-/// Finds light that texture build flattens by itself. A small picture is measured as if for smaller tiles.
-void measure_light(TextureAdvice& advice, const ReducedPicture& reduced)
+/// Finds light that texture build flattens by itself, by the measurement that it makes; in large pictures of the
+/// reduced one.
+void measure_light(TextureAdvice& advice, const PngPixels& picture, const ReducedPicture& reduced)
 {
-    const int size = std::max(1, std::min(advice.size, std::min(advice.width, advice.height) / 4) / reduced.factor);
+    const bool is_large =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) > most_exact_pixels;
+    const PngPixels& measured = is_large ? reduced.pixels : picture;
+    const int size = is_large ? std::max(1, advice.size / reduced.factor) : advice.size;
     std::size_t clipped = 0;
-    const UnevenLight light = uneven_light(reduced.pixels, flattened(reduced.pixels, size, clipped), size);
+    const UnevenLight light = uneven_light(measured, flattened(measured, size, clipped), size);
     advice.slow_power = light.share;
     advice.is_flattened = light.is_uneven();
 }
@@ -171,16 +178,20 @@ TextureAdvice advise_texture(const PngPixels& picture)
     advice.height = picture.height;
     const ReducedPicture reduced = reduced_picture(picture, measured_pixels);
     const LightMap light = lightness_map(reduced.pixels);
-    choose_size(advice, picture, light, reduced.factor);
+    const bool has_one_color = std::ranges::all_of(light.values, [&](double v) { return v == light.values.front(); });
+    if (has_one_color) {
+        advice.obstacle = TextureObstacle::one_color; // of no scale
+        advice.size = tile_sizes(picture).front();
+        advice.colors = advised_colors(advice.size);
+    } else {
+        choose_size(advice, picture, light, reduced.factor);
+    }
     TextureRequest request;
     request.is_joint_open = true;
     take_advice(request, advice, true, true);
     advice.is_joint = request.joint;
-    if (std::ranges::all_of(light.values, [&](double value) { return value == light.values.front(); })) {
-        advice.obstacle = TextureObstacle::one_color;
-        return advice;
-    }
-    measure_light(advice, reduced);
+    if (has_one_color) return advice;
+    measure_light(advice, picture, reduced);
     compare_parts(advice, light);
     if (advice.is_texture() && shorter_side(picture) < 2 * advice.size) advice.obstacle = TextureObstacle::too_small;
     if (advice.is_texture()) find_periods(advice, reduced, light);
@@ -197,13 +208,15 @@ TextureAdvice advise_file(const std::filesystem::path& picture)
     }
 }
 
+Color advised_colors(int size) { return size > 128 ? 2 : 3; } // as many pixels as 256 tiles of 64
+
 void take_advice(TextureRequest& request, const TextureAdvice& advice, bool is_size_open, bool are_colors_open)
 {
     if (is_size_open) request.size = advice.size;
     if (are_colors_open && request.kind != TextureKind::omega) {
         // Half of the colours of corners are those of marked ones; Wang tiles have all marks of their corners.
         const Color marked = request.kind == TextureKind::corner ? 4 : 2;
-        const Color colors = request.split > 0 ? marked : advice.colors;
+        const Color colors = request.split > 0 ? marked : advised_colors(request.size);
         request.colors = {colors, colors};
     }
     settle_joint(request);

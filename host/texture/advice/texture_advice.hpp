@@ -34,7 +34,7 @@ struct TextureAdvice
     /// of the picture has more.
     std::optional<double> scale;
     std::vector<double> periods; ///< of what is regular, in pixels
-    double slow_power = 0;       ///< the part of the power that is slower than two tiles, or half of the picture
+    double slow_power = 0;       ///< the part of the power that is slower than two tiles
     double contrast_spread = 0;  ///< the standard deviation between parts of the picture of their contrast, in octaves
     double part_variance = 0;    ///< the variance between parts of their lightness, in parts of all variance
 
@@ -58,7 +58,11 @@ TextureAdvice advise_texture(const PngPixels& picture);
 /// Reads the picture as exemplars are read. Throws InputError with the name of the file.
 TextureAdvice advise_file(const std::filesystem::path& picture);
 
-/// Sets the numbers of a request that are open to those of the advice, and decides what follows from them.
+/// The colours of corner tiles of so many pixels.
+Color advised_colors(int size);
+
+/// Sets the numbers of a request that are open to those of the advice, colours by the size that is used, and decides
+/// what follows from them.
 void take_advice(TextureRequest& request, const TextureAdvice& advice, bool is_size_open, bool are_colors_open);
 
 }

@@ -163,6 +163,13 @@ bool can_blend(const TextureRequest& request)
            requested_tiles(request).size() * side * side <= most_blended_pixels;
 }
 
+std::string blended_sets()
+{
+    return fmt::format("is for corner and omega tiles with a ring, and Wang tiles that are chosen together, without "
+                       "marked corners and smooth, of at most {} pixels",
+                       most_blended_pixels);
+}
+
 std::vector<double> seam_changes(const TextureSet& set)
 {
     TextureRequest request;

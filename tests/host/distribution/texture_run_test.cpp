@@ -118,6 +118,16 @@ TEST_F(TextureRun, MakesEndlessTexturesWithoutTiles)
     }
 }
 
+/// Plain repetition repeats, also where the square that is measured holds one exemplar only.
+TEST_F(TextureRun, CallsLargeRepeatedExemplarsRepeated)
+{
+    TextureSettings settings = noise_settings();
+    settings.pattern_size = 2100;
+    settings.endless.emplace().method = EndlessMethod::repeated;
+    settings.show = {"exemplar"};
+    EXPECT_EQ(number(make(settings), "recurrence"), 1);
+}
+
 /// Times are said to be such, and pictures are the same on a device.
 TEST_F(TextureRun, TimesEndlessTextures)
 {

@@ -17,7 +17,10 @@
 namespace poissonlab {
 namespace {
 
+using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 PngPixels grey_picture(int width, int height, const std::function<double(int, int)>& value)
 {
@@ -204,10 +207,10 @@ struct KnownAdvice
 TEST(TextureAdvice, IsThatOfTheDocumentation)
 {
     const std::vector<KnownAdvice> known{
-        {"gravel", 64, false, false},  {"cork", 64, false, false},     {"sand", 64, false, false},
-        {"grass", 64, false, false},   {"turf", 64, false, false},     {"leaves", 64, false, false},
-        {"granite", 128, false, true}, {"pebbles", 128, false, false}, {"stones", 128, false, false},
-        {"brick", 128, true, false},   {"fabric", 64, false, false},   {"clouds", 128, false, true}};
+        {"gravel", 64, false, false},   {"cork", 64, false, false},     {"sand", 64, false, false},
+        {"grass", 64, false, false},    {"turf", 64, false, false},     {"leaves", 64, false, false},
+        {"granite", 128, false, false}, {"pebbles", 128, false, false}, {"stones", 128, false, false},
+        {"brick", 128, true, false},    {"fabric", 64, false, false},   {"clouds", 128, false, false}};
     for (const KnownAdvice& one : known) {
         const TextureAdvice advice = advise_texture(shipped(one.picture));
         EXPECT_TRUE(advice.is_texture()) << one.picture;
@@ -222,12 +225,24 @@ TEST(TextureAdvice, IsThatOfTheDocumentation)
     EXPECT_EQ(advise_texture(shipped("cat")).obstacle, TextureObstacle::one_object);
 }
 
+/// As texture build does, with tiles of which the picture has more than two along a side.
+TEST(TextureAdvice, FindsUnevenLight)
+{
+    const PngPixels noise = test::random_picture(300, 300, 1, 5);
+    const TextureAdvice advice = advise_texture(
+        grey_picture(300, 300, [&](int x, int y) { return (noise.values[noise.at(x, y, 0)] + x / 2) * 0.6; }));
+    EXPECT_EQ(advice.size, 64);
+    EXPECT_TRUE(advice.is_flattened);
+    EXPECT_FALSE(advise_texture(noise).is_flattened);
+}
+
 TEST(TextureAdvice, RefusesWhatIsNoTexture)
 {
     const PngPixels noise = test::random_picture(256, 256, 1, 5);
     const auto of = [](const PngPixels& picture) { return advise_texture(picture).obstacle; };
     EXPECT_EQ(of(noise), TextureObstacle::none);
     EXPECT_EQ(of(grey_picture(64, 64, [](int, int) { return 30; })), TextureObstacle::one_color);
+    EXPECT_FALSE(advise_texture(grey_picture(900, 900, [](int, int) { return 30; })).scale);
     EXPECT_EQ(of(grey_picture(256, 200, [](int x, int) { return x; })), TextureObstacle::other_colors);
     EXPECT_EQ(of(grey_picture(256, 256,
                               [&](int x, int y) {
@@ -257,6 +272,21 @@ TEST(TextureAdvice, SaysWhatIsAgainstIt)
     take_advice(omega, pebbles, true, true);
     EXPECT_EQ(omega.colors.horizontal, 4);
     EXPECT_EQ(omega.size, 128);
+    TextureRequest large; // colours are those of the size that is used
+    large.size = 256;
+    take_advice(large, pebbles, false, true);
+    EXPECT_EQ(large.colors.horizontal, 2);
+    EXPECT_THAT(advice_note(pebbles, large), Not(HasSubstr("--colors")));
+}
+
+/// Nothing is said of what the caller has decided.
+TEST(TextureAdvice, IsOfWhatIsOpen)
+{
+    const TextureAdvice brick = advise_texture(shipped("brick"));
+    EXPECT_THAT(advice_lines(brick), ElementsAre(HasSubstr("of 3 colours, fitted one piece after another: its scale"),
+                                                 HasSubstr("--straighten")));
+    EXPECT_THAT(advice_lines(brick, {false, false, false, false}),
+                ElementsAre(AllOf(HasSubstr("128 x 128 pixels: its scale"), Not(HasSubstr("colours")))));
 }
 
 }

@@ -114,13 +114,44 @@ TEST(Flattening, IsOfAllNumbersButAlpha)
 {
     const RawPicture words = raw_ramp<std::uint16_t>(SampleType::word, 33, 40, 50),
                      reals = raw_ramp<float>(SampleType::real, 33, 40, 0.01);
-    const RawPicture flat_words = flattened(words, 16), flat_reals = flattened(reals, 16);
+    std::size_t clipped = 0;
+    const RawPicture flat_words = flattened(words, 16, clipped), flat_reals = flattened(reals, 16, clipped);
     for (std::size_t i = 0; i < 2 * 33 * 40; i += 2) {
         ASSERT_NEAR(sample_at<std::uint16_t>(flat_words, i), 50 * (100 + 16 + 39), 0.51);
         ASSERT_NEAR(sample_at<float>(flat_reals, i), 1.55, 1e-5);
         ASSERT_EQ(sample_at<std::uint16_t>(flat_words, i + 1), sample_at<std::uint16_t>(words, i + 1));
         ASSERT_EQ(sample_at<float>(flat_reals, i + 1), sample_at<float>(reals, i + 1));
     }
+}
+
+/// Depths, which are no colours, stay bit for bit, even where they are not finite; no light becomes negative, and what
+/// was negative may remain so.
+TEST(Flattening, IsOfShownLightAlone)
+{
+    RawPicture picture{32, 32, SampleType::real, {"R", "G", "B", "x.A", "Z"}, {}};
+    for (int i = 0; i < 32 * 32; ++i) {
+        const float light = i % 32 < 16 ? 2.0f : i % 7 != 0 ? 20.0f : 0.0f;
+        const float depth = i % 5 == 0 ? std::numeric_limits<float>::infinity() : static_cast<float>(i);
+        for (const float value : {light, light - 30, light, static_cast<float>(i), depth}) {
+            const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&value);
+            picture.bytes.insert(picture.bytes.end(), bytes, bytes + sizeof(float));
+        }
+    }
+    std::size_t clipped = 0, zeros = 0, negative = 0;
+    const RawPicture flat = flattened(picture, 16, clipped);
+    for (std::size_t i = 0; i < 5 * 32 * 32; ++i) {
+        const float value = sample_at<float>(flat, i);
+        if (i % 5 >= 3) {
+            ASSERT_EQ(value, sample_at<float>(picture, i)) << i;
+        } else if (i % 5 != 1) {
+            ASSERT_GE(value, 0) << i;
+        }
+        zeros += i % 5 != 1 && i % 5 < 3 && value == 0;
+        negative += i % 5 == 1 && value < 0;
+    }
+    EXPECT_GT(clipped, 0u);
+    EXPECT_EQ(clipped, zeros);
+    EXPECT_GT(negative, 0u);
 }
 
 /// Noise through a Gaussian of standard deviation s / sqrt(2), by its definition: its correlation is exp(-d^2 / 2 s^2).

@@ -91,7 +91,7 @@ TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
 }
 
 /// A copy, a blend and shuffled pieces fail a gate each; what passes comes first, by new patches. A texture without
-/// such numbers has a card, and no verdict.
+/// such numbers has a card, and no verdict. One whose edges were not measured is behind those that pass.
 TEST_F(DistributionReport, SaysWhichTextureToTake)
 {
     const auto texture = [&](const std::string& name, const std::vector<std::pair<std::string, double>>& values) {
@@ -107,18 +107,20 @@ TEST_F(DistributionReport, SaysWhichTextureToTake)
         texture("copy", {{"recurrence", 1}, {"recurrence_width", 512}, {"gradient_spread", 1}, {"novelty", 0}}),
         texture("blend", {{"recurrence", 0}, {"gradient_spread", 2.5}, {"novelty", 0.1}}),
         texture("shuffle", {{"recurrence", 0}, {"gradient_spread", 1}, {"novelty", 0.9}}),
+        texture("uncompared", {{"recurrence", 0}, {"novelty", 0}}),
         texture("second", {{"recurrence", 0.03}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.08}}),
         texture("first", {{"recurrence", 0.02}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.01}}),
         texture("unknown", {})};
     const std::string text = page();
-    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Rejected (repeats): Copy. Rejected (blurs edges): "
-                                "Blend. Rejected (breaks shapes): Shuffle."));
+    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Passes what was measured (edges not measured: set "
+                                "compare = true): Uncompared. Rejected (repeats): Copy. Rejected (blurs edges): Blend. "
+                                "Rejected (breaks shapes): Shuffle."));
     EXPECT_THAT(text, HasSubstr("Edges kept; recurs faintly every 64 pixels; shapes whole."));
     EXPECT_THAT(text, HasSubstr("Edges kept; repeats every 512 pixels; shapes whole."));
     EXPECT_THAT(text, HasSubstr("Edges blurred; nothing recurs; some shapes fused or broken."));
-    EXPECT_LT(text.find(R"(<a href="#distribution-5">First</a>)"),
-              text.find(R"(<a href="#distribution-4">Second</a>)"));
-    EXPECT_LT(text.find(R"(<a href="#distribution-4">Second</a>)"), text.find(R"(<a href="#distribution-1">Copy</a>)"));
+    EXPECT_LT(text.find(R"(<a href="#distribution-6">First</a>)"),
+              text.find(R"(<a href="#distribution-5">Second</a>)"));
+    EXPECT_LT(text.find(R"(<a href="#distribution-5">Second</a>)"), text.find(R"(<a href="#distribution-1">Copy</a>)"));
     const std::size_t table = text.find("aria-label=\"Numbers of textures\"");
     ASSERT_NE(table, std::string::npos);
     EXPECT_THAT(text.substr(table), HasSubstr(R"(<td class="failed"><data value="1">1.00</data></td>)"));

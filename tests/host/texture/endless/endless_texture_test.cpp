@@ -128,6 +128,19 @@ TEST(EndlessTexture, RepeatsAsItsExemplar)
             EXPECT_EQ(window.values[window.at(x, y, 0)], exemplar.values[exemplar.at((x + 17) % 20, (y + 6) % 12, 0)]);
 }
 
+/// A turned piece as wide as the exemplar reaches beyond it by a whole exemplar and a texel; of one colour all is that.
+TEST(EndlessTexture, GoesOnBesideTurnedPiecesThatAreWhole)
+{
+    EndlessRequest request;
+    request.tileable = true;
+    request.turn = 1;
+    request.cell = 10;
+    expect_twin(endless_texture(request, test::random_picture(10, 10, 1, 3)), {-40, -30, 120, 90}, {64});
+    const PngPixels grey{10, 10, 1, std::vector<std::uint8_t>(100, 90)};
+    for (const std::uint8_t value : reference_endless_window(endless_texture(request, grey), {0, 0, 300, 300}).values)
+        ASSERT_EQ(value, 90);
+}
+
 TEST(EndlessTexture, TakesTheMemoryThatItSays)
 {
     Device device = Device::open();
