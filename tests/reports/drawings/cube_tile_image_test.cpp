@@ -172,7 +172,8 @@ TEST(CubeTileImage, HasTheAreasOfTheRegions)
     const double rhomb = 1024 * std::sqrt(0.75);
     for (const double shade : {0.0, 0.08, 0.16}) {
         EXPECT_NEAR(areas[mixed_color(color, black, shade)], (4 * A * A - 2 * (A - B) * (A - B)) * rhomb, 1e-9);
-        EXPECT_NEAR(areas[mixed_color(mixed_color(color, white, 0.6), black, shade)], 4 * B * (1 - 2 * A) * rhomb, 1e-9);
+        EXPECT_NEAR(areas[mixed_color(mixed_color(color, white, 0.6), black, shade)], 4 * B * (1 - 2 * A) * rhomb,
+                    1e-9);
         EXPECT_NEAR(areas[mixed_color(white, black, shade)], rhomb, 1e-9); // under the regions
     }
     EXPECT_EQ(areas.size(), 9u);
