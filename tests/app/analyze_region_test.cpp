@@ -117,7 +117,7 @@ TEST(AnalyzeRegion, CountsAPeriodogramForEachTaper)
     const auto series = nlohmann::json::parse(content_of(out / "results.json"))["series"][0];
     EXPECT_EQ(series["spectrum"]["kind"], "power spectrum estimate");
     EXPECT_NEAR(series["radial"]["background_anisotropy_db"].get<double>(), -10 * std::log10(8.0), 1e-6);
-    EXPECT_THAT(content_of(out / "points/index.html"), testing::HasSubstr("dB for K\u00a0=\u00a08."));
+    EXPECT_THAT(content_of(out / "points/index.html"), testing::HasSubstr("dB for K\u00a0=\u00a08;"));
 
     double sum = 0, rings = 0, samples = 0;
     for (const RadialBin& ring : read_radial_table(out / "points/radial.csv"))

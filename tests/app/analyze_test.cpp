@@ -51,12 +51,12 @@ TEST(Analyze, TakesKeysOfTheAnalysis)
     folder.write("grid.txt", "0.25 0.25\n0.75 0.25\n0.25 0.75\n0.75 0.75\n");
     const Outcome outcome =
         run_program(folder.path(), {"analyze", "grid.txt", "--set", "analysis.zone_plate=true", "--set",
-                                    "analysis.tiles=2", "--set", "analysis.spectrum_size=12"});
+                                    "analysis.tiles=2", "--set", "analysis.spectrum_size=48"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const auto json = nlohmann::json::parse(content_of(folder.path() / "out/grid/results.json"));
     const auto& series = json["series"][0];
     EXPECT_EQ(json["overrides"].size(), 3);
-    EXPECT_EQ(series["spectrum"]["size"], 12);
+    EXPECT_EQ(series["spectrum"]["size"], 48);
     EXPECT_TRUE(fs::exists(folder.path() / "out/grid/grid/zone-plate.exr"));
     EXPECT_EQ(series["measures"]["lattice_peaks"]["tiles"], 2);
     EXPECT_TRUE(fs::exists(folder.path() / "out/grid/grid/pair-correlation.csv"));

@@ -78,7 +78,7 @@ TEST_F(AperiodicCommand, ReadsAndWritesFilesOfTiles)
 TEST_F(AperiodicCommand, DrawsSets)
 {
     printed("convert ammann --construction horizontal --out figure.svg");
-    EXPECT_THAT(content_of(folder_.path() / "figure.svg"), HasSubstr("#ff00ff")); // the sixth colour
+    EXPECT_THAT(content_of(folder_.path() / "figure.svg"), HasSubstr("#cc79a7")); // the sixth colour
     printed("convert ammann --construction horizontal --out figure.png");
     EXPECT_EQ(test::decode_png(content_of(folder_.path() / "figure.png")).width,
               576); // 7 columns of 40 units, and a margin

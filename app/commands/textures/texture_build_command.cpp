@@ -128,8 +128,8 @@ std::vector<std::string> settle_by_picture(const TextureBuildOptions& options, T
     return lines;
 }
 
-/// Straightens and flattens the exemplar as asked. Adds a note if a set that is chosen together could have joints that run
-/// through.
+/// Straightens and flattens the exemplar as asked. Adds a note if a set that is chosen together could have joints that
+/// run through.
 void prepare_exemplar(ExemplarPictures& pictures, const TextureSettings& asked)
 {
     if (asked.is_straightened) straighten(pictures, asked.request.size);

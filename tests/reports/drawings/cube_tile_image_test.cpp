@@ -166,12 +166,13 @@ TEST(CubeTileImage, HasTheAreasOfTheRegions)
 {
     // Per face, an octagon in four quarters, strips on the inside of four edges; rhombs are sin 120 as large.
     const double r = 0.1, A = r * (1 + 2 * std::numbers::sqrt2), B = r * (1 + std::numbers::sqrt2);
-    CubeGrid grid{2, {1, 1, 1}, {0}, false}; // all red
+    CubeGrid grid{2, {1, 1, 1}, {0}, false};
+    const std::string color = tile_color(0);
     auto areas = test::filled_areas(draw_cube_regions(grid, r));
     const double rhomb = 1024 * std::sqrt(0.75);
     for (const double shade : {0.0, 0.08, 0.16}) {
-        EXPECT_NEAR(areas[mixed_color("#ff0000", black, shade)], (4 * A * A - 2 * (A - B) * (A - B)) * rhomb, 1e-9);
-        EXPECT_NEAR(areas[mixed_color("#ff9999", black, shade)], 4 * B * (1 - 2 * A) * rhomb, 1e-9);
+        EXPECT_NEAR(areas[mixed_color(color, black, shade)], (4 * A * A - 2 * (A - B) * (A - B)) * rhomb, 1e-9);
+        EXPECT_NEAR(areas[mixed_color(mixed_color(color, white, 0.6), black, shade)], 4 * B * (1 - 2 * A) * rhomb, 1e-9);
         EXPECT_NEAR(areas[mixed_color(white, black, shade)], rhomb, 1e-9); // under the regions
     }
     EXPECT_EQ(areas.size(), 9u);

@@ -40,7 +40,8 @@ std::map<std::string, double> filled_areas(const Drawing& drawing)
 {
     std::map<std::string, double> areas;
     for (const Shape& shape : drawing.shapes)
-        if (!shape.fill.empty()) areas[shape.fill] += area_of(std::get<Polygon>(shape.form));
+        if (!shape.fill.empty() && !std::holds_alternative<Text>(shape.form))
+            areas[shape.fill] += area_of(std::get<Polygon>(shape.form));
     return areas;
 }
 

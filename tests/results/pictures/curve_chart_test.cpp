@@ -56,7 +56,7 @@ TEST(CurveChart, IsAPlotWithAKeyBelow)
     EXPECT_EQ(picture.width, panel_width);
     EXPECT_EQ(picture.height, panel_height + 3 * 16);
     EXPECT_THAT(picture.commands, HasSubstr("lc rgb '#2c728e'"));
-    EXPECT_THAT(picture.commands, HasSubstr("title \"random\""));
+    EXPECT_THAT(picture.commands, HasSubstr("title 'random'"));
     CurveChart one = some_chart();
     one.curves.pop_back();
     EXPECT_EQ(gnuplot_picture(chart_plot(one), "stem").height, panel_height);

@@ -98,7 +98,7 @@ TEST(TextureTable, ReadsEndlessTexturesWithoutTiles)
     EXPECT_EQ(settings.endless->method, EndlessMethod::hexagons);
     EXPECT_EQ(settings.endless->gain, 2);
     EXPECT_EQ(settings.endless->cell, 40);
-    EXPECT_THAT(settings.show, ElementsAre("exemplar", "tiling"));
+    EXPECT_THAT(settings.show, ElementsAre("exemplar", "tiling", "plane"));
     expect_texture_refusal("kind = \"hexagons\"\npattern = \"noise\"\ncolors = 3", "is for tiles");
     expect_texture_refusal("pattern = \"noise\"\ncell = 40", "cell = 40: is for kind = \"offsets\", \"hexagons\"");
     expect_texture_refusal("kind = \"hexagons\"\npattern = \"noise\"\ncell = 200", "cell = 200: must be at most 126");
