@@ -21,6 +21,9 @@ constexpr double apart = 0.7;            ///< mean nearest distance, half-way fr
 constexpr double wide = 0.47;            ///< effective Nyquist frequency, half-way as well
 constexpr int most_of_a_lattice_2d = 12; ///< frequencies that the symmetries of a lattice make equal
 constexpr int most_of_a_lattice_3d = 48;
+constexpr double spike = 4;         ///< mean power of a spike's frequencies; random points have 1
+constexpr double most_leaked = 0.3; ///< perimeter / area in mean distances: adds a quarter of `quiet`
+constexpr int few_sets = 3;         ///< standard errors of so few are too small in every few cases
 
 std::optional<double> number_of(const Series& series, const char* key)
 {
@@ -28,13 +31,14 @@ std::optional<double> number_of(const Series& series, const char* key)
     return found == series.measures.numbers.end() ? std::nullopt : std::optional(found->second.value);
 }
 
-/// The standard error of the power at low frequencies: as measured, or that of exponential powers, of as many pairs f
-/// and -f as there are up to root N / 4.
+/// The standard error of the power at low frequencies: that of exponential powers, of as many pairs f and -f as there
+/// are up to root N / 4, or as measured; the larger one of few sets.
 double error_of(const Estimate& low, const Series& series, int dimension)
 {
-    if (low.standard_error) return *low.standard_error;
+    const double measured = low.standard_error.value_or(0);
+    if (low.standard_error && series.realizations > few_sets) return measured;
     const double pairs = static_cast<double>(series.points) * std::numbers::pi / (dimension == 2 ? 32 : 96);
-    return low.value / std::sqrt(std::max(1.0, pairs * series.realizations));
+    return std::max(measured, low.value / std::sqrt(std::max(1.0, pairs * series.realizations)));
 }
 
 std::string percent(double part)
@@ -51,17 +55,39 @@ std::optional<double> frequencies_with_power(const Series& series)
     return static_cast<double>(peak->samples) / (1 + std::pow(10, peak->db / 10));
 }
 
+/// True where they are few enough for a lattice, and are spikes.
+bool are_spikes(double frequencies, const PeakAnisotropy& peak, int dimension)
+{
+    return frequencies <= (dimension == 2 ? most_of_a_lattice_2d : most_of_a_lattice_3d) &&
+           peak.power * static_cast<double>(peak.samples) > spike * frequencies;
+}
+
+/// The mean width of the region, 2 area / perimeter, in mean distances, where sets were measured without tapers in a
+/// region so narrow that its boundary blurs the spectrum.
+std::optional<double> blurring_width(const Series& series)
+{
+    if (!series.region || series.region->tapers > 0) return std::nullopt;
+    const double mean_distance = series.region->unit_length / std::sqrt(static_cast<double>(series.points));
+    if (series.region->perimeter * mean_distance <= most_leaked * series.region->area) return std::nullopt;
+    return 2 * series.region->area / series.region->perimeter / mean_distance;
+}
+
 /// The reason why nothing can be said; empty where something can.
 std::string unknown_because(const Series& series, int dimension)
 {
     if (series.border && series.border->is_not_periodic())
         return "the sets are not periodic but were measured as if they were: use --periodic no";
     if (series.is_window) return "the border of a window leaves a cross in the spectrum";
+    if (const auto width = blurring_width(series))
+        return fmt::format("the region's boundary blurs its spectrum (its mean width is {:.2g} mean distances)",
+                           *width);
     const auto& numbers = series.measures.numbers;
     const bool has_numbers = numbers.contains("low_frequency_mean") && numbers.contains("mean_nearest_distance");
     if (has_numbers && series.measures.peak_anisotropy) return {};
-    return short_spectrum_words(series, dimension).empty() ? "there are too few points"
-                                                           : "the spectrum ends too early to show all peaks";
+    if (!short_spectrum_words(series, dimension).empty()) return "the spectrum ends too early to show all peaks";
+    return has_numbers ? fmt::format("no {} of its spectrum has {} frequencies and power",
+                                     dimension == 2 ? "ring" : "shell", least_peak_samples)
+                       : "there are too few points";
 }
 
 int asked_size(const Series& series, int dimension)
@@ -88,7 +114,7 @@ std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dim
         against.push_back(low.value >= noisy ? power
                                              : fmt::format("{}, which is not safely below {}", power, percent(noisy)));
     const auto frequencies = frequencies_with_power(series);
-    if (frequencies && *frequencies <= (dimension == 2 ? most_of_a_lattice_2d : most_of_a_lattice_3d))
+    if (frequencies && are_spikes(*frequencies, *series.measures.peak_anisotropy, dimension))
         against.push_back(fmt::format("its spectrum has spikes like that of a lattice: {:.0f} of {} frequencies hold "
                                       "the power of a {}",
                                       std::max(1.0, *frequencies), series.measures.peak_anisotropy->samples,
@@ -105,28 +131,40 @@ std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dim
         against.push_back(fmt::format("the spectrum has directions or peaks, {:.1f} dB above chance",
                                       *number_of(series, "anisotropy_above_chance")));
     if (!against.empty()) return BlueNoiseVerdict{"weakly", fmt::format("{}", fmt::join(against, ", and "))};
-    return BlueNoiseVerdict{
-        "yes", fmt::format("{}, {}, and {}", power,
-                           nearest < apart ? fmt::format("the spectrum rises late and steeply (effective "
-                                                         "Nyquist frequency {:.2f})",
-                                                         nyquist)
-                                           : fmt::format("points keep apart (mean nearest distance {:.2f})", nearest),
-                           number_of(series, "anisotropy_above_chance") ? "no peaks or directions rise above chance"
-                                                                        : "a mean over tapers hides any directions")};
+    const std::string apart_words =
+        nearest < apart
+            ? fmt::format("the spectrum rises late and steeply (effective Nyquist frequency {:.2f})", nyquist)
+            : fmt::format("points keep apart (mean nearest distance {:.2f})", nearest);
+    if (!number_of(series, "anisotropy_above_chance"))
+        return BlueNoiseVerdict{"unknown", fmt::format("{} and {}, but {}", power, apart_words,
+                                                       series.region && series.region->tapers > 0
+                                                           ? "a mean over tapers hides any peaks and directions"
+                                                           : "peaks and directions could not be tested")};
+    return BlueNoiseVerdict{"yes",
+                            fmt::format("{}, {}, and no peaks or directions rise above chance", power, apart_words)};
+}
+
+bool reaches_as_asked(const Series& series, int dimension)
+{
+    return series.spectrum_size >= asked_size(series, dimension);
 }
 
 std::string short_spectrum_words(const Series& series, int dimension)
 {
     if (series.spectrum_size == 0) return {};
     const int asked = asked_size(series, dimension);
-    const bool is_whole = series.spectrum_size >= asked, has_rise = number_of(series, "effective_nyquist").has_value();
+    const bool is_whole = reaches_as_asked(series, dimension),
+               has_rise = number_of(series, "effective_nyquist").has_value();
     if (is_whole && has_rise) return {};
     std::vector<std::string> missing;
     if (!number_of(series, "low_frequency_mean")) missing.emplace_back("power at low frequencies");
     if (!has_rise) missing.emplace_back("effective Nyquist frequency");
     if (!is_whole) missing.emplace_back("oscillation, anisotropy and lattice peaks");
     const double root = std::pow(static_cast<double>(series.points), 1.0 / dimension), reach = spectrum_reach(series);
-    const bool can_be_set = asked <= (dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d) && !series.region;
+    const int most = dimension == 3  ? most_frequencies_3d
+                     : series.region ? largest_region_spectrum
+                                     : most_frequencies_2d;
+    const bool can_be_set = asked <= most;
     return fmt::format(
         "The spectrum ends at frequency {:.4g} ({:.2g} {}), too early for these measures, which are left "
         "out: {}.{}",

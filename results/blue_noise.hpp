@@ -23,6 +23,9 @@ struct BlueNoiseVerdict
 /// follow a density, whose spectrum is that of the density as well.
 std::optional<BlueNoiseVerdict> blue_noise_verdict(const Series& series, int dimension);
 
+/// True where the spectrum is as large as the rule asks, so that it shows all peaks.
+bool reaches_as_asked(const Series& series, int dimension);
+
 /// A sentence on measures that are left out because the spectrum ends too early; empty where none is.
 std::string short_spectrum_words(const Series& series, int dimension);
 

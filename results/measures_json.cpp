@@ -21,6 +21,7 @@ void members(JsonMembers& m, Stored<PeakAnisotropy> auto& peak)
     m.member("frequency", peak.frequency);
     m.member("samples", peak.samples, 1);
     m.member("standard_error_db", peak.standard_error_db);
+    m.if_any("power", peak.power);
 }
 
 void members(JsonMembers& m, Stored<LowFrequencyPower> auto& power)

@@ -1,6 +1,7 @@
 #include "results/series.hpp"
 
 #include "analysis/borders/border_pairs.hpp"
+#include "base/files/text_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,12 @@ std::string mixture_words(const Series& series)
 double BoxResult::unit_length() const { return root_of_volume(sides); }
 
 PeriodicBox BoxResult::box() const { return periodic_box(sides); }
+
+bool is_followed_density(const std::string& key, const std::string& text)
+{
+    double number = 0;
+    return key == "density" && !parse_number(text, number);
+}
 
 double spectrum_reach(const Series& series)
 {

@@ -94,6 +94,7 @@ struct RegionResult
     std::string name;       ///< as it was typed, files without their folder
     double area = 0;        ///< in squares of its units
     double unit_length = 1; ///< of the results' lengths, in its units: the root of the area
+    double perimeter = 0;   ///< with that of holes, in its units; 0: not known, as in older results
     std::size_t polygons = 0, corners = 0;
     bool is_in_metres = false;      ///< longitude and latitude were mapped to a plane, whose units are metres
     bool has_density = false;       ///< K and g are those of points that follow a density
@@ -192,6 +193,9 @@ struct Series
     /// Sets the numbers of realizations and points.
     void set_sizes(const std::vector<std::size_t>& sizes);
 };
+
+/// True for a parameter that is a density which points follow: one that is a number is everywhere the same.
+bool is_followed_density(const std::string& key, const std::string& text);
 
 /// The frequency up to which a series' spectrum has all directions, in cycles per unit length.
 double spectrum_reach(const Series& series);

@@ -49,6 +49,7 @@ void members(JsonMembers& m, Stored<RegionResult> auto& region)
     m.member("name", region.name);
     m.member("area", region.area);
     m.member("unit_length", region.unit_length);
+    m.if_any("perimeter", region.perimeter);
     m.member("polygons", region.polygons, 1);
     m.member("corners", region.corners, 3);
     m.if_any("is_in_metres", region.is_in_metres);

@@ -98,7 +98,7 @@ std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radi
     for (const RadialBin& bin : radial)
         if (takes_part(bin) && (!peak || bin.anisotropy_db > peak->anisotropy_db)) peak = &bin;
     if (!peak) return std::nullopt;
-    return PeakAnisotropy{peak->anisotropy_db, peak->frequency, peak->samples};
+    return PeakAnisotropy{peak->anisotropy_db, peak->frequency, peak->samples, {}, peak->power};
 }
 
 double peak_anisotropy_error_db(const std::vector<RadialBin>& radial, const PeakAnisotropy& peak, const Spectrum& mean)

@@ -24,6 +24,7 @@ struct PeakAnisotropy
     double frequency = 0;                         ///< of the ring, in cycles per unit length
     std::size_t samples = 0;                      ///< of the ring
     std::optional<double> standard_error_db = {}; ///< for whoever has several realizations to set
+    double power = 0;                             ///< mean of the ring; 0: not known, as in older results
 
     bool operator==(const PeakAnisotropy&) const = default;
 };

@@ -93,6 +93,10 @@ int block_for(int size, int largest);
 inline constexpr int largest_spectrum_2d = 8192;
 inline constexpr int largest_spectrum_3d = 256;
 
+/// The largest that can be asked for: 512^3 frequencies take some 7 GiB while they are made, and spectra of sets in
+/// regions are made in memory for all of their frequencies at once.
+inline constexpr int most_frequencies_2d = 8192, most_frequencies_3d = 512, largest_region_spectrum = 4096;
+
 /// Files of 2D spectra that are larger hold means over blocks unless all is asked for: 16 MiB, and not 512 MiB.
 inline constexpr int largest_stored_spectrum = 2048;
 

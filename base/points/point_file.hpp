@@ -138,9 +138,9 @@ std::vector<std::filesystem::path> without_further_parts(const std::vector<std::
 
 /// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
 /// dimension), .h5 (HDF5), .hdf5 and .h5part (particles in 3D, see hdf5_points.hpp), .csv (columns x, y and, in 3D, z),
-/// .usda (a point instancer of USD, whose positions are floats), .geojson (a MultiPoint) and .dxf (points of release
-/// 12), which are not read back; .txt, .dat or none is text with 17 significant digits, so that reading back gives the
-/// same doubles. `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws
+/// .usda (a point instancer of USD, whose positions are floats), .geojson (a feature for each point) and .dxf (points
+/// of release 12), which are not read back; .txt, .dat or none is text with 17 significant digits, so that reading back
+/// gives the same doubles. `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws
 /// StorageError, and InputError for others than point_file_endings().
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment = {});
 

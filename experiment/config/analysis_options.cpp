@@ -48,9 +48,6 @@ void measure_keys(Keys& keys, RegionMeasures& measures)
                  "orthogonal tapers of the region, whose spectra are averaged; 0: points less the region");
 }
 
-/// 512^3 frequencies take some 7 GiB while they are made.
-constexpr int most_frequencies_2d = 8192;
-constexpr int most_frequencies_3d = 512;
 constexpr int most_tiles = 4096;
 
 void spectrum_keys(Keys& keys, AnalysisOptions& o, int dimension)

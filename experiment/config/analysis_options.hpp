@@ -23,9 +23,6 @@ class RegionTapers;
 // The keys that are about sets in a region of the plane: region and planar of [analysis], which hold for all methods,
 // and of a [[method]]; density, density_from, envelope, tapers of [analysis].
 
-/// Spectra of sets in regions are made in memory for all of their frequencies at once.
-inline constexpr int largest_region_spectrum = 4096;
-
 /// The settings by which sets are measured in any region.
 struct RegionMeasures
 {

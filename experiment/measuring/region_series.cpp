@@ -134,6 +134,8 @@ public:
         result.name = region().name();
         result.area = region().own_area();
         result.unit_length = region().unit_length() * region().side();
+        for (const RegionEdge& e : region().boundary().edges())
+            result.perimeter += std::hypot(e.to[0] - e.from[0], e.to[1] - e.from[1]) * region().side();
         result.polygons = region().polygons().polygons.size();
         result.corners = corner_count(region().polygons());
         result.is_in_metres = is_mapped(region().own_polygons());

@@ -2,13 +2,14 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
-#include "base/files/text_lines.hpp"
 #include "base/regions/region_source.hpp"
 #include "results/file_names.hpp"
 #include "results/periodograms.hpp"
 #include "version.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace poissonlab {
 namespace {
@@ -101,10 +102,9 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
 /// True where the spectrum is that of a density as well.
 bool follows_density(const Parameters& parameters)
 {
-    const Json given = parameters_json(parameters);
-    double number = 0;
-    return given.contains("density") && given["density"].is_string() &&
-           !parse_number(given["density"].get<std::string>(), number);
+    return std::ranges::any_of(parameters.given(), [](const auto& given) {
+        return is_followed_density(given.first, to_string(given.second.value));
+    });
 }
 
 /// Adds a result to the list of its kind, with its name and its files' folder.

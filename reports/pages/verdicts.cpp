@@ -104,7 +104,9 @@ std::optional<double> above_chance_of_curve(const ReportSeries& series)
 {
     const auto& bins = series.curve.bins;
     const bool is_fine = bins.size() > 2 && bins[1].frequency - bins[0].frequency == 1;
-    if (!is_fine || (series.stored->region && series.stored->region->tapers > 0)) return std::nullopt;
+    if (!is_fine || !reaches_as_asked(*series.stored, series.run->dimension) ||
+        (series.stored->region && series.stored->region->tapers > 0))
+        return std::nullopt;
     return anisotropy_above_chance_db(bins, std::max(series.curve.periodograms, 1));
 }
 

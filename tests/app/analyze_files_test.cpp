@@ -1,6 +1,7 @@
 // `poissonlab analyze` of files as others write them: what is read, and what is said of it.
 #include "tests/support/command_test.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -82,6 +83,23 @@ TEST_F(AnalyzeFiles, SayWhichDomainWouldFit)
               "511.7: --domain 0:512 or --domain \"0:512 0:410\" (a periodic box) or --region 'rectangle 0 0 512 410' "
               "would fit\n");
     EXPECT_EQ(series_of("a.csv --domain 0:512")["points"], 4);
+}
+
+TEST_F(AnalyzeFiles, OfADomainThatIsNotPeriodicMayLieOnItsSides)
+{
+    std::string grid;
+    for (int i = 0; i <= 8; ++i)
+        for (int j = 0; j <= 4; ++j) grid += fmt::format("{} {}\n", i / 4.0, j / 4.0);
+    folder_.write("g.txt", grid);
+    const auto measured = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"analyze", "g.txt", "--domain", "0:2 0:1", "--out", "out"});
+        return run_program(folder_.path(), words);
+    };
+    EXPECT_EQ(measured({}).status, 2);
+    const Outcome outcome = measured({"--periodic", "no"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto results = nlohmann::json::parse(content_of(folder_.path() / "out/results.json"));
+    EXPECT_EQ(results["series"][0]["region"]["perimeter"], 6);
 }
 
 TEST_F(AnalyzeFiles, OfAConfigHaveTypesOfParticlesToo)

@@ -1,4 +1,5 @@
-"""Checks that every page and package names the version of project() in CMakeLists.txt: version.py SOURCE."""
+"""Checks that every page and package names the version of project() in CMakeLists.txt, wherever it names one; the newest
+section of CHANGELOG.md does: version.py SOURCE."""
 
 import re
 import sys
@@ -14,16 +15,16 @@ PLACES = {
 
 
 def main(source):
-    def first(name, pattern):
-        found = re.search(pattern, (source / name).read_text(encoding="utf-8"), re.M)
-        return found and found[1]
+    def all_in(name, pattern):
+        return re.findall(pattern, (source / name).read_text(encoding="utf-8"), re.M)
 
-    version = first("CMakeLists.txt", r"project\(\w+ VERSION (\S+)")
-    others = {name: first(name, pattern) for name, pattern in PLACES.items()}
-    for name, other in others.items():
-        if other != version:
-            print(f"{name}: names version {other}, CMakeLists.txt {version}")
-    return any(other != version for other in others.values())
+    versions = all_in("CMakeLists.txt", r"project\(\w+ VERSION (\S+)")
+    others = {name: all_in(name, pattern) for name, pattern in PLACES.items()}
+    others["CHANGELOG.md"] = others["CHANGELOG.md"][:1]
+    wrong = {name: found for name, found in others.items() if len(versions) != 1 or set(found) != set(versions)}
+    for name, found in wrong.items():
+        print(f"{name}: names version {' and '.join(found) or 'none'}, CMakeLists.txt {' and '.join(versions) or 'none'}")
+    return bool(wrong)
 
 
 if __name__ == "__main__":

@@ -67,6 +67,7 @@ protected:
         series.region = RegionResult{"park.geojson",
                                      320.5,
                                      17.9,
+                                     71.7,
                                      2,
                                      12,
                                      true,
@@ -98,7 +99,7 @@ protected:
         Measures all;
         all.numbers["effective_nyquist"] = {0.5, 0.01};
         all.oscillation = Oscillation{3, 20, 40, 0.125};
-        all.peak_anisotropy = PeakAnisotropy{-6, 33, 200, 0.25};
+        all.peak_anisotropy = PeakAnisotropy{-6, 33, 200, 0.25, 0.5};
         all.low_frequency_power = LowFrequencyPower{0.5, 0.1, 0.06, 0.01, 3, 30};
         all.lattice_peaks = LatticePeaks{8, 12.5, 3.5, {8, -16, 1}, 99, 0.5};
         all.integration = {{"disk", 0.25, 0.01, 0.001, 0.5}, {"step", 0.5, 0.02, 0.002, 0.75}};

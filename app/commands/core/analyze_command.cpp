@@ -89,17 +89,21 @@ ConfigTable region_entry(const std::string& region)
     return region.empty() ? ConfigTable{} : entry_of("--region", "region", region, region);
 }
 
+/// True where measures are asked for that sets in regions do not have.
+bool has_measures_of_squares(const AnalyzeOptions& options)
+{
+    return std::ranges::any_of(options.overrides, [](const std::string& text) {
+        return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
+               text.starts_with("analysis.zone_plate");
+    });
+}
+
 /// Sets that are not periodic are measured as sets in the square as a region, whose border is corrected for. Windows,
 /// whose border leaves a cross in the spectrum, are what else can be: in space, on the disk, and with measures that
 /// regions do not have.
 bool is_measured_in_square(const Experiment& experiment, const AnalyzeOptions& options)
 {
-    const auto is_of_squares = [](const std::string& text) {
-        return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
-               text.starts_with("analysis.zone_plate");
-    };
-    return experiment.dimension == 2 && experiment.series.front().strips.empty() &&
-           std::ranges::none_of(options.overrides, is_of_squares);
+    return experiment.dimension == 2 && experiment.series.front().strips.empty() && !has_measures_of_squares(options);
 }
 
 ConfigTable window_entry(const Experiment& experiment, const AnalyzeOptions& options)
@@ -225,24 +229,29 @@ void analyze(const AnalyzeOptions& options)
     PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
     ConfigTable entries = region_entry(options.region);
-    const auto region = overridden_region(options.overrides, entries);
+    auto region = overridden_region(options.overrides, entries);
     if (region && domain)
         throw InputError("analyze: --domain cannot be combined with --region: points are then in the region's units");
     if (region && options.in_pieces) throw InputError("analyze: --in-pieces cannot be combined with --region");
+    const auto take_as_region = [&] { // with its sides, which the torus has once
+        entries = entry_of("--periodic", "region", rectangle_of(*domain), "no");
+        how.domain.reset();
+        region = overridden_region(options.overrides, entries);
+    };
+    if (domain && domain->dimension() == 2 && options.periodic == "no" && !has_measures_of_squares(options))
+        take_as_region();
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
                              options.in_pieces};
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
                                    : import_points(options.files, options.label, how, large);
     const std::vector<double> sides = experiment.analysis.box_sides;
-    if (domain && options.periodic == "no" && is_measured_in_square(experiment, options)) {
-        entries = entry_of("--periodic", "region", rectangle_of(*domain), "no");
-        how.domain.reset();
-        experiment = import_region_points(options.files, options.label,
-                                          *overridden_region(options.overrides, entries)->region, how);
+    if (how.domain && options.periodic == "no" && is_measured_in_square(experiment, options)) {
+        take_as_region();
+        experiment = import_region_points(options.files, options.label, *region->region, how);
     } else if (!sides.empty())
         entries = box_entry(options, sides);
-    else if (options.periodic == "no")
+    else if (options.periodic == "no" && !(domain && region))
         entries = window_entry(experiment, options);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);

@@ -104,7 +104,10 @@ public:
             return RegionLloyd::memory(SiteGrid(region_, points, is_in_squares()));
         case RegionMethod::gaussian:
             return either(relaxation_memory(),
-                          gaussian_memory(RegionGaussian(region_, points, is_in_squares()), points));
+                          GaussianBlueNoise::memory(RegionGaussian(region_, points, is_in_squares(),
+                                                                   [](const GaussianFieldShape&) { return false; })
+                                                        .shape(),
+                                                    points));
         default:
             return {};
         }
@@ -226,11 +229,6 @@ private:
         return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
     }
 
-    static DeviceMemory gaussian_memory(const RegionGaussian& gaussians, std::size_t points)
-    {
-        return GaussianBlueNoise::memory(gaussians.shape(), points);
-    }
-
     /// Makes Gaussian blue noise from darts, which are even at long distances already.
     PointSet gaussian()
     {
@@ -240,8 +238,12 @@ private:
         for (std::size_t i = 0; i < darts.size(); ++i)
             start.push_back(
                 {static_cast<std::uint32_t>(darts[i][0] * 0x1p32), static_cast<std::uint32_t>(darts[i][1] * 0x1p32)});
-        const RegionGaussian gaussians(region_, start.size(), is_in_squares());
-        check_memory("Gaussian blue noise", gaussian_memory(gaussians, start.size()));
+        const auto fits = [&](const GaussianFieldShape& shape) {
+            check_memory("Gaussian blue noise", GaussianBlueNoise::memory(shape, start.size()));
+            return true;
+        };
+        const RegionGaussian gaussians(region_, start.size(), is_in_squares(), fits);
+        fits(gaussians.shape());
         const auto descent = [&](const PointSet& points, const GaussianRequest& request) {
             return is_reference() ? reference::descend(points, request).points
                                   : GaussianBlueNoise(place_.device()).descend(points, request).points;

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/sampling/optimized/torus_map.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -45,19 +46,27 @@ std::optional<FixedBox> positions_in(double x, double y, double side)
 
 }
 
-RegionField::RegionField(const FixedRegion& region, std::size_t points, double sigma)
+RegionField::RegionField(const FixedRegion& region, std::size_t points, double sigma, const FieldSizeCheck& check)
     : region_(region), points_(static_cast<double>(points)), sigma_(sigma)
 {
-    double mean = std::sqrt(region.area() / points_) / region.unit(), left = 0;
+    const double wholly = std::sqrt(region.area() / points_) / region.unit();
+    double mean = wholly, left = 0, without = HUGE_VAL; // the narrowest cells without room for a point
     while (left < well_known * mean) {
         if (left > 0) mean = left;
         narrowest_ = 1;
         while (!list_cells(narrowest_ * sigma * mean / cells_of_width)) narrowest_ *= 2;
+        if (check && !check(shape())) return;
         const double sum = read_shares();
+        if (sum == 0 && lattice_.side < without) {
+            without = lattice_.side;
+            left = mean / 2;
+            continue;
+        }
         if (sum == 0)
-            throw InputError(
-                "Gaussian blue noise knows a region by cells a quarter of a mean distance wide, and none of "
-                "them has room for a point: too little is left by obstacles and the boundary");
+            throw InputError(fmt::format(
+                "Gaussian blue noise knows a region by cells {:.2g} mean distances wide, and none of them has room for "
+                "a point: too little is left by obstacles and the boundary",
+                lattice_.side / wholly));
         left = std::sqrt(sum / points_) * lattice_.side;
         full_ = points_ * lattice_.columns * lattice_.columns / sum;
     }
@@ -97,6 +106,8 @@ bool RegionField::add_cells(std::uint32_t column, std::uint32_t row, std::uint32
     const auto box = positions_in(low(0, column), low(1, row), size * wide + 2 * lattice_.side + 2);
     if (!box || region_.side_of(*box) == RegionSide::outside) return true;
     if (size == 1) {
+        if (found.size() == UINT32_MAX / cells_of_listed)
+            throw InputError("Gaussian blue noise in a region has at most 2^32 cells, too few for so many points");
         found.push_back(std::uint64_t{row} << 32 | column);
         return static_cast<double>(found.size()) <= listed_of_point * points_ + listed_always;
     }

@@ -14,16 +14,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace poissonlab {
+
+/// Is told the sizes of a field before the region is read for its cells. Where it returns false, the region is not
+/// read: only sizes are asked for.
+using FieldSizeCheck = std::function<bool(const GaussianFieldShape&)>;
 
 class RegionField
 {
 public:
     /// Finds the cells for so many points; Gaussians are `sigma` mean distances wide. The region must outlive this.
-    /// Throws InputError where the cells are too large to know what margins leave of the region.
-    RegionField(const FixedRegion& region, std::size_t points, double sigma);
+    /// Throws InputError where cells are too large to know what margins leave of the region, or too many.
+    RegionField(const FixedRegion& region, std::size_t points, double sigma, const FieldSizeCheck& check = {});
 
     GaussianFieldShape shape() const;
     GaussianField field(double step) const;

@@ -48,7 +48,7 @@ constexpr std::array<std::array<int, 2>, 16> ring_directions{{{256, 0},
 
 std::size_t least_points_of_region_gaussian() { return least_gaussian_points(RegionGaussian::sigma, 2); }
 
-RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long)
+RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long, const FieldSizeCheck& check)
     : region_(region), count_(count), low_{double{1} * region.extent().low[0], double{1} * region.extent().low[1]}
 {
     const FixedBox& box = region.extent();
@@ -57,7 +57,7 @@ RegionGaussian::RegionGaussian(const FixedRegion& region, std::size_t count, boo
     side_ = longest + gaussian_cut_off * sigma * widest_beside_boundary * mean;
     const double filled = static_cast<double>(count) * mean * mean / (side_ * side_);
     if (is_long || (side_ > widest_cell * mean * most_density_side && filled < well_filled)) {
-        listed_.emplace(region, count, sigma);
+        listed_.emplace(region, count, sigma, check);
         low_ = listed_->low();
         side_ = listed_->side();
         return;

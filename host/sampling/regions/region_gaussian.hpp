@@ -31,8 +31,10 @@ public:
     static constexpr double sigma = 1; ///< of Gaussians, in mean distances
 
     /// `count` is least_points_of_region_gaussian() or more; `is_long`: a square around the region is much too large.
-    /// Throws InputError where the square's cells are too large to know what margins leave of the region.
-    RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long = false);
+    /// `check` is asked where cells are listed. Throws InputError where the square's cells are too large to know what
+    /// margins leave of the region.
+    RegionGaussian(const FixedRegion& region, std::size_t count, bool is_long = false,
+                   const FieldSizeCheck& check = {});
 
     /// The sizes of the field for these points.
     GaussianFieldShape shape() const;

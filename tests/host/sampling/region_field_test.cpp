@@ -214,6 +214,21 @@ TEST(ListedFields, AreAsLargeAsTheirPoints)
         }
 }
 
+/// Sizes are known before the region is read, which takes time and memory.
+TEST(ListedFields, TellTheirSizesFirst)
+{
+    const FixedRegion region = Strip{1000, 1, 30}.region();
+    GaussianFieldShape told;
+    const auto tell = [&](bool go_on) {
+        return [&told, go_on](const GaussianFieldShape& shape) { return told = shape, go_on; };
+    };
+    const std::uint32_t listed = RegionField(region, 1000, 1).shape().listed;
+    for (const bool go_on : {true, false}) {
+        EXPECT_EQ(RegionField(region, 1000, 1, tell(go_on)).shape().listed, listed);
+        EXPECT_EQ(told.listed, listed);
+    }
+}
+
 TEST(ListedFields, AreRefusedWhereMarginsLeaveNothing)
 {
     const FixedRegion region(read_region("rectangle 0 0 1000 1"), 0.49999999 * 0.0005);

@@ -18,7 +18,7 @@ PeakAnisotropy peak_of(const Curve& curve)
         const double f = bin.frequency;
         const double samples = curve.dimension == 2 ? 2 * std::numbers::pi * f : 4 * std::numbers::pi * f * f;
         if (samples < 100 || bin.power < least_peak_power || bin.anisotropy_db <= peak.db) continue;
-        peak = {bin.anisotropy_db, f, static_cast<std::size_t>(samples)};
+        peak = {bin.anisotropy_db, f, static_cast<std::size_t>(samples), {}, bin.power};
     }
     return peak;
 }
@@ -107,6 +107,42 @@ TEST(BlueNoiseVerdict, TakesTheErrorOfFewFrequenciesIntoAccount)
     EXPECT_EQ(answer(small_series(0.13, 0.8, 1024)), "weakly");
     EXPECT_EQ(answer(small_series(0.115, 0.8, 1024)), "yes");
     EXPECT_EQ(answer(small_series(0.05, 0.6, 1024)), "weakly");
+}
+
+TEST(BlueNoiseVerdict, TrustsErrorsOfFewSetsNoMoreThanThatOfExponentialPowers)
+{
+    for (const int sets : {2, 3, 4}) {
+        Series series = small_series(0.3, 0.8, 16);
+        series.realizations = sets;
+        series.measures.numbers["low_frequency_mean"].standard_error = 1e-6;
+        EXPECT_EQ(answer(series), sets < 4 ? "no" : "weakly") << sets;
+    }
+}
+
+TEST(BlueNoiseVerdict, SpikesHavePower)
+{
+    Series series = small_series(0.05, 0.8);
+    series.measures.numbers["anisotropy_above_chance"] = {15, {}};
+    for (const double power : {0.02, 0.9, 1.1, 50.0}) { // 200 / (1 + 100) frequencies hold the power of 200
+        series.measures.peak_anisotropy = PeakAnisotropy{20, 30, 200, {}, power};
+        EXPECT_EQ(answer(series), power * 101 > 4 ? "no" : "weakly") << power;
+    }
+}
+
+TEST(BlueNoiseVerdict, IsUnknownWhereABoundaryOrTapersHideWhatIsAsked)
+{
+    Series series = small_series(0.05, 0.8, 3000);
+    RegionResult& region = series.region.emplace();
+    region.area = 1;
+    for (const double width : {6.0, 7.0}) { // of a strip, in mean distances: 0.3 is 2 / 6.7
+        region.perimeter = 2 / width * std::sqrt(3000);
+        EXPECT_EQ(answer(series), width < 6.6 ? "unknown" : "yes") << width;
+    }
+    region.tapers = 8;
+    series.measures.numbers.erase("anisotropy_above_chance");
+    EXPECT_EQ(answer(series), "unknown");
+    series.measures.numbers["low_frequency_mean"].value = 1;
+    EXPECT_EQ(answer(series), "no");
 }
 
 TEST(BlueNoiseVerdict, IsUnknownWhereTheSpectrumIsNotTheSets)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace poissonlab {
 namespace {
 
@@ -48,6 +50,17 @@ TEST(SpectrumImage, SmallPicturesKeepSpikes)
         EXPECT_EQ(image.at((8 + 2) / block, 16 / block - 1 - (8 + 4) / block), 255) << block;
     }
     EXPECT_LT(report_tone_mapping.grey(40 / 64.0 + 1), 255) << "the mean would hide it";
+}
+
+TEST(SpectrumImage, SpikesAreTheseOfTheirRing)
+{
+    // Powers of 0.1, where 10 is a spike, and of 1.5, where 28 is none.
+    for (const auto& [around, power, is_spike] : {std::tuple{0.1, 10.0, true}, {1.5, 28.0, false}}) {
+        Spectrum spectrum = with_spike(16, 2, 4, power / around);
+        for (double& value : spectrum.power) value *= around;
+        const auto pixel = draw_spectrum(spectrum, report_tone_mapping, 8).at(1, 0);
+        EXPECT_EQ(pixel, report_tone_mapping.grey(is_spike ? power : (62 * around + power) / 63)) << around;
+    }
 }
 
 TEST(SpectrumImage, PagesShowAtMost512Pixels)
