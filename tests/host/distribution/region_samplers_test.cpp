@@ -300,11 +300,11 @@ TEST(SamplersInRegionsErrors, NameWhatDecides)
                     region_sampler("bridson", {{"boundary", std::string("disks")}}, slit, Engine::reference)->sample(2);
                 }),
                 HasSubstr("yard: sampler = \"bridson\": realization 2: the region has no room for a disk of diameter"));
-    EXPECT_THAT(
-        message_of([&] {
-            region_sampler("gaussian-blue-noise", {{"boundary", std::string("disks")}}, slit, Engine::reference);
-        }),
-        HasSubstr("test.toml:3: sampler = \"gaussian-blue-noise\": "));
+    EXPECT_THAT(message_of([&] {
+                    region_sampler("gaussian-blue-noise", {{"boundary", std::string("disks")}}, slit, Engine::reference)
+                        ->sample(0);
+                }),
+                HasSubstr("sampler = \"gaussian-blue-noise\": realization 0: "));
     EXPECT_THAT(told("corner-tiles", small_tiles({{"min_distance", 1e-6}})),
                 HasSubstr("test.toml:4: min_distance = 1e-06: with tiles of"));
 }
