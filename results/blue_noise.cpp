@@ -62,11 +62,11 @@ bool are_spikes(double frequencies, const PeakAnisotropy& peak, int dimension)
            peak.power * static_cast<double>(peak.samples) > spike * frequencies;
 }
 
-/// The mean width of the region, 2 area / perimeter, in mean distances, where sets were measured without tapers in a
-/// region so narrow that its boundary blurs the spectrum.
+/// The mean width of the region, 2 area / perimeter, in mean distances, if the region is so narrow that its boundary
+/// blurs the spectrum. Tapers keep power from leaking far, but a narrow region blurs theirs as well.
 std::optional<double> blurring_width(const Series& series)
 {
-    if (!series.region || series.region->tapers > 0) return std::nullopt;
+    if (!series.region) return std::nullopt;
     const double mean_distance = series.region->unit_length / std::sqrt(static_cast<double>(series.points));
     if (series.region->perimeter * mean_distance <= most_leaked * series.region->area) return std::nullopt;
     return 2 * series.region->area / series.region->perimeter / mean_distance;
