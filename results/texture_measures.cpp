@@ -112,7 +112,8 @@ const std::vector<Measure>& texture_measures()
                     "tile, with "
                     "what chance gives. Independent tiles have 1/256; one tile again and again has 1."),
         texture_row("double_lattice_power", "power at 1/2T", "of the power", lower, three,
-                    "The same for two tiles: sets whose colours alternate hide at 1/T. Independent tiles have 1/64."),
+                    "This is the share at multiples of one over two sides of a tile: sets whose colours alternate have "
+                    "no peaks at 1/T. Independent tiles have 1/64."),
         texture_row(
             "color_distance", "colour distance", "levels", lower, three,
             "By how many of 255 levels pixels of the tiling must change on average to have the exemplar's colours."),

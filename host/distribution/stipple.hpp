@@ -24,7 +24,7 @@ struct InkPicture
     double total = 0; ///< the sum over pixels
 };
 
-/// What the ranks of the self-similar tile show.
+/// These words tell users that the ranks of the self-similar tile show its lattice.
 inline constexpr auto lattice_words = "whose copies show as a lattice where the ink hardly changes";
 
 /// 1 - the lightness of what has this ink, by CIE 1976 L*.

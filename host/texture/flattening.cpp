@@ -42,8 +42,8 @@ struct MeanAround
     std::vector<double> weights;
 };
 
-/// Of a row of `pixels`, the value at `place` of the straight line that fits best with weights of a Gaussian. Inside of
-/// the row these are the Gaussian's own weights.
+/// Fits the straight line to a row of `pixels` by weighted least squares, with weights of a Gaussian, and returns the
+/// weights that give its value at `place`. Inside of the row these are the Gaussian's own weights.
 MeanAround mean_around(int place, int pixels, const std::vector<double>& taps)
 {
     const int reach = static_cast<int>(taps.size()) - 1;

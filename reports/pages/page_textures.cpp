@@ -170,7 +170,7 @@ const DistributionPicture* texture_picture(const ReportDistribution& texture, co
     return found == pictures.end() ? nullptr : &*found;
 }
 
-/// What a card shows of a texture: a tiling, a view to the horizon, a sentence.
+/// A card shows a tiling of a texture, a view to the horizon, and a sentence.
 PageData texture_card(const ReportDistribution& texture, const std::string& anchor,
                       const std::filesystem::path& page_folder)
 {

@@ -39,7 +39,7 @@ std::string capital(std::string text)
     return text;
 }
 
-/// What the gates are about whose measure a texture does not have.
+/// Returns the subjects of the gates whose measure a texture lacks.
 std::vector<const char*> unmeasured_in(const DistributionResult& texture)
 {
     std::vector<const char*> unmeasured;
@@ -53,7 +53,7 @@ bool is_judged(const DistributionResult& texture) { return unmeasured_in(texture
 /// True of a quilted picture, which is no function of the plane.
 bool is_finished(const DistributionResult& texture) { return texture.parameter("kind") == "quilted"; }
 
-/// What is said of textures that cannot be taken; empty of those that pass all gates.
+/// Returns the reason why a texture cannot be taken; it is empty for a texture that passes all gates.
 std::string objection_to(const DistributionResult& texture)
 {
     std::vector<std::string> faults;

@@ -1,4 +1,4 @@
-// What measures say of textures, in a sentence for each and a verdict over all that have one exemplar.
+// Measures of textures become sentences here: one for each texture, and a verdict over all textures of one exemplar.
 #pragma once
 
 #include "results/pictures/distribution_result.hpp"

@@ -106,7 +106,7 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// What the caller has left to the picture.
+/// Returns the choices that the caller left to the picture.
 OpenAdvice open_advice(const TextureSettings& asked, bool is_marked)
 {
     OpenAdvice open;

@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// What nobody has decided, of which advice is given.
+/// OpenAdvice marks the choices that the user left open: advice covers only these.
 struct OpenAdvice
 {
     bool colors = true;

@@ -26,8 +26,8 @@ ReducedPicture reduced_picture(const PngPixels& picture, std::size_t most);
 /// changes slowly is gone.
 LightMap without_slow_light(const LightMap& light, int reach);
 
-/// The side of the squares, between whole numbers, whose means have the part `share` of the variance of all values.
-/// Nothing where squares of half of the shorter side still have more, or all values are the same.
+/// Returns the side of the squares, between whole numbers, whose means have the part `share` of the variance of all
+/// values. It returns nothing if squares of half of the shorter side still have more, or if all values are the same.
 std::optional<double> side_at_share(const LightMap& light, double share);
 
 }

@@ -14,7 +14,7 @@
 
 namespace poissonlab {
 
-/// Why a picture should not be tiled.
+/// TextureObstacle names the reason why a picture should not be tiled.
 enum class TextureObstacle
 {
     none,

@@ -41,7 +41,8 @@ struct EndlessTexture
     std::uint32_t colors = 1; ///< of tiles
     contract::endless_texture::EndlessPlane plane{};
     std::vector<std::uint32_t> texels; ///< channels in bytes from the lowest; of Gaussian exemplars 16 bits each
-    /// Of Gaussian exemplars the tables back; of turned hexagons cosines, then sines of angles, in whole 32768ths.
+    /// Gaussian exemplars have their tables back here; turned hexagons have cosines, then sines of angles, in whole
+    /// 32768ths.
     std::vector<float> inverse{0};
 };
 

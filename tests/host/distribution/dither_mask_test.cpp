@@ -146,7 +146,7 @@ std::size_t touching_pairs(const DitherMask& mask)
     return pairs;
 }
 
-/// Why masks are made by void-and-cluster unless they are to be endless.
+/// Void-and-cluster leaves no touching pixels; tiles do, so that they make endless masks only.
 TEST(DitherMask, TouchesAtLowThresholdsWhereTilesMeetOnly)
 {
     EXPECT_EQ(DitherMaskSettings{}.method, DitherMethod::void_and_cluster);

@@ -49,7 +49,7 @@ struct Strip
     }
 };
 
-/// What a Gaussian at a place has of the interval from 0 to `end`, and how that changes along it.
+/// Returns the part of a Gaussian at a place that lies between 0 and `end`, and the slope of that part.
 Place blurred_interval(double place, double end, double sigma)
 {
     const auto below = [&](double x) { return 0.5 * std::erfc(-x / sigma / std::numbers::sqrt2); };
@@ -204,7 +204,7 @@ TEST(ListedFields, MakeSetsThatDoNotDependOnTheListNorOnWorkGroups)
     }
 }
 
-/// However thin a strip is, there are only so many cells for each point.
+/// The number of cells for each point has a limit, however thin a strip is.
 TEST(ListedFields, AreAsLargeAsTheirPoints)
 {
     for (const double width : {3.0, 0.3, 1e-2})

@@ -279,7 +279,7 @@ TEST(TextureAdvice, SaysWhatIsAgainstIt)
     EXPECT_THAT(advice_note(pebbles, large), Not(HasSubstr("--colors")));
 }
 
-/// Nothing is said of what the caller has decided.
+/// Advice leaves out choices that the caller has made.
 TEST(TextureAdvice, IsOfWhatIsOpen)
 {
     const TextureAdvice brick = advise_texture(shipped("brick"));

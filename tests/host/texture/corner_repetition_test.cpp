@@ -1,4 +1,4 @@
-// What tiles repeat, of photographs and of pictures whose law is known.
+// Tests measure the recurrence of tiles of photographs, and of pictures whose law is known.
 #include "host/distribution/textures/texture_values.hpp"
 #include "host/texture/comparison/light_map.hpp"
 #include "host/texture/exemplar.hpp"

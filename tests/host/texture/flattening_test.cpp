@@ -210,7 +210,7 @@ TEST(Flattening, SeesARamp)
     EXPECT_FALSE(is_uneven(PngPixels{100, 100, 1, std::vector<std::uint8_t>(10000, 77)}));
 }
 
-/// What is asked for is done, and said; a picture of one colour stays.
+/// The program flattens as asked and says so; a picture of one colour stays as it is.
 TEST(Flattening, DoesWhatIsAskedFor)
 {
     ExemplarPictures pictures;
