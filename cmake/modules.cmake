@@ -6,19 +6,21 @@
 set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
 set(lab_command_modules
   results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
-# Those that work asks for, and no word: files of HDF5, processes of MPI, sets in 3D.
-set(lab_wordless_modules particles processes space)
+# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, sets in 3D.
+set(lab_wordless_modules particles point_formats processes space)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
 # Modules that another one stands on.
-set(lab_needs_of_regions methods)
+set(lab_needs_of_particles point_formats)
+set(lab_needs_of_tiles point_formats)
+set(lab_needs_of_regions methods point_formats)
 set(lab_needs_of_large_sets methods)
-set(lab_needs_of_other_tiles methods tiles)
-set(lab_needs_of_distributions methods)
+set(lab_needs_of_other_tiles methods tiles point_formats)
+set(lab_needs_of_distributions methods point_formats)
 set(lab_needs_of_textures methods)
-set(lab_needs_of_surfaces methods)
-set(lab_needs_of_surface_textures methods distributions textures surfaces)
+set(lab_needs_of_surfaces methods point_formats)
+set(lab_needs_of_surface_textures methods distributions textures surfaces point_formats)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})

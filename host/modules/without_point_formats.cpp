@@ -1,0 +1,75 @@
+// These functions stand in for formats of points where a program lacks them: it has text and tables, and other files
+// ask for the module.
+#include "base/errors/missing_module.hpp"
+#include "base/points/hdf5_points.hpp"
+#include "base/points/hdf5_reading.hpp"
+#include "base/points/point_file_formats.hpp"
+
+namespace poissonlab {
+namespace {
+
+[[noreturn]] void need_point_formats() { throw MissingModule("point_formats"); }
+[[noreturn]] void need_particles() { throw MissingModule("particles"); }
+
+}
+
+void stream_npy_points(const PointFileContent& /*file*/, const PieceSink& /*sink*/) { need_point_formats(); }
+
+NpyShape shape_of_npy_sets(const PointFileContent& /*file*/) { need_point_formats(); }
+
+std::vector<PointSet> read_npy_points(const PointFileContent& /*file*/) { need_point_formats(); }
+
+std::vector<PointSet> read_ply_points(const PointFileContent& /*file*/) { need_point_formats(); }
+
+std::vector<PointSet> read_geojson_points(const PointFileContent& /*file*/) { need_point_formats(); }
+
+std::vector<PointSet> read_utk_points(const PointFileContent& /*file*/) { need_point_formats(); }
+
+void write_usd_points(const std::filesystem::path& /*path*/, int /*dimension*/, std::size_t /*points*/,
+                      const std::string& /*comment*/, const std::function<void(const PointSink& sink)>& /*write*/)
+{
+    need_point_formats();
+}
+
+void write_geojson_points(const std::filesystem::path& /*path*/, int /*dimension*/, const std::string& /*crs*/,
+                          const std::string& /*comment*/, const std::function<void(const PointSink& sink)>& /*write*/,
+                          const std::vector<std::string>& /*features*/)
+{
+    need_point_formats();
+}
+
+void write_dxf_points(const std::filesystem::path& /*path*/, int /*dimension*/, const std::string& /*comment*/,
+                      const std::function<void(const PointSink& sink)>& /*write*/)
+{
+    need_point_formats();
+}
+
+void check_hdf5_head(const std::filesystem::path& /*path*/, const PointFileHead& /*head*/) { need_particles(); }
+
+void create_hdf5_points(const std::filesystem::path& /*file*/, const std::filesystem::path& /*target*/,
+                        const PointFileHead& /*head*/)
+{
+    need_particles();
+}
+
+std::vector<PlacedColumn> hdf5_columns(const std::filesystem::path& /*file*/, const std::filesystem::path& /*target*/,
+                                       const PointFileHead& /*head*/)
+{
+    need_particles();
+}
+
+Hdf5Head head_of_hdf5_points(const std::filesystem::path& /*path*/, const PointReading& /*how*/) { need_particles(); }
+
+void stream_hdf5_points(const std::filesystem::path& /*path*/, const PointReading& /*how*/, const PieceSink& /*sink*/)
+{
+    need_particles();
+}
+
+PointSet read_hdf5_points(const std::filesystem::path& /*path*/, const PointReading& /*how*/, PointDomain& /*domain*/)
+{
+    need_particles();
+}
+
+std::vector<std::filesystem::path> parts_of_hdf5_points(const std::filesystem::path& /*path*/) { need_particles(); }
+
+}
