@@ -1,5 +1,5 @@
-// These functions stand in for pictures of tiles, and claims about them, where a program lacks them: a result that has
-// tiles asks for the module.
+// These functions stand in for results with tiles, pictures of these, and claims about them, where a program lacks
+// them: a result that has tiles asks for the module.
 #include "base/errors/missing_module.hpp"
 #include "reports/claims/paper_claims.hpp"
 #include "reports/drawings/construction_image.hpp"
@@ -24,6 +24,24 @@ std::vector<PaperClaim> claims_about_tiles()
 }
 
 std::vector<Paper> papers_on_tiles() { return {}; }
+
+void members(JsonMembers& /*m*/, const TilingResult& /*tiling*/) { throw MissingModule(module_of_tiles); }
+void members(JsonMembers& /*m*/, TilingResult& /*tiling*/) { throw MissingModule(module_of_tiles); }
+
+void members(JsonMembers& /*m*/, const ConstructionResult& /*construction*/) { throw MissingModule(module_of_tiles); }
+void members(JsonMembers& /*m*/, ConstructionResult& /*construction*/) { throw MissingModule(module_of_tiles); }
+
+bool has_steps(const ReportConstruction& /*construction*/) { throw MissingModule(module_of_tiles); }
+
+std::filesystem::path steps_page_of(const ReportConstruction& /*construction*/)
+{
+    throw MissingModule(module_of_tiles);
+}
+
+void draw_construction_picture(const ReportConstruction& /*construction*/, PictureStore& /*store*/)
+{
+    throw MissingModule(module_of_tiles);
+}
 
 Scene read_scene(const std::filesystem::path& /*file*/) { throw MissingModule(module_of_tiles); }
 
