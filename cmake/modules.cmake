@@ -6,8 +6,9 @@
 set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
 set(lab_command_modules
   results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
-# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, sets in 3D.
-set(lab_wordless_modules particles point_formats processes space)
+# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, sets in 3D,
+# the zone plate.
+set(lab_wordless_modules particles point_formats processes space zone_plate)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
