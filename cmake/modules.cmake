@@ -6,22 +6,24 @@
 set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
 set(lab_command_modules
   results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
-# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, sets in 3D,
-# the zone plate.
-set(lab_wordless_modules particles point_formats processes space zone_plate)
+# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential
+# twins of kernels, sets in 3D, the zone plate.
+set(lab_wordless_modules particles point_formats processes reference space zone_plate)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
-# Modules that another one stands on.
+# Modules that another one stands on, which may stand on others.
+set(lab_needs_of_methods reference)
 set(lab_needs_of_particles point_formats)
-set(lab_needs_of_tiles point_formats)
+set(lab_needs_of_tiles point_formats reference)
+set(lab_needs_of_tilings reference)
 set(lab_needs_of_regions methods point_formats)
 set(lab_needs_of_large_sets methods)
-set(lab_needs_of_other_tiles methods tiles point_formats)
+set(lab_needs_of_other_tiles methods tiles)
 set(lab_needs_of_distributions methods point_formats)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods point_formats)
-set(lab_needs_of_surface_textures methods distributions textures surfaces point_formats)
+set(lab_needs_of_surface_textures distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})
@@ -30,7 +32,12 @@ if(POISSONLAB_TESTS OR POISSONLAB_BENCHMARKS OR POISSONLAB_PYTHON OR POISSONLAB_
   set(lab_modules_of_program ${lab_all_modules})
 endif()
 foreach(name IN LISTS POISSONLAB_MODULES)
-  list(APPEND lab_modules_of_program ${lab_needs_of_${name}})
+  foreach(needed IN LISTS lab_needs_of_${name})
+    list(APPEND lab_modules_of_program ${needed} ${lab_needs_of_${needed}})
+    foreach(further IN LISTS lab_needs_of_${needed})
+      list(APPEND lab_modules_of_program ${lab_needs_of_${further}})
+    endforeach()
+  endforeach()
   if(NOT name STREQUAL "all" AND NOT name IN_LIST lab_all_modules)
     list(JOIN lab_all_modules ", " known)
     message(FATAL_ERROR "POISSONLAB_MODULES: \"${name}\" is no module; there are ${known}, and all")

@@ -112,10 +112,12 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
                                              module + "\": build it with "));
         EXPECT_FALSE(fs::exists(folder_.path() / "out/results.json"));
     }
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"lloyd\"\niterations = 1\n");
     folder_.write("a.ply", "ply\nformat ascii 1.0\n");
     folder_.write("a.h5", "\x89HDF\r\n\x1a\n");
     for (const auto& [arguments, module] :
          std::vector<std::pair<std::string, std::string>>{{"tiles build corner", "tiles"},
+                                                          {"run c.toml --set 'engine=\"reference\"' --out out", "reference"},
                                                           {"analyze a.ply --out out", "point_formats"},
                                                           {"analyze a.h5 --out out", "particles"},
                                                           {"help texture map", "textures"},
