@@ -3,7 +3,8 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_host_modules
+  methods own_methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
 set(lab_command_modules
   results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
 # Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential

@@ -30,6 +30,7 @@ struct Module
 // Each is in the file of its name.
 void add_core(Laboratory& laboratory);
 void add_methods(Laboratory& laboratory);
+void add_own_methods(Laboratory& laboratory);
 void add_tiles(Laboratory& laboratory);
 void add_other_tiles(Laboratory& laboratory);
 void add_tilings(Laboratory& laboratory);

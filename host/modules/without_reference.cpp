@@ -1,5 +1,5 @@
-// These functions stand in for the sequential twins of the core's kernels where a program lacks them: a run by them asks
-// for the module.
+// These functions stand in for the sequential twins of the core's kernels where a program lacks them: a run by them
+// asks for the module.
 #include "base/errors/missing_module.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"

@@ -95,6 +95,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
     for (const auto& [tables, module] : std::vector<std::pair<std::string, std::string>>{
              {"[[method]]\nsampler = \"sobol\"\n", "methods"},
              {"[[method]]\nsampler = \"random\"\norder = \"sample-elimination\"\n", "methods"},
+             {"[[method]]\nsampler = \"file\"\npath = \"a.txt\"\n", "own_methods"},
              {"[[method]]\nsampler = \"corner-tiles\"\n", "tiles"},
              {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "other_tiles"},
              {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
