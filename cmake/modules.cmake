@@ -58,7 +58,11 @@ endforeach()
 set(lab_program_has_regions NO)
 set(lab_program_has_shapes NO) # of regions
 set(lab_program_has_tiles NO)
+set(lab_program_has_kinds NO) # or methods that follow densities
 foreach(name IN LISTS lab_modules_of_program)
+  if(name IN_LIST lab_all_modules AND NOT name IN_LIST lab_wordless_modules AND NOT name MATCHES "^(own_methods|results)$")
+    set(lab_program_has_kinds YES)
+  endif()
   if(name STREQUAL regions)
     set(lab_program_has_regions YES)
     set(lab_program_has_shapes YES)

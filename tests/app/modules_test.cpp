@@ -120,6 +120,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
          std::vector<std::pair<std::string, std::string>>{{"tiles build corner", "tiles"},
                                                           {"run c.toml --set 'engine=\"reference\"' --out out", "reference"},
                                                           {"analyze a.ply --out out", "point_formats"},
+                                                          {"analyze a.png --out out", "distributions"},
                                                           {"analyze a.h5 --out out", "particles"},
                                                           {"help texture map", "textures"},
                                                           {"distribute darts --help", "regions"},
