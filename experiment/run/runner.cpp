@@ -1,5 +1,6 @@
 #include "experiment/run/runner.hpp"
 
+#include "analysis/tilings/lattice_share.hpp"
 #include "base/files/file_lock.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 #include "base/programs/interrupt.hpp"
@@ -313,6 +314,7 @@ RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings&
 {
     for (const auto& [experiment, out] : runs) {
         if (experiment.dimension == 3 && !experiment.series.empty()) need_triangulations_3d();
+        if (experiment.analysis.tiles > 0) need_tile_measures();
         if (experiment.analysis.zone_plate) need_zone_plate();
     }
     std::optional<Runs> work;

@@ -104,6 +104,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
+             {"tiles = 2\n[[method]]\nsampler = \"random\"\n", "tile_measures"},
              {"zone_plate = true\n[[method]]\nsampler = \"random\"\n", "zone_plate"},
              {"[[tiling]]\nkind = \"corner\"\n", "tilings"}}) {
         SCOPED_TRACE(tables);
