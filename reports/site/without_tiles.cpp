@@ -3,6 +3,7 @@
 #include "base/errors/missing_module.hpp"
 #include "reports/claims/paper_claims.hpp"
 #include "reports/drawings/construction_image.hpp"
+#include "reports/layout/overlay_panels.hpp"
 #include "reports/layout/tiling_pictures.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_endless.hpp"
@@ -44,6 +45,10 @@ void draw_construction_picture(const ReportConstruction& /*construction*/, Pictu
 {
     throw MissingModule(module_of_tiles);
 }
+
+/// Claims ask for the module where sets are made of tiles.
+std::vector<Panel> region_panels(const SeriesList& /*series*/) { return {}; }
+std::vector<Panel> tile_radius_panels(const SeriesList& /*series*/) { return {}; }
 
 Scene read_scene(const std::filesystem::path& /*file*/) { throw MissingModule(module_of_tiles); }
 
