@@ -102,5 +102,6 @@ ${rows}    };
   add_library(${target} OBJECT ${file})
   target_link_libraries(${target} PUBLIC lab_options ${libraries} fmt::fmt)
   lab_precompile(${target})
+  lab_unity(${target} 24) # with the files that stand in for modules
   lab_cold(${target})
 endfunction()

@@ -1,17 +1,15 @@
-// Sets that other programs have made: from files, and from commands that write them.
+// Methods that other programs have: commands that write point sets.
 #include "host/modules/laboratory.hpp"
 #include "host/sampling/classics/command_sampler.hpp"
-#include "host/sampling/file_sampler.hpp"
 
 namespace poissonlab {
 
 void add_own_methods(Laboratory& laboratory)
 {
-    for (SamplerSpec sampler : {file_sampler(), command_sampler()}) {
-        laboratory.samplers.push_back(sampler);
-        sampler.dimensions = {2};
-        laboratory.region_samplers.push_back(std::move(sampler));
-    }
+    SamplerSpec command = command_sampler();
+    laboratory.samplers.push_back(command);
+    command.dimensions = {2};
+    laboratory.region_samplers.push_back(command);
 }
 
 }

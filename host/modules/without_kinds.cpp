@@ -1,5 +1,5 @@
-// This function stands in for pictures as numbers where a program has no kinds of work: those that are analysed as masks
-// ask for the module.
+// This function stands in for pictures as numbers where a program has no kinds of work: those that are analysed as
+// masks ask for the module.
 #include "base/errors/missing_module.hpp"
 #include "base/images/raw_picture.hpp"
 

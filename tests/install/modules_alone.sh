@@ -20,7 +20,7 @@ link_alone() {
   ninja -C "$program" -t commands poissonlab >"$program.commands"
   cd "$program"
   # The lists of modules and the files that stand in for modules; precompiled headers are not there.
-  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list|without_[a-z_]+)\.cpp$' "$program.commands" |
+  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list)\.dir/[^ ]*$' "$program.commands" |
     sed 's/-include [^ ]*cmake_pch[^ ]*//; s/-Winvalid-pch//' | sed 's/ -O[0-9]//g' | bash -e
   grep -E -- ' -o poissonlab( |$)' "$program.commands" | bash -e 2>&1
 }
