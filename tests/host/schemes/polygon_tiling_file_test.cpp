@@ -62,7 +62,7 @@ TEST_F(TilingFiles, GiveOtherLengthsToATilingOfTheProgram)
 {
     const PolygonTiling tiling = read("title = \"Tile(1, 2)\"\nrule = \"hat\"\nlengths = [\"1\", \"2\"]\n");
     EXPECT_EQ(tiling.title, "Tile(1, 2)");
-    EXPECT_EQ(tiling.starts.size(), 2U);
+    EXPECT_EQ(tiling.starts.size(), 3U) << "hat, partner and plane";
     constexpr double root = std::numbers::sqrt3;
     EXPECT_NEAR(area_of(tiling, 0), root * (2 + root * 2 + 4), 1e-12) << "as in arXiv 2303.10798, section 6";
 }
