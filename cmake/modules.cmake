@@ -3,9 +3,9 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_host_modules methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures)
 set(lab_command_modules
-  results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
+  results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
 # Those that work asks for, and no word: files of HDF5, processes of MPI, sets in 3D.
 set(lab_wordless_modules particles processes space)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
@@ -16,6 +16,7 @@ set(lab_needs_of_regions methods)
 set(lab_needs_of_large_sets methods)
 set(lab_needs_of_other_tiles methods tiles)
 set(lab_needs_of_distributions methods)
+set(lab_needs_of_classes methods regions)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods)
 set(lab_needs_of_surface_textures methods distributions textures surfaces)
@@ -48,11 +49,11 @@ set(lab_program_has_regions NO)
 set(lab_program_has_shapes NO) # of regions
 set(lab_program_has_tiles NO)
 foreach(name IN LISTS lab_modules_of_program)
-  if(name STREQUAL regions)
+  if(name MATCHES "^(regions|classes)$")
     set(lab_program_has_regions YES)
     set(lab_program_has_shapes YES)
   endif()
-  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|surfaces|surface_textures)$")
+  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|classes|surfaces|surface_textures)$")
     set(lab_program_has_shapes YES)
     set(lab_program_has_tiles YES)
   endif()

@@ -37,7 +37,7 @@ TEST(ClassPoints, HaveDistancesOfTheRelativeRadius)
 {
     const ClassSet set = throw_classes(three_classes(), 1, class_place);
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{20, 60, 200}));
-    EXPECT_DOUBLE_EQ(set.request.distances.at(1, 1), min_distance_for(0.62, 60, 2));
+    EXPECT_DOUBLE_EQ(set.kept().at(1, 1), min_distance_for(0.62, 60, 2));
     EXPECT_EQ(number_of(set, "points"), 280);
     // Measured distances are no less than those that are kept.
     for (int i = 0; i < 3; ++i) {
@@ -145,10 +145,10 @@ TEST(ClassTiles, AreBuiltForTheirTorus)
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{72, 144}));
     EXPECT_NE(set.points.points, other.points.points);
     for (const ClassSet* each : {&set, &other}) {
-        const ClassDistances least = least_distances(each->points);
+        const ClassDistances least = least_distances(*each);
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t j = 0; j <= i; ++j)
-                EXPECT_GE(least.at(i, j), set.request.distances.at(i, j) - unit) << i << ", " << j;
+                EXPECT_GE(least.at(i, j), set.kept().at(i, j) - unit) << i << ", " << j;
     }
 }
 
