@@ -59,6 +59,37 @@ TEST(ClassPoints, TakeAMatrixAsItIs)
     EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
 }
 
+/// 0.002 degrees of longitude and latitude at 60 degrees north: 111.4 m by 222.8 m, nearly (a degree of longitude is
+/// half as long there).
+TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "park.geojson";
+    write_whole_file(file, R"({"type": "Polygon", "coordinates": [[[10, 60], [10.002, 60], [10.002, 60.002], [10, 60.002],
+                              [10, 60]]]})");
+    ClassSettings settings;
+    settings.place.region = file.string();
+    settings.distances = {30, 9};
+    const ClassSet set = throw_classes(settings, 1, class_place);
+    EXPECT_NEAR(set.size(), 111.4 * 222.8, 0.01 * 111.4 * 222.8);
+    EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
+    const ClassedPoints metres = set.in_units(), degrees = set.as_in_files();
+    constexpr double metres_a_degree = 111'412; // of latitude at 60 degrees, WGS 84
+    for (std::size_t i = 0; i < metres.classes.size(); ++i) {
+        EXPECT_TRUE(degrees.points[i][0] >= 10 && degrees.points[i][0] <= 10.002);
+        EXPECT_TRUE(degrees.points[i][1] >= 60 && degrees.points[i][1] <= 60.002);
+        for (std::size_t j = 0; j < i; ++j) {
+            const double kept = set.kept().at(metres.classes[i], metres.classes[j]);
+            EXPECT_GE(std::hypot(metres.points[i][0] - metres.points[j][0], metres.points[i][1] - metres.points[j][1]),
+                      kept);
+            // A hundredth is what lengths of degrees are off, and more.
+            const double east = (degrees.points[i][0] - degrees.points[j][0]) * metres_a_degree / 2,
+                         north = (degrees.points[i][1] - degrees.points[j][1]) * metres_a_degree;
+            EXPECT_GE(std::hypot(east, north), 0.99 * kept);
+        }
+    }
+}
+
 TEST(ClassPoints, SayWhereThereIsNoRoom)
 {
     ClassSettings settings = three_classes();
