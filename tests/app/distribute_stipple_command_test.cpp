@@ -19,6 +19,7 @@ namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class DistributeStipple : public testing::Test
