@@ -4,9 +4,9 @@
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules
-  methods own_methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+  methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures)
 set(lab_command_modules
-  results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
+  results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
 # Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential
 # twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
 set(lab_wordless_modules particles point_formats processes reference space tile_measures zone_plate)
@@ -22,6 +22,7 @@ set(lab_needs_of_regions methods point_formats)
 set(lab_needs_of_large_sets methods)
 set(lab_needs_of_other_tiles methods tiles)
 set(lab_needs_of_distributions methods point_formats)
+set(lab_needs_of_classes methods regions)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods point_formats)
 set(lab_needs_of_surface_textures distributions textures surfaces)
@@ -67,7 +68,7 @@ foreach(name IN LISTS lab_modules_of_program)
     set(lab_program_has_regions YES)
     set(lab_program_has_shapes YES)
   endif()
-  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|surfaces|surface_textures)$")
+  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|classes|surfaces|surface_textures)$")
     set(lab_program_has_shapes YES)
     set(lab_program_has_tiles YES)
   endif()

@@ -38,6 +38,7 @@ void add_textures(Laboratory& laboratory);
 void add_regions(Laboratory& laboratory);
 void add_distributions(Laboratory& laboratory);
 void add_surfaces(Laboratory& laboratory);
+void add_classes(Laboratory& laboratory);
 void add_surface_textures(Laboratory& laboratory);
 
 /// The modules of this program; CMake writes the list.
