@@ -5,6 +5,7 @@
 #include "host/texture/exemplar.hpp"
 #include "host/texture/flattening.hpp"
 #include "host/texture/regular/seen_waves.hpp"
+#include "host/texture/regular/wave_comb.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
@@ -144,7 +145,8 @@ void compare_parts(TextureAdvice& advice, const LightMap& light)
 /// Looks for what is regular, in the reduced picture. Most pictures have nothing, which is soon seen.
 void find_periods(TextureAdvice& advice, const ReducedPicture& reduced, const LightMap& light)
 {
-    if (strongest_wave(light).times < least_suspected_times) return;
+    const WaveSpectrum spectrum(windowed(light));
+    if (spectrum.strongest().times < least_suspected_times && !stands_out_together(strongest_comb(spectrum))) return;
     const SeenWaves seen = seen_waves(reduced.pixels);
     bool fits = seen.slope.east == 0 && seen.slope.south == 0;
     for (RegularWave wave : seen.waves) {
