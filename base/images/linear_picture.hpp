@@ -35,7 +35,7 @@ struct LinearPicture
     }
 };
 
-/// Pictures may have this many pixels: integer weights of all of them have a sum below 2^63.
+/// Pictures that alpha covers may have this many pixels: integer weights of all of them have a sum below 2^63.
 inline constexpr std::size_t most_pixels = std::size_t{1} << 23;
 
 /// How much of a pixel is covered, 0 to 1: its alpha, or 1 where the picture has none.

@@ -57,7 +57,8 @@ public:
         const auto input = opened(path);
         if (!input) return reason(OIIO::geterror());
         const OIIO::ImageSpec spec = input->spec();
-        if (const std::string lack = lack_of(spec, most_pixels); !lack.empty()) return lack;
+        const std::size_t most = use == AlphaUse::covers ? most_pixels : most_raw_pixels(spec);
+        if (const std::string lack = lack_of(spec, most); !lack.empty()) return lack;
         const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
         std::vector<float> values(pixels * static_cast<std::uint64_t>(spec.nchannels));
         if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))

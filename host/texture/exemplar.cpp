@@ -1,13 +1,18 @@
 #include "host/texture/exemplar.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/images/raw_picture.hpp"
 #include "base/images/srgb_light.hpp"
+#include "base/programs/memory_limit.hpp"
 #include "tiles/texture/texture_set.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -62,6 +67,34 @@ std::string light_note(const LightRange& range, const std::string& file)
     return words.empty() ? "" : fmt::format("{}: {} where tiles are chosen and cut", printable(file), words);
 }
 
+/// Throws InputError for pictures with long sides, and where `copies` of so many bytes a channel need more memory than
+/// there is.
+void check_room(const std::string& file, const PictureHeader& header, std::uint64_t copies)
+{
+    if (header.width > most_exemplar_pixels || header.height > most_exemplar_pixels)
+        throw InputError(fmt::format("{}: {} x {} pixels: must have at most {} along a side", file, header.width,
+                                     header.height, most_exemplar_pixels));
+    const std::uint64_t bytes = copies * static_cast<std::uint64_t>(header.width) *
+                                static_cast<std::uint64_t>(header.height) * static_cast<std::uint64_t>(header.channels);
+    constexpr double gibibyte = 1 << 30;
+    if (bytes > memory_limit())
+        throw InputError(fmt::format("{}: {} x {} pixels need {:.1f} GiB of memory to be read: must be at most {:.1f}",
+                                     file, header.width, header.height, static_cast<double>(bytes) / gibibyte,
+                                     static_cast<double>(memory_limit()) / gibibyte));
+}
+
+bool is_alpha(const std::string& channel) { return channel == "A" || channel.ends_with(".A"); }
+
+/// The numbers of a file that become themselves again after they became light: 8 bits, grey or three colours, no alpha.
+std::optional<PngPixels> opaque_bytes(const std::filesystem::path& file, const PictureHeader& header)
+{
+    if (header.type != SampleType::byte || (header.channels != 1 && header.channels != 3)) return {};
+    check_room(file.string(), header, sizeof(std::uint8_t));
+    RawPicture raw = read_raw_picture(file);
+    if (std::ranges::any_of(raw.channels, is_alpha)) return {};
+    return PngPixels{raw.width, raw.height, header.channels, std::move(raw.bytes)};
+}
+
 /// Adds the sentence about alpha that is left out to what was said of the file, or else to its name.
 std::string alpha_note(const LinearPicture& picture, const std::string& name)
 {
@@ -89,12 +122,13 @@ PngPixels read_exemplar(const std::filesystem::path& file, AlphaUse use)
 
 PngPixels read_exemplar(const std::filesystem::path& file, std::string& note, AlphaUse use)
 {
+    note.clear();
+    const PictureHeader header = read_picture_header(file);
+    if (std::optional<PngPixels> bytes = opaque_bytes(file, header)) return std::move(*bytes);
+    check_room(file.string(), header, 3 * sizeof(float)); // as the file has them, upright, and the result
     const LinearPicture picture = read_linear_picture(file, use);
     const std::vector<std::size_t> channels = shown_channels(picture);
     if (channels.empty()) throw InputError(fmt::format("{}: has no channel but alpha", file.string()));
-    if (picture.width > most_exemplar_pixels || picture.height > most_exemplar_pixels)
-        throw InputError(fmt::format("{}: {} x {} pixels: must have at most {} along a side", file.string(),
-                                     picture.width, picture.height, most_exemplar_pixels));
     const LightRange range = light_range(picture, channels, file.string());
     note = light_note(range, file.filename().string());
     if (use == AlphaUse::left_out) note += alpha_note(picture, note.empty() ? printable(file.filename().string()) : "");

@@ -13,7 +13,8 @@ namespace poissonlab {
 /// Cuts and differences are taken of these values, as in the papers. Alpha is left out, colours being those beneath it,
 /// unless it covers. Floating-point numbers are taken for light: negative ones are 0, and where some are above 1 all
 /// are tone-mapped, see tone_mapped(). Throws InputError for what is no picture, has numbers that are not finite, or
-/// sides of more than most_exemplar_pixels.
+/// sides of more than most_exemplar_pixels, and if reading needs more memory than memory_limit(): a byte for each
+/// number of 8 bits without alpha, 12 bytes for each of all others.
 PngPixels read_exemplar(const std::filesystem::path& file, AlphaUse use = AlphaUse::left_out);
 
 /// Reads an exemplar; `note` becomes what a person should know of light that 8 bits do not show, and of alpha that is

@@ -121,9 +121,7 @@ void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked)
 {
     // Pictures of marked corners have a light of their own, and those that are smaller than a tile make no tiles.
     if (pictures.split > 0 || std::min(pictures.exemplar.width, pictures.exemplar.height) < size) return;
-    std::size_t clipped = 0;
-    PngPixels flat = flattened(pictures.exemplar, size, clipped);
-    const UnevenLight light = uneven_light(pictures.exemplar, flat, size);
+    const UnevenLight light = uneven_light(pictures.exemplar, size);
     if (!light.is_uneven() && !is_asked.value_or(false)) return;
     const std::string differs =
         fmt::format("the light differs over more than a tile: {:.0f} % of its variation", 100 * light.share);
@@ -131,7 +129,8 @@ void flatten(ExemplarPictures& pictures, int size, std::optional<bool> is_asked)
         pictures.notes.push_back(differs + "; bright and dark parts show as a pattern (--flatten evens them)");
         return;
     }
-    pictures.exemplar = std::move(flat);
+    std::size_t clipped = 0;
+    pictures.exemplar = flattened(pictures.exemplar, size, clipped);
     bool has_others = false;
     for (CompanionMap& companion : pictures.companions) {
         if (companion.is_original) set_picture(companion, flattened(companion.picture, size, clipped));

@@ -1,8 +1,9 @@
 #include "host/texture/flattening.hpp"
 
 #include "base/gaussian_taps.hpp"
+#include "host/texture/comparison/light_map.hpp"
 #include "host/texture/seam_blending.hpp"
-#include "tiles/texture/tiling_judge.hpp"
+#include "tiles/texture/square_means.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <tbb/parallel_for.h>
@@ -12,28 +13,12 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
 namespace poissonlab {
 namespace {
-
-/// A channel of a picture, row by row.
-struct Plane
-{
-    int width = 0;
-    int height = 0;
-    std::vector<double> values;
-
-    double& at(int x, int y) { return values[index(x, y)]; }
-    double at(int x, int y) const { return values[index(x, y)]; }
-
-private:
-    std::size_t index(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    }
-};
 
 /// Weights of the pixels from `first` on whose sum is the mean around a place.
 struct MeanAround
@@ -68,29 +53,29 @@ MeanAround mean_around(int place, int pixels, const std::vector<double>& taps)
 constexpr int places_a_tile = 16;
 
 /// The means around every `step`-th pixel of each row, and of one beyond; columns become rows.
-Plane means_of_rows(const Plane& plane, int step, const std::vector<double>& taps)
+LightMap means_of_rows(const LightMap& plane, int step, const std::vector<double>& taps)
 {
     const int places = (plane.width - 1) / step + 2;
-    Plane means{plane.height, places,
-                std::vector<double>(static_cast<std::size_t>(places) * static_cast<std::size_t>(plane.height))};
+    LightMap means{plane.height, places,
+                   std::vector<double>(static_cast<std::size_t>(places) * static_cast<std::size_t>(plane.height))};
     tbb::parallel_for(0, places, [&](int i) {
         const MeanAround around = mean_around(i * step, plane.width, taps);
         for (int y = 0; y < plane.height; ++y) {
             double sum = 0;
             for (std::size_t k = 0; k < around.weights.size(); ++k)
                 sum += around.weights[k] * plane.at(around.first + static_cast<int>(k), y);
-            means.at(y, i) = sum;
+            means.values[means.index(y, i)] = sum;
         }
     });
     return means;
 }
 
 /// Subtracts the mean around each pixel, and adds the mean of the plane.
-void flatten(Plane& plane, int size)
+void flatten(LightMap& plane, double size)
 {
-    const int step = std::max(1, size / places_a_tile);
-    const std::vector<double> taps = gaussian_taps(size / 2.0);
-    const Plane means = means_of_rows(means_of_rows(plane, step, taps), step, taps);
+    const int step = std::max(1, static_cast<int>(size / places_a_tile));
+    const std::vector<double> taps = gaussian_taps(size / 2);
+    const LightMap means = means_of_rows(means_of_rows(plane, step, taps), step, taps);
     double mean = 0;
     for (const double value : plane.values) mean += value / static_cast<double>(plane.values.size());
     tbb::parallel_for(0, plane.height, [&](int y) {
@@ -100,7 +85,7 @@ void flatten(Plane& plane, int size)
             const int i = x / step, j = y / step;
             const double north = means.at(i, j) + u * (means.at(i + 1, j) - means.at(i, j)),
                          south = means.at(i, j + 1) + u * (means.at(i + 1, j + 1) - means.at(i, j + 1));
-            plane.at(x, y) += mean - (north + v * (south - north));
+            plane.values[plane.index(x, y)] += mean - (north + v * (south - north));
         }
     });
 }
@@ -126,7 +111,8 @@ float light_number(double value, float before, std::size_t& clipped)
 template <class Sample>
 void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int height, int size, std::size_t& clipped)
 {
-    Plane plane{width, height, std::vector<double>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+    LightMap plane{width, height,
+                   std::vector<double>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
     for (std::size_t i = 0; i < plane.values.size(); ++i) {
         Sample sample{};
         std::memcpy(&sample, bytes + i * stride * sizeof(Sample), sizeof(Sample));
@@ -145,17 +131,23 @@ void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int hei
     }
 }
 
+/// Light is measured by means over boxes of pixels, of which there are about so many, and in a tile at least so many
+/// along each side.
+constexpr std::size_t most_boxes = std::size_t{1} << 20;
+constexpr int least_boxes_a_tile = 16;
+
 /// The part of all power below which nobody sees light that is uneven.
 constexpr double least_seen_power = 0.05;
 
 /// The number of frequencies below one over `period` pixels, without the mean.
-int slow_frequencies(const PngPixels& picture, int period)
+int slow_frequencies(const PngPixels& picture, double period)
 {
     int count = -1;
-    for (int u = -picture.width / period; u <= picture.width / period; ++u)
-        for (int v = -picture.height / period; v <= picture.height / period; ++v) {
+    const int most_u = static_cast<int>(picture.width / period), most_v = static_cast<int>(picture.height / period);
+    for (int u = -most_u; u <= most_u; ++u)
+        for (int v = -most_v; v <= most_v; ++v) {
             const double x = static_cast<double>(u) / picture.width, y = static_cast<double>(v) / picture.height;
-            if (x * x + y * y < 1.0 / (static_cast<double>(period) * period)) ++count;
+            if (x * x + y * y < 1 / (period * period)) ++count;
         }
     return count;
 }
@@ -167,6 +159,34 @@ double largest_mean(int degrees)
     if (degrees == 0) return 0;
     const double variance = 2.0 / (9 * degrees), root = 1 - variance + 3.0902 * std::sqrt(variance);
     return root * root * root;
+}
+
+/// The variance of the sums over channels. Sums of whole numbers are exact.
+double variance_of_sums(const PngPixels& picture)
+{
+    std::int64_t sum = 0, squares = 0;
+    for (auto value = picture.values.begin(); value != picture.values.end(); value += picture.channels) {
+        const std::int64_t pixel = std::accumulate(value, value + picture.channels, 0);
+        sum += pixel;
+        squares += pixel * pixel;
+    }
+    const double pixels = static_cast<double>(picture.width) * picture.height, mean = static_cast<double>(sum) / pixels;
+    return static_cast<double>(squares) / pixels - mean * mean;
+}
+
+/// feature_side() of a picture without slow light, by means over boxes of `reduced.factor` pixels. Flattening changes
+/// nothing within boxes but the slope of slow light: the picture's variance there is added to that of the means.
+double flat_feature_side(const PngPixels& picture, const ReducedPicture& reduced, double size)
+{
+    const PngPixels& small = reduced.pixels;
+    LightMap light{small.width, small.height, channel_sums(small)};
+    const double within = std::max(0.0, variance_of_sums(picture) - variance_of_sums(small));
+    flatten(light, size);
+    const SquareMeans means(light.values, light.width);
+    const double of_boxes = means.variance(1), least = (of_boxes + within) / 2;
+    if (of_boxes <= least) return reduced.factor; // at most
+    const double most = std::min(small.width, small.height) / 2;
+    return std::ceil(means.side_of_variance(least).value_or(most) * reduced.factor);
 }
 
 }
@@ -201,12 +221,16 @@ RawPicture flattened(const RawPicture& picture, int size, std::size_t& clipped)
 
 bool UnevenLight::is_uneven() const { return share > std::max(least_seen_power, most); }
 
-UnevenLight uneven_light(const PngPixels& picture, const PngPixels& flat, int size)
+UnevenLight uneven_light(const PngPixels& picture, int size)
 {
-    const double side = static_cast<double>(feature_side(flat)) / size;
+    const ReducedPicture reduced = reduced_picture(picture, most_boxes, std::max(1, size / least_boxes_a_tile));
+    const double tile = static_cast<double>(size) / reduced.factor, all = variance_of_channels(picture);
+    if (!(all > 0)) return {};
+    const double side = flat_feature_side(picture, reduced, tile) / size;
     const double by_chance = 0.89 * side * side;
-    const double most = is_smooth(picture) ? 0 : by_chance * largest_mean(slow_frequencies(picture, 2 * size));
-    return {slow_power(picture, 2 * size), by_chance, most};
+    const double most = is_smooth(picture) ? 0 : by_chance * largest_mean(slow_frequencies(reduced.pixels, 2 * tile));
+    const double share = slow_power(reduced.pixels, 2 * tile) * variance_of_channels(reduced.pixels) / all;
+    return {share, by_chance, most};
 }
 
 }

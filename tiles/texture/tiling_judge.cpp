@@ -1,8 +1,10 @@
 #include "tiles/texture/tiling_judge.hpp"
 
+#include "tiles/texture/square_means.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -12,51 +14,6 @@ namespace {
 /// The tiling that is judged has about judged_pixels along each side, in whole tiles, at least four; about
 /// judged_patches patches along each side are compared.
 constexpr int judged_pixels = 1024, judged_patches = 128;
-
-/// Sums of all values above and to the left, with a row and a column of zeros.
-class SummedArea
-{
-public:
-    explicit SummedArea(const PngPixels& picture)
-        : width_(static_cast<std::size_t>(picture.width)),
-          sums_((width_ + 1) * (static_cast<std::size_t>(picture.height) + 1))
-    {
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x) {
-                std::int64_t value = 0;
-                for (int c = 0; c < picture.channels; ++c) value += picture.values[picture.at(x, y, c)];
-                sums_[index(x + 1, y + 1)] = value + at(x, y + 1) + at(x + 1, y) - at(x, y);
-            }
-    }
-    std::int64_t square(int x, int y, int side) const
-    {
-        return at(x + side, y + side) - at(x, y + side) - at(x + side, y) + at(x, y);
-    }
-
-private:
-    std::size_t index(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * (width_ + 1) + static_cast<std::size_t>(x);
-    }
-    std::int64_t at(int x, int y) const { return sums_[index(x, y)]; }
-
-    std::size_t width_;
-    std::vector<std::int64_t> sums_;
-};
-
-/// The variance of the means over all squares.
-double variance_of_squares(const PngPixels& picture, const SummedArea& sums, int side)
-{
-    double sum = 0, squares = 0;
-    for (int y = 0; y + side <= picture.height; ++y)
-        for (int x = 0; x + side <= picture.width; ++x) {
-            const double mean = static_cast<double>(sums.square(x, y, side)) / (static_cast<double>(side) * side);
-            sum += mean;
-            squares += mean * mean;
-        }
-    const double count = static_cast<double>(picture.width - side + 1) * static_cast<double>(picture.height - side + 1);
-    return squares / count - sum / count * (sum / count);
-}
 
 int odd(int side) { return side / 2 * 2 + 1; }
 
@@ -83,12 +40,11 @@ std::vector<SourcePixel> window_sources(const TextureSet& set, const TextureWind
 
 int feature_side(const PngPixels& exemplar)
 {
-    const SummedArea sums(exemplar);
-    const double pixels = variance_of_squares(exemplar, sums, 1);
-    const int most = std::min(exemplar.width, exemplar.height) / 2;
-    int side = 1;
-    while (side < most && variance_of_squares(exemplar, sums, side) > pixels / 2) ++side;
-    return side;
+    const SquareMeans means(channel_sums(exemplar), exemplar.width);
+    const double pixels = means.variance(1);
+    if (!(pixels > 0)) return 1;
+    const std::optional<double> side = means.side_of_variance(pixels / 2);
+    return side ? static_cast<int>(std::ceil(*side)) : std::max(1, std::min(exemplar.width, exemplar.height) / 2);
 }
 
 std::size_t small_fragments(std::span<const SourcePixel> sources, int width, std::size_t pixels)

@@ -1,5 +1,7 @@
 #include "tiles/texture/tiling_measures.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -85,7 +88,7 @@ double channel_variance(const PngPixels& picture, int channel)
 }
 
 /// The power of a channel at u cycles along rows, and as many along columns as make a frequency below 1 / period.
-double slow_power_at(const PngPixels& picture, int channel, int u, int period)
+double slow_power_at(const PngPixels& picture, int channel, int u, double period)
 {
     const std::vector<std::complex<double>> along = fourier_factors(u, picture.width);
     std::vector<std::complex<double>> rows(static_cast<std::size_t>(picture.height));
@@ -96,9 +99,10 @@ double slow_power_at(const PngPixels& picture, int channel, int u, int period)
     const double fx = static_cast<double>(u) / picture.width,
                  pixels = static_cast<double>(picture.width) * picture.height;
     double power = 0;
-    for (int v = -(picture.height / period); v <= picture.height / period; ++v) {
+    const int most = static_cast<int>(picture.height / period);
+    for (int v = -most; v <= most; ++v) {
         const double fy = static_cast<double>(v) / picture.height;
-        if (fx * fx + fy * fy >= 1.0 / (static_cast<double>(period) * period) || (u == 0 && v == 0)) continue;
+        if (fx * fx + fy * fy >= 1 / (period * period) || (u == 0 && v == 0)) continue;
         const std::vector<std::complex<double>> across = fourier_factors(v, picture.height);
         std::complex<double> sum = 0;
         for (std::size_t y = 0; y < rows.size(); ++y) sum += rows[y] * across[y];
@@ -186,14 +190,23 @@ std::optional<double> recurrence(const PngPixels& tiling, int width, int height)
     return beyond_chance(share, squares, static_cast<double>(width) * height);
 }
 
-double slow_power(const PngPixels& picture, int period)
+double variance_of_channels(const PngPixels& picture)
 {
-    double slow = 0, all = 0;
-    for (int c = 0; c < picture.channels; ++c) {
-        all += channel_variance(picture, c);
-        for (int u = 0; u <= picture.width / period; ++u) slow += slow_power_at(picture, c, u, period);
-    }
-    return all > 0 ? slow / all : 0;
+    double sum = 0;
+    for (int c = 0; c < picture.channels; ++c) sum += channel_variance(picture, c);
+    return sum;
+}
+
+double slow_power(const PngPixels& picture, double period)
+{
+    const int columns = 1 + static_cast<int>(picture.width / period);
+    std::vector<double> powers(static_cast<std::size_t>(columns * picture.channels));
+    tbb::parallel_for(std::size_t{0}, powers.size(), [&](std::size_t i) {
+        const int at = static_cast<int>(i);
+        powers[i] = slow_power_at(picture, at / columns, at % columns, period);
+    });
+    const double all = variance_of_channels(picture);
+    return all > 0 ? std::accumulate(powers.begin(), powers.end(), 0.0) / all : 0;
 }
 
 std::optional<SlowPower> slow_powers(const PngPixels& tiling, const PngPixels& exemplar, int size)

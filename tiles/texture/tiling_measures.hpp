@@ -35,9 +35,12 @@ double beyond_chance(double share, double squares, double pixels);
 /// and without any power.
 std::optional<double> recurrence(const PngPixels& tiling, int width, int height);
 
+/// The sum over channels of the variance of a picture's values.
+double variance_of_channels(const PngPixels& picture);
+
 /// The part of a picture's power, without its mean, at frequencies below one over `period` pixels, in any direction: of
 /// its periodogram, summed over channels.
-double slow_power(const PngPixels& picture, int period);
+double slow_power(const PngPixels& picture, double period);
 
 /// Says how much of the power is light and colour that change over more than a tile: slow_power() with a period of two
 /// tiles, of the exemplar and of a tiling. A periodogram depends on its window: without the mean, 8 frequencies of

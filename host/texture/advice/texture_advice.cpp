@@ -5,6 +5,7 @@
 #include "host/texture/exemplar.hpp"
 #include "host/texture/flattening.hpp"
 #include "host/texture/regular/seen_waves.hpp"
+#include "host/texture/regular/wave_comb.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +19,6 @@ namespace {
 
 /// Pictures are reduced to so many pixels before they are measured.
 constexpr std::size_t measured_pixels = std::size_t{1} << 18;
-
-/// Light is measured in pictures of so many pixels as they are.
-constexpr std::size_t most_exact_pixels = std::size_t{1} << 20;
 
 /// Means over squares as wide as the scale have this part of the variance.
 constexpr double scale_share = 0.25;
@@ -70,16 +68,10 @@ void choose_size(TextureAdvice& advice, const PngPixels& picture, const LightMap
     advice.colors = advised_colors(advice.size);
 }
 
-/// Finds light that texture build flattens by itself, by the measurement that it makes; in large pictures of the
-/// reduced one.
-void measure_light(TextureAdvice& advice, const PngPixels& picture, const ReducedPicture& reduced)
+/// Finds light that texture build flattens by itself, by the measurement that it makes.
+void measure_light(TextureAdvice& advice, const PngPixels& picture)
 {
-    const bool is_large =
-        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) > most_exact_pixels;
-    const PngPixels& measured = is_large ? reduced.pixels : picture;
-    const int size = is_large ? std::max(1, advice.size / reduced.factor) : advice.size;
-    std::size_t clipped = 0;
-    const UnevenLight light = uneven_light(measured, flattened(measured, size, clipped), size);
+    const UnevenLight light = uneven_light(picture, advice.size);
     advice.slow_power = light.share;
     advice.is_flattened = light.is_uneven();
 }
@@ -153,7 +145,8 @@ void compare_parts(TextureAdvice& advice, const LightMap& light)
 /// Looks for what is regular, in the reduced picture. Most pictures have nothing, which is soon seen.
 void find_periods(TextureAdvice& advice, const ReducedPicture& reduced, const LightMap& light)
 {
-    if (strongest_wave(light).times < least_suspected_times) return;
+    const WaveSpectrum spectrum(windowed(light));
+    if (spectrum.strongest().times < least_suspected_times && !stands_out_together(strongest_comb(spectrum))) return;
     const SeenWaves seen = seen_waves(reduced.pixels);
     bool fits = seen.slope.east == 0 && seen.slope.south == 0;
     for (RegularWave wave : seen.waves) {
@@ -191,7 +184,7 @@ TextureAdvice advise_texture(const PngPixels& picture)
     take_advice(request, advice, true, true);
     advice.is_joint = request.joint;
     if (has_one_color) return advice;
-    measure_light(advice, picture, reduced);
+    measure_light(advice, picture);
     compare_parts(advice, light);
     if (advice.is_texture() && shorter_side(picture) < 2 * advice.size) advice.obstacle = TextureObstacle::too_small;
     if (advice.is_texture()) find_periods(advice, reduced, light);

@@ -1,7 +1,10 @@
 #include "host/texture/comparison/light_map.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 
@@ -44,6 +47,27 @@ PngPixels picture_part(const PngPixels& picture, int left, int top, int width, i
         part.values.insert(part.values.end(), first, first + static_cast<std::ptrdiff_t>(width) * picture.channels);
     }
     return part;
+}
+
+ReducedPicture reduced_picture(const PngPixels& picture, std::size_t most, int most_factor)
+{
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    const double least = std::ceil(std::sqrt(pixels / static_cast<double>(most)));
+    const int factor = std::clamp(static_cast<int>(least), 1, std::min({picture.width, picture.height, most_factor}));
+    if (factor == 1) return {picture, 1};
+    PngPixels small{picture.width / factor, picture.height / factor, picture.channels, {}};
+    small.values.resize(small.at(0, small.height, 0));
+    tbb::parallel_for(0, small.height, [&](int y) {
+        std::vector<int> sums(small.at(0, 1, 0));
+        for (int row = y * factor; row < (y + 1) * factor; ++row)
+            for (int x = 0; x < small.width * factor; ++x)
+                for (int c = 0; c < picture.channels; ++c)
+                    sums[small.at(x / factor, 0, c)] += picture.values[picture.at(x, row, c)];
+        const int area = factor * factor;
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            small.values[small.at(0, y, 0) + i] = static_cast<std::uint8_t>((sums[i] + area / 2) / area);
+    });
+    return {std::move(small), factor};
 }
 
 }

@@ -1,9 +1,10 @@
-// Lightness of pictures, and numbers at the places of a rectangle.
+// Lightness of pictures, numbers at the places of a rectangle, and smaller pictures.
 #pragma once
 
 #include "base/images/png_file.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace poissonlab {
@@ -30,5 +31,17 @@ LightMap contrast_map(const LightMap& map, int side);
 
 /// The part of a picture from (left, top) on.
 PngPixels picture_part(const PngPixels& picture, int left, int top, int width, int height);
+
+/// A picture whose pixels are means over squares of `factor` x `factor` pixels; what is left over at the eastern and
+/// southern borders is dropped.
+struct ReducedPicture
+{
+    PngPixels pixels;
+    int factor = 1;
+};
+
+/// Reduces a picture to at most `most` pixels, by the least factor, which is at most `most_factor`.
+ReducedPicture reduced_picture(const PngPixels& picture, std::size_t most,
+                               int most_factor = std::numeric_limits<int>::max());
 
 }

@@ -1,6 +1,6 @@
 #include "host/texture/regular/regular_waves.hpp"
 
-#include "host/texture/regular/wave_spectrum.hpp"
+#include "host/texture/regular/wave_comb.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -17,13 +17,13 @@ namespace {
 class WavePower
 {
 public:
-    explicit WavePower(const LightMap& map) : map_(map) {}
+    WavePower(const LightMap& map, int harmonics) : map_(map), harmonics_(static_cast<std::size_t>(harmonics)) {}
 
     double of(double kx, double ky)
     {
         const std::vector<Harmonics>& rows = rows_of(kx);
         double power = 0;
-        for (std::size_t k = 1; k <= wave_harmonics; ++k) {
+        for (std::size_t k = 1; k <= harmonics_; ++k) {
             std::complex<double> sum = 0;
             for (std::size_t y = 0; y < rows.size(); ++y)
                 sum += std::complex(rows[y][2 * k - 2], rows[y][2 * k - 1]) *
@@ -35,7 +35,7 @@ public:
 
 private:
     /// Cosines and sines of all harmonics.
-    using Harmonics = std::array<double, 2 * wave_harmonics>;
+    using Harmonics = std::array<double, 2 * most_comb_harmonics>;
 
     /// The sums over each row, which all waves with the same number of periods a column share.
     const std::vector<Harmonics>& rows_of(double kx)
@@ -44,7 +44,7 @@ private:
         if (!is_new) return found->second;
         std::vector<Harmonics> turns(static_cast<std::size_t>(map_.width));
         for (std::size_t x = 0; x < turns.size(); ++x)
-            for (std::size_t k = 1; k <= wave_harmonics; ++k) {
+            for (std::size_t k = 1; k <= harmonics_; ++k) {
                 const double angle = 2 * std::numbers::pi * static_cast<double>(k) * kx * static_cast<double>(x);
                 turns[x][2 * k - 2] = std::cos(angle);
                 turns[x][2 * k - 1] = -std::sin(angle);
@@ -55,20 +55,22 @@ private:
             Harmonics sums{};
             const double* const values = &map_.values[map_.index(0, y)];
             for (std::size_t x = 0; x < turns.size(); ++x)
-                for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[x] * turns[x][i];
+                for (std::size_t i = 0; i < 2 * harmonics_; ++i) sums[i] += values[x] * turns[x][i];
             rows[static_cast<std::size_t>(y)] = sums;
         });
         return rows;
     }
 
     const LightMap& map_;
+    std::size_t harmonics_;
     std::map<double, std::vector<Harmonics>> rows_;
 };
 
-/// Moves a wave to where it has most power, in steps down to a hundredth of a period over the picture.
-void refine(RegularWave& wave, const LightMap& map)
+/// Moves a wave to where it has most power with its harmonics, in steps down to a hundredth of a period over the
+/// picture.
+void refine(RegularWave& wave, const LightMap& map, int harmonics = wave_harmonics)
 {
-    WavePower power(map);
+    WavePower power(map, harmonics);
     const RegularWave start = wave;
     std::pair<int, int> at{0, 0}; // in hundredths
     const auto moved = [&](const std::pair<int, int>& to) {
@@ -140,6 +142,34 @@ bool refine_basis(RegularWaves& found, const WaveSpectrum& spectrum)
     return true;
 }
 
+/// True if a wave is one of the first four harmonics of another one, to a period over the picture.
+bool is_harmonic_of(const RegularWave& wave, const RegularWave& other, const LightMap& map)
+{
+    for (const double k : {1, 2, 3, 4})
+        for (const double sign : {1, -1})
+            if (std::hypot((wave.x - sign * k * other.x) * map.width, (wave.y - sign * k * other.y) * map.height) < 1)
+                return true;
+    return false;
+}
+
+/// Takes the wave whose harmonics stand out together, if there is no other one, or the other one is a harmonic of it:
+/// all of its harmonics say more exactly than four where its lines are.
+void take_comb(RegularWaves& found, const WaveSpectrum& spectrum, const LightMap& map)
+{
+    WaveComb comb = strongest_comb(spectrum);
+    if (!stands_out_together(comb)) return;
+    if (!found.strongest.empty() && !is_harmonic_of(found.strongest.front(), comb.wave, map)) return;
+    refine(comb.wave, map, comb.harmonics);
+    found.strongest = {comb.wave};
+    found.is_comb = true;
+}
+
+/// Planks of all widths have their power on one line of the spectrum, where any place is many times what is around it.
+void drop_part_of_line(RegularWaves& found, const WaveSpectrum& spectrum)
+{
+    if (spectrum.times_along(found.strongest.front()) < least_regular_times) found.strongest.clear();
+}
+
 }
 
 double RegularWave::period() const { return 1 / std::hypot(x, y); }
@@ -173,6 +203,8 @@ RegularWaves find_regular_waves(const LightMap& light)
         found.strongest.push_back(wave);
         if (found.strongest.size() == 2) break;
     }
+    if (found.strongest.size() == 1) drop_part_of_line(found, spectrum);
+    if (found.strongest.size() < 2) take_comb(found, spectrum, map);
     if (found.strongest.size() == 2)
         while (refine_basis(found, spectrum)) {
         }

@@ -3,6 +3,9 @@
 // A wave and its harmonics, the first four, hold a share of the picture's variance. In a picture without order each
 // part of the spectrum is about as high as what is around it; a wave is regular where its share is many times as high.
 //
+// If no wave stands out so, or one that does is a harmonic of another one, more harmonics are looked at: wave_comb.hpp.
+// A wave that no other one crosses must also stand out from what is before and after it in its direction.
+//
 // A wave explains its harmonics, and two waves all sums of them. Where something between these stands out as well, the
 // picture repeats after two or three of their periods only: the halves and thirds of sums are tried, as long as there
 // is one that stands out. Threads of a plain weave, for one, are seen best along both axes, but turns of what lies
@@ -61,6 +64,7 @@ struct RegularWaves
     /// All regular waves are sums of whole numbers of these two: the strongest, unless what they belong to repeats
     /// after more than a period of both only, as threads do that lie over each other by turns.
     std::array<WaveSum, 2> basis{{{1, 0}, {0, 1}}};
+    bool is_comb = false; ///< one wave, whose harmonics stand out together
 
     /// One or both of the basis, that of the strongest first, unless what repeats takes more than one of its periods.
     std::vector<RegularWave> waves() const;

@@ -1,10 +1,12 @@
 #include "host/texture/regular/seen_waves.hpp"
 
+#include "host/texture/regular/wave_comb.hpp"
 #include "host/texture/regular/wave_tracking.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace poissonlab {
@@ -24,6 +26,10 @@ constexpr double most_slope = 0.45;
 
 /// A picture that is as straight as this part of the share says keeps its pixels.
 constexpr double straight_times = 1.05;
+
+/// A picture whose harmonics stand out together keeps its pixels unless a slope makes them do so by this much more: of
+/// two slopes that are both wrong, one has by chance up to three more.
+constexpr double least_slope_deviations = 3;
 
 /// Waves of a smaller part are taken instead of those of a larger one where they stand out more than this many times as
 /// much: threads differ in their light, and what a coarse copy has left of them may be regular by chance.
@@ -96,11 +102,12 @@ LightMap from_above(const LightMap& light, const Slope& slope, double part)
     return map;
 }
 
-/// The slope with which a wave has the largest share: on a grid, then around the best one in steps that halve.
-Slope found_slope(const LightMap& light, double part)
+/// The slope with which a picture has the largest `value`: on a grid, then around the best one in steps that halve. The
+/// picture is as straight as it is unless another slope has more than `least`.
+Slope found_slope(const LightMap& light, double part, double least, const std::function<double(const LightMap&)>& value)
 {
     Slope best;
-    double share = straight_times * strongest_wave(from_above(light, best, part)).share;
+    double most = least;
     int reach = 4;
     for (double step = 0.1; step > 0.002; step /= 2, reach = 2) {
         std::vector<Slope> slopes;
@@ -109,16 +116,20 @@ Slope found_slope(const LightMap& light, double part)
                 const Slope slope{best.east + i * step, best.south + j * step};
                 if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * part) slopes.push_back(slope);
             }
-        std::vector<double> shares(slopes.size());
+        std::vector<double> values(slopes.size());
         tbb::parallel_for(std::size_t{0}, slopes.size(),
-                          [&](std::size_t i) { shares[i] = strongest_wave(from_above(light, slopes[i], part)).share; });
-        const auto largest = std::ranges::max_element(shares);
-        if (!(*largest > share)) continue;
-        share = *largest;
-        best = slopes[static_cast<std::size_t>(largest - shares.begin())];
+                          [&](std::size_t i) { values[i] = value(from_above(light, slopes[i], part)); });
+        const auto largest = std::ranges::max_element(values);
+        if (!(*largest > most)) continue;
+        most = *largest;
+        best = slopes[static_cast<std::size_t>(largest - values.begin())];
     }
     return best;
 }
+
+double strongest_share(const LightMap& light) { return strongest_wave(light).share; }
+
+double comb_deviations(const LightMap& light) { return strongest_comb(WaveSpectrum(windowed(light))).deviations; }
 
 /// The waves that are regular in a part of the middle, in halves of the whole picture's sides.
 struct PartWaves
@@ -133,10 +144,16 @@ PartWaves waves_of_part(const LightMap& level, double part)
     const bool is_fine = std::max(level.width, level.height) * part > searched_side;
     const LightMap light = is_fine ? smoothed(level) : level;
     PartWaves found;
-    const Slope slope = found_slope(light, part);
+    const LightMap straight = from_above(light, {}, part);
+    Slope slope = found_slope(light, part, straight_times * strongest_share(straight), strongest_share);
     const LightMap map = from_above(light, slope, part);
     found.regular = find_regular_waves(map);
-    found.times = found.regular.strongest.empty() ? strongest_wave(map).times : found.regular.strongest[0].times;
+    found.times = strongest_wave(map).times;
+    if (found.regular.strongest.empty() || found.regular.is_comb) {
+        slope = found_slope(light, part, comb_deviations(straight) + least_slope_deviations, comb_deviations);
+        found.regular = find_regular_waves(from_above(light, slope, part));
+    }
+    if (!found.regular.strongest.empty()) found.times = found.regular.strongest[0].times;
     const double pixels = searched_side / (2 * slope.reach() * part);
     for (RegularWave& wave : found.regular.strongest) {
         wave.x *= pixels;

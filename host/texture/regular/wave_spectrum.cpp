@@ -13,8 +13,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr int least_periods = 8; ///< over the picture
-
 /// A wave is not given up for one of its harmonics that holds less than this part of its share, nor taken where less of
 /// it is in harmonics that are looked at.
 constexpr double least_harmonic = 0.5;
@@ -145,6 +143,13 @@ PlacePower WaveSpectrum::power_beside(std::vector<Periods> places, const std::ve
         if (const double along = share_along(places, direction); along > 0)
             times = std::min(times, others.share / along);
     return {share, times};
+}
+
+double WaveSpectrum::times_along(const RegularWave& wave) const
+{
+    const std::vector<Periods> places = looked_at_harmonics(periods_of(wave));
+    const double share = power_at(places).share;
+    return share > 0 ? share / share_along(places, wave) : 0;
 }
 
 bool WaveSpectrum::is_looked_at(const Periods& p) const

@@ -7,6 +7,9 @@
 
 namespace poissonlab {
 
+/// Waves have at least so many periods over the picture.
+inline constexpr int least_periods = 8;
+
 /// A wave and the next harmonics count, four in all.
 inline constexpr int wave_harmonics = 4;
 
@@ -54,6 +57,15 @@ public:
     PartsBetween between(const RegularWave& a, const RegularWave& b, const PartOfWaves& part,
                          const std::vector<RegularWave>& lines) const;
 
+    /// How many times a wave and its harmonics have what is before and after them in its direction.
+    double times_along(const RegularWave& wave) const;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// The share of the variance that a place holds, of any whole numbers of periods.
+    double share(int x, int y) const;
+
     /// True if waves of this period are looked for.
     bool is_looked_at(const RegularWave& wave) const { return is_looked_at(periods_of(wave)); }
 
@@ -78,7 +90,6 @@ private:
     std::vector<Periods> looked_at_harmonics(const Periods& p) const;
     RegularWave wave(const Periods& p) const;
 
-    double share(int x, int y) const;
     double square_share(int x, int y, int reach) const;
     double surrounding_share(int x, int y) const;
     bool is_below_highest(int x, int y) const { return 2 * std::abs(x) < width_ && 2 * std::abs(y) < height_; }

@@ -63,7 +63,7 @@ TEST(ClassPoints, TakeAMatrixAsItIs)
 /// half as long there).
 TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
 {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "park.geojson";
     write_whole_file(file, R"({"type": "Polygon", "coordinates": [[[10, 60], [10.002, 60], [10.002, 60.002], [10, 60.002],
                               [10, 60]]]})");

@@ -330,6 +330,15 @@ TEST(Exemplar, IsReadAsItsBytesAre)
         EXPECT_EQ(exemplar.channels, channels);
         EXPECT_EQ(exemplar.values, picture.values);
     }
+    // Bytes that are read as they are, beside those that became light.
+    PngPixels all{16, 16, 1, {}};
+    RawPicture opaque{16, 16, SampleType::byte, {"Y", "A"}, {}};
+    for (int value = 0; value < 256; ++value) {
+        all.values.push_back(static_cast<std::uint8_t>(value));
+        opaque.bytes.insert(opaque.bytes.end(), {static_cast<std::uint8_t>(value), 255});
+    }
+    write_raw_picture(folder.path() / "opaque.png", opaque);
+    EXPECT_EQ(read_exemplar(folder.path() / "opaque.png").values, all.values);
     // 16 bits: each byte twice is the same level.
     const PngPixels picture = test::random_picture(20, 20, 3, 10);
     DeepPixels deep{20, 20, 3, {}};

@@ -1,0 +1,196 @@
+#include "host/texture/regular/wave_comb.hpp"
+
+#include "tiles/texture/square_means.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+/// The standard deviation of the logarithm of a ratio of powers.
+constexpr double log_deviation = 1.01;
+
+constexpr double least_comb_deviations = 6, least_comb_share = 0.005;
+constexpr int least_comb_harmonics = 3;
+
+/// Combs are looked for of which one of so many places is a harmonic, those that stand out most; each has at least so
+/// many times the power around it.
+constexpr std::size_t most_places = 64;
+constexpr double least_place_times = 3;
+
+/// Powers are compared with those so many places before and after them.
+constexpr double least_steps_away = 4, most_steps_away = 6;
+
+/// The power of rounding is below this share; it has a period of its own where there is no noise.
+constexpr double least_power = 1e-5;
+
+struct SpectrumPlace
+{
+    double x = 0;
+    double y = 0;
+    double times = 0;
+};
+
+class CombSearch
+{
+public:
+    explicit CombSearch(const WaveSpectrum& spectrum)
+        : spectrum_(spectrum), right_(spectrum.width() / 2), bottom_(spectrum.height() / 2), means_(shares(), columns())
+    {}
+
+    std::vector<SpectrumPlace> places() const
+    {
+        std::vector<SpectrumPlace> found;
+        for (int y = 1 - bottom_; y < bottom_; ++y)
+            for (int x = 0; x < right_; ++x) {
+                if (x * x + y * y < least_periods * least_periods || (x == 0 && y < 0)) continue;
+                const double power = power_at(x, y), times = power / std::max(least_power, around(x, y));
+                if (times >= least_place_times && is_highest(x, y, power)) found.push_back(centroid(x, y, times));
+            }
+        const auto end = found.begin() + static_cast<std::ptrdiff_t>(std::min(most_places, found.size()));
+        std::partial_sort(found.begin(), end, found.end(),
+                          [](const SpectrumPlace& a, const SpectrumPlace& b) { return a.times > b.times; });
+        found.erase(end, found.end());
+        return found;
+    }
+
+    /// The comb of a wave with so many periods over the width and the height, of as many harmonics as stand out most.
+    WaveComb comb_of(double x, double y) const
+    {
+        WaveComb best, all;
+        double logarithms = 0, powers = 0, arounds = 0;
+        for (int k = 1; k <= most_comb_harmonics && is_within(k * x, k * y); ++k) {
+            const auto [power, beside] = harmonic(x, y, k);
+            logarithms += std::log((power + least_power) / (beside + least_power));
+            powers += power;
+            arounds += beside;
+            all.wave.share += 2 * std::max(0.0, power - beside);
+            all.deviations = logarithms / (log_deviation * std::sqrt(k));
+            all.harmonics = k;
+            if (all.deviations <= best.deviations) continue;
+            best = all;
+            best.wave.times = powers / std::max(least_power, arounds);
+        }
+        best.wave.x = x / spectrum_.width();
+        best.wave.y = y / spectrum_.height();
+        return best;
+    }
+
+    /// Moves a comb to where it stands out most, in steps down to those that its last harmonic can tell.
+    WaveComb refined(WaveComb comb) const
+    {
+        for (double step = 0.25; step > 0.25 / most_comb_harmonics;) {
+            WaveComb next = comb;
+            const double x = comb.wave.x * spectrum_.width(), y = comb.wave.y * spectrum_.height();
+            for (const auto& [dx, dy] : {std::array{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
+                const WaveComb other = comb_of(x + dx, y + dy);
+                if (other.deviations > next.deviations && spectrum_.is_looked_at(other.wave)) next = other;
+            }
+            if (next.deviations == comb.deviations) step /= 2;
+            comb = next;
+        }
+        return comb;
+    }
+
+private:
+    /// Squares of this reach are summed beyond the highest frequency as well.
+    static constexpr int margin = 16;
+
+    struct HarmonicPower
+    {
+        double power = 0;
+        double beside = 0;
+    };
+
+    int columns() const { return right_ + 2 * margin + 1; }
+
+    std::vector<double> shares() const
+    {
+        std::vector<double> values;
+        for (int y = -bottom_ - margin; y <= bottom_ + margin; ++y)
+            for (int x = -margin; x <= right_ + margin; ++x) values.push_back(spectrum_.share(x, y));
+        return values;
+    }
+
+    /// A wave to the south may lean to the west by a few periods.
+    bool is_within(double x, double y) const { return x > -margin / 2.0 && x < right_ && std::abs(y) < bottom_; }
+
+    double square(int x, int y, int reach) const
+    {
+        const int column = x + margin, row = y + bottom_ + margin, side = 2 * reach + 1;
+        return means_.mean(column - reach, row - reach, column + reach + 1, row + reach + 1) * side * side;
+    }
+
+    double power_at(int x, int y) const { return std::max(0.0, square(x, y, 1)); }
+
+    /// What nine places have on average in a ring around some.
+    double around(int x, int y) const
+    {
+        constexpr int inner = 2, outer = 6;
+        constexpr double count = (2 * outer + 1) * (2 * outer + 1) - (2 * inner + 1) * (2 * inner + 1);
+        return std::max(0.0, square(x, y, outer) - square(x, y, inner)) * 9 / count;
+    }
+
+    HarmonicPower harmonic(double x, double y, int k) const
+    {
+        const double length = std::hypot(x, y),
+                     away = std::clamp(length / 2, least_steps_away, most_steps_away) / length;
+        const auto at = [&](double times, const auto& of) {
+            return of(static_cast<int>(std::lround(times * x)), static_cast<int>(std::lround(times * y)));
+        };
+        const auto power = [this](int i, int j) { return power_at(i, j); };
+        return {at(k, power), std::max(at(k, [this](int i, int j) { return around(i, j); }),
+                                       (at(k - away, power) + at(k + away, power)) / 2)};
+    }
+
+    bool is_highest(int x, int y, double power) const
+    {
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+                if (power_at(x + dx, y + dy) > power) return false;
+        return true;
+    }
+
+    /// A wave between whole numbers of periods is spread over the places around it.
+    SpectrumPlace centroid(int x, int y, double times) const
+    {
+        double sum = 0, east = 0, south = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const double share = spectrum_.share(x + dx, y + dy);
+                sum += share;
+                east += dx * share;
+                south += dy * share;
+            }
+        return {x + east / sum, y + south / sum, times};
+    }
+
+    const WaveSpectrum& spectrum_;
+    int right_, bottom_;
+    SquareMeans means_;
+};
+
+}
+
+WaveComb strongest_comb(const WaveSpectrum& spectrum)
+{
+    const CombSearch search(spectrum);
+    WaveComb best;
+    for (const SpectrumPlace& place : search.places())
+        for (int k = 1; k <= most_comb_harmonics; ++k) {
+            const WaveComb comb = search.comb_of(place.x / k, place.y / k);
+            if (comb.deviations > best.deviations && spectrum.is_looked_at(comb.wave)) best = comb;
+        }
+    return best.harmonics > 0 ? search.refined(best) : best;
+}
+
+bool stands_out_together(const WaveComb& comb)
+{
+    return comb.harmonics >= least_comb_harmonics && comb.deviations >= least_comb_deviations &&
+           comb.wave.share >= least_comb_share;
+}
+
+}
