@@ -240,7 +240,6 @@ std::string gltf_of_points(const std::vector<float>& places)
         low[i % 3] = std::min(low[i % 3], places[i]);
         high[i % 3] = std::max(high[i % 3], places[i]);
     }
-    const std::size_t count = places.size() / 3, bytes = sizeof(float) * places.size();
     return fmt::format(
         R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
         R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"mode":0}}]}}],)"
@@ -248,7 +247,7 @@ std::string gltf_of_points(const std::vector<float>& places)
         R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}}],)"
         R"("bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{1}}}],)"
         R"("buffers":[{{"byteLength":{4}}}]}})",
-        count, bytes, fmt::join(low, ","), fmt::join(high, ","), 2 * bytes);
+        places.size() / 3, 4 * places.size(), fmt::join(low, ","), fmt::join(high, ","), 8 * places.size());
 }
 
 /// A file without points has no mesh, because glTF has no empty ones.
@@ -256,8 +255,8 @@ void write_surface_glb(const std::filesystem::path& file, const PointSet& places
 {
     const std::vector<float> floats(places.coordinates.begin(), places.coordinates.end());
     std::string binary;
-    for (const float c : floats) append_value(binary, c);
-    for (const double c : normals.coordinates) append_value(binary, static_cast<float>(c));
+    for (const PointSet* set : {&places, &normals})
+        for (const double c : set->coordinates) append_value(binary, static_cast<float>(c));
     std::string chunks =
         glb_chunk("JSON", floats.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(floats), ' ');
     if (!floats.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
