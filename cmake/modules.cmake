@@ -3,7 +3,8 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures
+  surface_spectra)
 set(lab_command_modules
   results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
 # Those that work asks for, and no word: files of HDF5, processes of MPI, sets in 3D.
@@ -18,6 +19,7 @@ set(lab_needs_of_other_tiles methods tiles)
 set(lab_needs_of_distributions methods)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods)
+set(lab_needs_of_surface_spectra methods surfaces)
 set(lab_needs_of_surface_textures methods distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")

@@ -26,7 +26,7 @@ link_alone() {
 }
 
 status=0
-for module in methods results tiles other_tiles tilings regions distributions textures surfaces surface_textures large_sets; do
+for module in methods results tiles other_tiles tilings regions distributions textures surfaces surface_textures surface_spectra large_sets; do
   if ! (link_alone "$module") >"$folder/$module.out" 2>&1; then
     echo "the program with the module $module alone does not link:"
     grep -E 'undefined reference|multiple definition|error' "$folder/$module.out" | head -n 20
