@@ -171,7 +171,7 @@ TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
         std::vector<std::string> words{"--image", "0.25", "--points", "200",     "--by",  "warping",
                                        "--width", "8cm",  "--dots",   "strokes", "--out", "dots.svg"};
         words.insert(words.end(), pen.begin(), pen.end());
-        return run("stipple", words).error;
+        return run("stipple", words).out;
     };
     EXPECT_THAT(said({"--pen", "0.5mm"}),
                 HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and leave 2.5 % of the "

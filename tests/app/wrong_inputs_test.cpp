@@ -139,6 +139,7 @@ protected:
         write_points(folder_.path() / "glass.hdf5", {3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}});
         folder_.write("utf16.geojson", std::string_view("\xff\xfe{\0", 4));
         folder_.write("array.npz", "PK\x03\x04");
+        folder_.write("long3.txt", "# domain 0:2 0:1 0:1\n1.5 0.5 0.5\n0.5 0.1 0.1\n");
         folder_.write("long.txt", "# domain 0:1000 0:1\n5 0.5\n");
         folder_.write("packed.obj", "\x1f\x8b\x08");
         folder_.write("lines.geojson", "{\"type\": \"Point\", \"coordinates\": [1, 2]}\n{\"type\": 1\n");

@@ -257,6 +257,8 @@ void write_texture_files(const std::function<fs::path(const std::string& name)>&
 
 TextureSet read_texture_set(const fs::path& folder)
 {
+    if (fs::is_regular_file(folder))
+        throw InputError::at({folder.string()}, "is a file: must be the folder of a texture set (see texture build)");
     StoredTextureSet stored = read_json(folder / json_name);
     TextureSet set = std::move(stored.set);
     set.exemplar = read_pixels(folder / exemplar_name, read_png);

@@ -26,8 +26,9 @@ sides of a thin sheet are each even by themselves, and points of different sides
   --method quads --points N              about N points of tiles on the quads of a closed surface, which fit everywhere:
                                          its own faces, or with --quads cube or polycube squares that it is mapped to
 Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
---out, as often as you like: .ply (binary) and .csv, both with normals nx, ny, nz, .png (left the view from the front, right from behind, --pixels
-wide together; z is up), and point files such as .npy and text.
+--out, as often as you like: .ply (binary) and .csv, both with normals nx, ny, nz, .glb (glTF 2.0: points with normals),
+.png (left the view from the front, right from behind, --pixels wide together; z is up), and point files such as .npy and
+text.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
   poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";
@@ -62,7 +63,7 @@ void place_on_surface(const KindOptions& o)
 
 Command distribute_surface_command()
 {
-    return kind_command(*find_kind("distribution", "surface"), {{{".png"}, true}}, distribute_surface_notes,
+    return kind_command(*find_kind("distribution", "surface"), {{{".png", ".glb"}, true}}, distribute_surface_notes,
                         place_on_surface, "mesh", {16384, std::to_string(default_view_pixels), default_view_pixels});
 }
 

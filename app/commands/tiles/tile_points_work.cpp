@@ -27,7 +27,7 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
     for (std::size_t axis = 0; axis < axes; ++axis) {
         const std::int64_t size = numbers[axes + axis];
         if (numbers[axis] < INT32_MIN || numbers[axis] > INT32_MAX || size < 1 || size > UINT32_MAX)
-            throw InputError(option + ": places have 32 bits, and sizes are at least 1");
+            throw InputError(option + ": places have 32 bits, and sizes are at least 1 tile");
         block.lowest[axis] = static_cast<std::int32_t>(numbers[axis]);
         block.size[axis] = static_cast<std::uint32_t>(size);
     }

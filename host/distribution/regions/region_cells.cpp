@@ -86,7 +86,8 @@ void choose_cells(DartThrowingRequest& request, double side)
     if (request.bricks || !is_too_long) return;
     const double more = std::max(1.0, filled_part_of_cube(request) * in_cube / most_brick_cells);
     throw InputError(fmt::format("a minimum distance of {:.3g} leaves room for more points in the region than there is "
-                                 "memory for; at least some {:.2g}",
+                                 "memory for; at least some {:.2g} (in metres, where the region is in "
+                                 "longitude and latitude)",
                                  request.min_distance * side,
                                  1.5 * request.min_distance * side * std::pow(more, 1.0 / request.dimension)));
 }

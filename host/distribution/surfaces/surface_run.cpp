@@ -135,7 +135,7 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     for (const std::string& note : set.notes) result.facts.push_back(note);
     write_png(files.add("points.png"), surface_view(surface, set.points, dots_of(set)));
     result.pictures.push_back(
-        {"points.png", "The points on their surface, from the front above and from behind above."});
+        {"points.png", "The points on their surface: left from the front above, right from behind above."});
     write_surface_points(files.add("points.ply", result), surface, set.points, "");
     write_points(files.add("points.npy", result), set.places());
     write_points(files.add("normals.npy", result), normals_of(surface, set.points));

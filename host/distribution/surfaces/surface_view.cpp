@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -222,6 +223,50 @@ void write_surface_ply(const std::filesystem::path& file, const PointSet& places
     });
 }
 
+/// A part of a binary glTF file: its length, its name and its bytes, filled up to whole words.
+std::string glb_chunk(std::string_view name, std::string bytes, char filling)
+{
+    bytes.resize((bytes.size() + 3) / 4 * 4, filling);
+    std::string chunk;
+    append_value(chunk, static_cast<std::uint32_t>(bytes.size()));
+    return chunk.append(name).append(bytes);
+}
+
+/// Describes a buffer of places and normals, which are drawn as points (mode 0). Floats are numbers of type 5126.
+std::string gltf_of_points(const std::vector<float>& places)
+{
+    std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        low[i % 3] = std::min(low[i % 3], places[i]);
+        high[i % 3] = std::max(high[i % 3], places[i]);
+    }
+    const std::size_t count = places.size() / 3, bytes = sizeof(float) * places.size();
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
+        R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"mode":0}}]}}],)"
+        R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{0},"type":"VEC3","min":[{2}],"max":[{3}]}},)"
+        R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}}],)"
+        R"("bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{1}}}],)"
+        R"("buffers":[{{"byteLength":{4}}}]}})",
+        count, bytes, fmt::join(low, ","), fmt::join(high, ","), 2 * bytes);
+}
+
+/// A file without points has no mesh, because glTF has no empty ones.
+void write_surface_glb(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
+{
+    const std::vector<float> floats(places.coordinates.begin(), places.coordinates.end());
+    std::string binary;
+    for (const float c : floats) append_value(binary, c);
+    for (const double c : normals.coordinates) append_value(binary, static_cast<float>(c));
+    std::string chunks =
+        glb_chunk("JSON", floats.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(floats), ' ');
+    if (!floats.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
+    std::string head = "glTF";
+    append_value(head, std::uint32_t{2});
+    append_value(head, static_cast<std::uint32_t>(12 + chunks.size()));
+    write_whole_file(file, head + chunks);
+}
+
 /// 17 significant digits tell every double from its neighbours.
 void write_surface_csv(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
 {
@@ -239,6 +284,7 @@ void write_surface_points(const std::filesystem::path& file, const FixedSurface&
 {
     const PointSet places = points_of(surface, points);
     if (file.extension() == ".ply") return write_surface_ply(file, places, normals_of(surface, points), comment);
+    if (file.extension() == ".glb") return write_surface_glb(file, places, normals_of(surface, points));
     if (file.extension() == ".csv") return write_surface_csv(file, places, normals_of(surface, points));
     write_points(file, places, comment);
 }

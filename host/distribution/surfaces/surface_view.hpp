@@ -26,8 +26,8 @@ PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoi
                        int pixels = default_view_pixels);
 
 /// Writes points, whole or not at all: .ply has x, y, z as doubles and the normals nx, ny, nz of their triangles as
-/// floats, binary in the byte order of this machine, and .csv has these columns; other ends are point files as
-/// write_points() has them. Throws StorageError.
+/// floats, binary in the byte order of this machine, .csv has these columns, and .glb (glTF 2.0) both as floats; other
+/// ends are point files as write_points() has them. Throws StorageError.
 void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
                           const std::vector<SurfacePoint>& points, const std::string& comment);
 

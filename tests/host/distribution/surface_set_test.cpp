@@ -17,9 +17,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <sstream>
 
@@ -210,6 +213,63 @@ TEST(SurfaceFiles, HaveNormalsInTables)
         for (std::size_t k = 0; k < 6; ++k) (k > 0 ? lines >> comma : lines) >> row[k];
         EXPECT_NEAR(std::hypot(row[3], row[4], row[5]), 1, 1e-12);
         EXPECT_GT(row[0] * row[3] + row[1] * row[4] + row[2] * row[5], 0.9); // away from the middle of the sphere
+    }
+}
+
+/// Read by the rules of glTF 2.0, sections 3.6 and 4.4: accessors lead to views of the one buffer.
+TEST(SurfaceFiles, HavePointsAndNormalsInGltf)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(8));
+    settings.points = 49; // its text has no whole number of words by chance alone
+    settings.relative_radius = 0.5;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "points.glb";
+    write_surface_points(file, set.mesh->surface, set.points, "");
+    const std::string bytes = read_whole_file(file);
+    const auto word = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, &bytes.at(at), 4);
+        return value;
+    };
+    ASSERT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(word(4), 2U);
+    EXPECT_EQ(word(8), bytes.size());
+    const std::uint32_t length = word(12);
+    EXPECT_EQ(length % 4, 0U);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    const auto json = nlohmann::json::parse(bytes.substr(20, length));
+    EXPECT_EQ(word(20 + length), json["buffers"][0]["byteLength"]);
+    EXPECT_EQ(bytes.substr(24 + length, 4), std::string("BIN\0", 4));
+    const auto& primitive = json["meshes"][0]["primitives"][0];
+    EXPECT_EQ(primitive["mode"], 0);
+    const auto floats = [&](const char* name) {
+        const auto& accessor = json["accessors"][primitive["attributes"][name].get<std::size_t>()];
+        EXPECT_EQ(accessor["componentType"], 5126);
+        EXPECT_EQ(accessor["type"], "VEC3");
+        EXPECT_EQ(accessor["count"], 49);
+        const auto& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+        EXPECT_EQ(view["byteLength"], 49 * 12);
+        std::vector<float> values(49 * 3);
+        const std::size_t begin = 28 + length + view.value("byteOffset", std::size_t{0});
+        EXPECT_LE(begin + 49 * 12, bytes.size());
+        std::memcpy(values.data(), bytes.data() + begin, 49 * 12);
+        return values;
+    };
+    const std::vector<float> places = floats("POSITION"), normals = floats("NORMAL");
+    const auto& bounds = json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    const PointSet expected = set.places();
+    for (std::size_t i = 0; i < 49; ++i)
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(places[3 * i + k], static_cast<float>(expected[i][k]));
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::vector<float> along;
+        for (std::size_t i = 0; i < 49; ++i) along.push_back(places[3 * i + k]);
+        EXPECT_EQ(bounds["min"][k].get<float>(), std::ranges::min(along));
+        EXPECT_EQ(bounds["max"][k].get<float>(), std::ranges::max(along));
+    }
+    for (std::size_t i = 0; i < 147; i += 3) {
+        EXPECT_NEAR(std::hypot(normals[i], normals[i + 1], normals[i + 2]), 1, 1e-6);
+        EXPECT_GT(normals[i] * places[i] + normals[i + 1] * places[i + 1] + normals[i + 2] * places[i + 2], 0.9);
     }
 }
 
