@@ -3,22 +3,29 @@
 #
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
-set(lab_host_modules methods tiles other_tiles tilings textures regions distributions surfaces surface_textures)
+set(lab_host_modules
+  methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures)
 set(lab_command_modules
-  results tiles tilings textures regions distributions surfaces surface_textures large_sets manual)
-# Those that work asks for, and no word: files of HDF5, processes of MPI, sets in 3D.
-set(lab_wordless_modules particles processes space)
+  results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
+# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential
+# twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
+set(lab_wordless_modules particles point_formats processes reference space tile_measures zone_plate)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
-# Modules that another one stands on.
-set(lab_needs_of_regions methods)
+# Modules that another one stands on, which may stand on others.
+set(lab_needs_of_methods reference)
+set(lab_needs_of_particles point_formats)
+set(lab_needs_of_tiles point_formats reference tile_measures)
+set(lab_needs_of_tilings reference)
+set(lab_needs_of_regions methods point_formats)
 set(lab_needs_of_large_sets methods)
 set(lab_needs_of_other_tiles methods tiles)
-set(lab_needs_of_distributions methods)
+set(lab_needs_of_distributions methods point_formats)
+set(lab_needs_of_classes methods regions)
 set(lab_needs_of_textures methods)
-set(lab_needs_of_surfaces methods)
-set(lab_needs_of_surface_textures methods distributions textures surfaces)
+set(lab_needs_of_surfaces methods point_formats)
+set(lab_needs_of_surface_textures distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})
@@ -27,7 +34,12 @@ if(POISSONLAB_TESTS OR POISSONLAB_BENCHMARKS OR POISSONLAB_PYTHON OR POISSONLAB_
   set(lab_modules_of_program ${lab_all_modules})
 endif()
 foreach(name IN LISTS POISSONLAB_MODULES)
-  list(APPEND lab_modules_of_program ${lab_needs_of_${name}})
+  foreach(needed IN LISTS lab_needs_of_${name})
+    list(APPEND lab_modules_of_program ${needed} ${lab_needs_of_${needed}})
+    foreach(further IN LISTS lab_needs_of_${needed})
+      list(APPEND lab_modules_of_program ${lab_needs_of_${further}})
+    endforeach()
+  endforeach()
   if(NOT name STREQUAL "all" AND NOT name IN_LIST lab_all_modules)
     list(JOIN lab_all_modules ", " known)
     message(FATAL_ERROR "POISSONLAB_MODULES: \"${name}\" is no module; there are ${known}, and all")
@@ -47,12 +59,16 @@ endforeach()
 set(lab_program_has_regions NO)
 set(lab_program_has_shapes NO) # of regions
 set(lab_program_has_tiles NO)
+set(lab_program_has_kinds NO) # or methods that follow densities
 foreach(name IN LISTS lab_modules_of_program)
+  if(name IN_LIST lab_all_modules AND NOT name IN_LIST lab_wordless_modules AND NOT name MATCHES "^(own_methods|results)$")
+    set(lab_program_has_kinds YES)
+  endif()
   if(name STREQUAL regions)
     set(lab_program_has_regions YES)
     set(lab_program_has_shapes YES)
   endif()
-  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|surfaces|surface_textures)$")
+  if(name MATCHES "^(tiles|other_tiles|tilings|textures|distributions|classes|surfaces|surface_textures)$")
     set(lab_program_has_shapes YES)
     set(lab_program_has_tiles YES)
   endif()
@@ -87,5 +103,6 @@ ${rows}    };
   add_library(${target} OBJECT ${file})
   target_link_libraries(${target} PUBLIC lab_options ${libraries} fmt::fmt)
   lab_precompile(${target})
+  lab_unity(${target} 24) # with the files that stand in for modules
   lab_cold(${target})
 endfunction()

@@ -9,15 +9,17 @@
 //   cover_cells         a work-item a cell: which of its children no single point's disk covers
 //
 // Darts fall into cells that may have room for their class, uniformly. When TRIES darts of a slot failed, the batch
-// ends there, and the host refines these cells.
+// ends there, and the host refines these cells. With REGION darts that fall outside of a region of the plane are
+// rejected, and so are cells that lie outside.
 //
-// Needs DIMENSION (2 or 3).
+// Needs DIMENSION (2 or 3) and REGION (1 or 0; 1 in the plane alone; see common/regions/region.clh).
 
 #define LARGE_DISKS 1
 
 #include "kernels/common/darts/class_darts.h"
 #include "kernels/common/philox.clh"
 #include "kernels/common/torus.clh"
+#include "kernels/common/regions/region.clh"
 
 /// All points, with the grids of their classes.
 typedef struct
@@ -101,6 +103,15 @@ bool is_covered(const ClassedPoints* all, const Position* low, uint extent)
     return false;
 }
 
+/// Is all of the box outside of the region? A position is known to be, a larger box that may cross it is not.
+bool is_outside(const Region* region, const Position* low, uint extent)
+{
+    if (extent == 0) return !is_allowed_position(region, low);
+    Position extents;
+    FOR_EACH_AXIS(k) extents.c[k] = extent;
+    return side_of_positions(region, low, &extents) == REGION_OUTSIDE;
+}
+
 /// A dart of a slot: somewhere in the cells of its class.
 Position dart_of(uint slot, uint number, uint own, struct ClassCells list, global const uint* cells, uint2 key)
 {
@@ -138,12 +149,13 @@ SlotDarts darts_of(struct SlotBatch batch, uint id, global const uint* slot_clas
     return darts;
 }
 
-/// The first dart from `number` on that no point rejects; TRIES where there is none.
-uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, global const uint* cells)
+/// The first dart from `number` on that lies in the region and that no point rejects; TRIES where there is none.
+uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, global const uint* cells,
+                const Region* region)
 {
     for (; number < TRIES; ++number) {
         const Position dart = dart_of(darts->slot, darts->skipped + number, darts->own, darts->list, cells, darts->key);
-        if (!is_covered(all, &dart, 0)) break;
+        if (!is_outside(region, &dart, 0) && !is_covered(all, &dart, 0)) break;
     }
     return number;
 }
@@ -164,13 +176,14 @@ ClassedPoints points_for(uint own, struct SlotBatch batch, global const struct C
 kernel void find_darts(struct SlotBatch batch, global const uint* slot_classes, global const struct ClassPair* pairs,
                        global const struct ClassGrid* grids, global const struct ClassCells* lists,
                        global const uint* cells, global const uint* heads, global const uint* points,
-                       global uint* candidates)
+                       global uint* candidates REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
     if (id >= batch.slots) return;
+    REGION_OF_PARAMETERS
     const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
     const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
-    candidates[id] = first_free(&darts, 0, &all, cells);
+    candidates[id] = first_free(&darts, 0, &all, cells, &region);
 }
 
 void insert(const Position* position, uint number, uint own, struct ClassGrid grid, global uint* heads,
@@ -190,15 +203,17 @@ void insert(const Position* position, uint number, uint own, struct ClassGrid gr
 kernel void settle_class_darts(struct SlotBatch batch, global const uint* slot_classes,
                                global const struct ClassPair* pairs, global const struct ClassGrid* grids,
                                global const struct ClassCells* lists, global const uint* cells, global uint* heads,
-                               global uint* points, global const uint* candidates, global uint* counters)
+                               global uint* points, global const uint* candidates,
+                               global uint* counters REGION_PARAMETERS)
 {
     if (get_global_id(0) != 0) return;
+    REGION_OF_PARAMETERS
     counters[REDRAWN] = 0;
     uint id = 0;
     for (; id < batch.slots; ++id) {
         const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
         const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
-        const uint number = first_free(&darts, candidates[id], &all, cells);
+        const uint number = first_free(&darts, candidates[id], &all, cells, &region);
         if (number != candidates[id]) ++counters[REDRAWN];
         if (number == TRIES) break;
         const Position dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
@@ -207,15 +222,16 @@ kernel void settle_class_darts(struct SlotBatch batch, global const uint* slot_c
     counters[SETTLED] = id;
 }
 
-/// kept: for each cell of a list, a bit for each of its children at `level` that is not covered; where they have that
-/// level already, for itself. Children are counted with bit k for the upper half along axis k.
+/// kept: for each cell of a list, a bit for each of its children at `level` that is neither covered nor outside of the
+/// region; where they have that level already, for itself. Children are counted with bit k for the upper half along axis k.
 kernel void cover_cells(struct SlotBatch batch, uint own, struct ClassCells list, uint level,
                         global const struct ClassPair* pairs, global const struct ClassGrid* grids,
                         global const uint* cells, global const uint* heads, global const uint* points,
-                        global uint* kept)
+                        global uint* kept REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
     if (id >= list.count) return;
+    REGION_OF_PARAMETERS
     const ClassedPoints all = points_for(own, batch, pairs, grids, heads, points);
     const bool is_split = level > list.level;
     const uint extent = (uint)((1ul << (32 - level)) - 1);
@@ -227,7 +243,7 @@ kernel void cover_cells(struct SlotBatch batch, uint own, struct ClassCells list
             const ulong cell = cells[(list.first + id) * DIMENSION + k];
             low.c[k] = (uint)((is_split ? 2 * cell + (child >> k & 1) : cell) << (32 - level));
         }
-        if (!is_covered(&all, &low, extent)) bits |= 1u << child;
+        if (!is_outside(&region, &low, extent) && !is_covered(&all, &low, extent)) bits |= 1u << child;
     }
     kept[id] = bits;
 }

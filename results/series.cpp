@@ -26,11 +26,11 @@ std::string border_words(const Series& series)
 
 std::string border_advice(int dimension)
 {
-    return fmt::format("To measure them within the {}: poissonlab analyze --periodic no; in a config {}; in Python "
-                       "periodic=False. If they are periodic: --periodic yes, periodic=True.",
-                       dimension == 2 ? "square" : "cube",
-                       dimension == 2 ? "region = \"rectangle 0 0 1 1\" in the [[method]]"
-                                      : "window = true under [analysis]");
+    return fmt::format(
+        "To measure them without wrapping{}: poissonlab analyze --periodic no; in a config {}; in Python "
+        "periodic=False. If they are periodic: --periodic yes, periodic=True.",
+        dimension == 2 ? "" : ", which needs a cube",
+        dimension == 2 ? "region = \"rectangle 0 0 1 1\" in the [[method]]" : "window = true under [analysis]");
 }
 
 /// The distance from a random point to the nearest other one has a standard deviation of 0.523 of its mean (Clark and

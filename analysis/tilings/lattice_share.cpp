@@ -6,6 +6,8 @@
 
 namespace poissonlab {
 
+void need_tile_measures() {}
+
 double lattice_share(const HalfSpectrum& periodogram, int tiles)
 {
     if (tiles < 1) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 1");

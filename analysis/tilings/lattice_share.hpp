@@ -5,6 +5,10 @@
 
 namespace poissonlab {
 
+/// Throws MissingModule where this program was built without measures of tiled sets. Long work on such sets calls this
+/// function first.
+void need_tile_measures();
+
 /// The power at all frequencies f = M (a, b[, c]) but 0 over that at all frequencies but 0, of those below half of the
 /// spectrum's size along each axis. `tiles` is M, at least 1: with one tile it is 1. Random points have about M^-d.
 ///

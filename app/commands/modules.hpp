@@ -39,6 +39,7 @@ std::vector<GroupedCommand> textures_commands(const ProgramContext& context);
 std::vector<GroupedCommand> regions_commands(const ProgramContext& context);
 std::vector<GroupedCommand> distributions_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surfaces_commands(const ProgramContext& context);
+std::vector<GroupedCommand> classes_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surface_textures_commands(const ProgramContext& context);
 std::vector<GroupedCommand> large_sets_commands(const ProgramContext& context);
 std::vector<GroupedCommand> manual_commands(const ProgramContext& context);

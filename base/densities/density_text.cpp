@@ -3,18 +3,11 @@
 #include "base/densities/density_formula.hpp"
 #include "base/densities/density_values.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace poissonlab {
-
-bool is_file_name(const std::string& text)
-{
-    std::error_code error;
-    return std::filesystem::is_regular_file(text, error);
-}
 
 Density density_of_text(const std::string& text, const std::string& from, double width, double height)
 {

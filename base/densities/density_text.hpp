@@ -7,9 +7,6 @@
 
 namespace poissonlab {
 
-/// True where the text is the name of a file.
-bool is_file_name(const std::string& text);
-
 /// The density of the picture of that name, of which `from` is taken as by density_of_picture(), or of a formula over a
 /// rectangle of these proportions. Throws InputError, one line, for what is neither, and for a `from` other than
 /// "light" with a formula.

@@ -28,6 +28,12 @@ std::string lack_of_file(const std::filesystem::path& path)
     }
 }
 
+bool is_file_name(const std::string& text)
+{
+    std::error_code error;
+    return std::filesystem::is_regular_file(text, error);
+}
+
 bool has_picture_name(const std::filesystem::path& path)
 {
     constexpr std::array<std::string_view, 19> endings{".bmp", ".eps", ".exr",  ".gif", ".hdr", ".jp2", ".jpeg",

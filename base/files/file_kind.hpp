@@ -10,6 +10,9 @@ namespace poissonlab {
 /// a pipe, no file". Empty for a file.
 std::string lack_of_file(const std::filesystem::path& path);
 
+/// True where the text is the name of a file.
+bool is_file_name(const std::string& text);
+
 /// True if the name ends as those of pictures do, in small letters or capitals: ".png", ".gif" and so on.
 bool has_picture_name(const std::filesystem::path& path);
 

@@ -102,10 +102,14 @@ bool are_small_and_far(const Extent& extent)
 
 std::string fitting_rectangle(const Extent& extent, const PointOptions& options)
 {
-    const CoordinateRange x = fitting_range(extent.along(0), extent.points(), 2);
-    const CoordinateRange y = fitting_range(extent.along(1), extent.points(), 2);
-    const std::string region = fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
+    const std::size_t axes = extent.dimension();
+    const auto along = [&](std::size_t axis) { return fitting_range(extent.along(axis), extent.points(), axes); };
+    const CoordinateRange x = along(0), y = along(1), z = axes == 3 ? along(2) : CoordinateRange{};
     const std::string_view one_range = "--domain {}:{}"; // other interfaces have other words for boxes
+    if (axes == 3)
+        return fmt::format("{}\"{}:{} {}:{} {}:{}\" (a periodic box)", options.domain == one_range ? "--domain " : "",
+                           x.low, x.high, y.low, y.high, z.low, z.high);
+    const std::string region = fmt::format(fmt::runtime(options.region), x.low, y.low, x.high, y.high);
     if (options.domain != one_range || are_small_and_far(extent)) return region;
     return fmt::format("--domain \"{}:{} {}:{}\" (a periodic box) or {}", x.low, x.high, y.low, y.high, region);
 }
@@ -178,7 +182,7 @@ std::string fitting_words(const Extent& extent, const CoordinateRange& range, co
     const CoordinateRange cube = fitting(all);
     double least = length_of(cube);
     for (std::size_t axis = 0; axis < dimension; ++axis) least = std::min(least, length_of(extent.along(axis)));
-    const bool is_rectangle = dimension == 2 && *options.region != '\0' && least < 0.9 * length_of(cube);
+    const bool is_rectangle = dimension >= 2 && *options.region != '\0' && least < 0.9 * length_of(cube);
     std::string would_fit;
     if (!is_rectangle || least > 0.5 * length_of(cube))
         would_fit = fmt::format(fmt::runtime(options.domain), cube.low, cube.high);

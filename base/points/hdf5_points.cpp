@@ -11,8 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
 #include <limits>
 
 namespace poissonlab {
@@ -25,13 +23,6 @@ const Hdf5Files& hdf5_files()
     return *loaded;
 }
 
-}
-
-bool is_hdf5_name(const std::filesystem::path& path) { return path.extension() == ".h5" || is_particle_file(path); }
-
-bool is_particle_file(const std::filesystem::path& path)
-{
-    return path.extension() == ".hdf5" || path.extension() == ".h5part";
 }
 
 void check_hdf5_head(const std::filesystem::path& path, const PointFileHead& head)
@@ -67,15 +58,6 @@ Hdf5Head head_of_hdf5_points(const std::filesystem::path& path, const PointReadi
 std::vector<std::filesystem::path> parts_of_hdf5_points(const std::filesystem::path& path)
 {
     return hdf5_files().parts(path);
-}
-
-bool is_hdf5_file(const std::filesystem::path& path)
-{
-    if (is_no_lasting_file(path)) return false;
-    std::array<char, hdf5_magic.size()> begin{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(begin.data(), begin.size());
-    return std::string_view(begin.data(), static_cast<std::size_t>(file.gcount())) == hdf5_magic;
 }
 
 namespace {

@@ -42,6 +42,13 @@ std::uint64_t bytes_per_point(const std::filesystem::path& path, int dimension)
 
 }
 
+bool is_hdf5_name(const std::filesystem::path& path) { return path.extension() == ".h5" || is_particle_file(path); }
+
+bool is_particle_file(const std::filesystem::path& path)
+{
+    return path.extension() == ".hdf5" || path.extension() == ".h5part";
+}
+
 bool has_known_places(const std::filesystem::path& path) { return has_npy_name(path) || is_hdf5_name(path); }
 
 void check_head(const std::filesystem::path& path, const PointFileHead& head)

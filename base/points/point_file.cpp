@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <map>
 
@@ -130,6 +131,14 @@ PointDomain declared_domain(const PointFileContent& file)
 
 namespace {
 
+bool has_first_bytes(const std::filesystem::path& path, std::string_view bytes)
+{
+    std::string begin(bytes.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return file.gcount() == static_cast<std::streamsize>(bytes.size()) && begin == bytes;
+}
+
 PointFileContent content_of(const std::filesystem::path& path, std::string_view bytes, const PointReading& how)
 {
     return {path.string(), bytes, {}, how.told, how.options, how.degrees_sentence};
@@ -170,6 +179,11 @@ PointDomain without_axis(const PointDomain& domain, std::size_t axis, const std:
     return PointDomain(ranges);
 }
 
+}
+
+bool is_hdf5_file(const std::filesystem::path& path)
+{
+    return !is_no_lasting_file(path) && has_first_bytes(path, hdf5_magic);
 }
 
 std::vector<PointSet> read_points_in_box(const std::filesystem::path& path, const PointReading& how,

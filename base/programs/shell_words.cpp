@@ -1,5 +1,6 @@
 #include "base/programs/shell_words.hpp"
 
+#include <filesystem>
 #include <string_view>
 
 namespace poissonlab {
@@ -74,6 +75,12 @@ std::optional<std::vector<std::string>> split_shell_words(const std::string& tex
     for (ShellWordReader reader(text); reader.skip_blanks();)
         if (!reader.read(words.emplace_back())) return std::nullopt;
     return words;
+}
+
+std::string program_name(const std::string& command)
+{
+    const auto words = split_shell_words(command);
+    return words && !words->empty() ? std::filesystem::path(words->front()).stem().string() : "";
 }
 
 std::string shell_word(const std::string& word)

@@ -14,6 +14,9 @@ namespace poissonlab {
 /// comments. Nothing for text that ends within quotes or after a backslash.
 std::optional<std::vector<std::string>> split_shell_words(const std::string& text);
 
+/// The name of the program that a command runs, without folder and extension; empty: there is none.
+std::string program_name(const std::string& command);
+
 /// A word in quotes, where a shell needs them.
 std::string shell_word(const std::string& word);
 

@@ -2,6 +2,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
 #include "base/densities/plane_formula.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/images/linear_picture.hpp"
 #include "base/regions/distance_field.hpp"
 

@@ -65,8 +65,7 @@ std::string unit_words(std::string_view text, const std::function<bool(double)>&
     const bool is_part = unit == "%";
     if (is_part) value /= 100;
     if (!is_allowed(value)) return "; this number takes no unit";
-    return fmt::format("; this number takes no unit: write {}",
-                       is_part ? fmt::format("{:.15g}", value) : std::string(all.substr(0, end + 1)));
+    return fmt::format("; this number takes no unit: write {:.15g}{}", value, is_part ? "" : ", in that of the manual");
 }
 
 }

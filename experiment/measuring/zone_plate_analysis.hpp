@@ -8,6 +8,10 @@
 
 namespace poissonlab {
 
+/// Throws MissingModule where this program was built without the zone plate. Long work that will sample it calls this
+/// function first.
+void need_zone_plate();
+
 /// Samples the zone plate with each realization, keeps the first picture, and compares all with the
 /// reference.
 class ZonePlateAnalysis

@@ -6,6 +6,7 @@
 #include "experiment/config/plan.hpp"
 #include "experiment/config/plan_memory.hpp"
 #include "host/device/device.hpp"
+#include "host/sampling/reference/reference_engine.hpp"
 #include "host/settings/method_needs.hpp"
 
 #include <fmt/format.h>
@@ -211,6 +212,7 @@ std::vector<std::string> notes_of(const std::vector<SeriesPlan>& plan)
 
 Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
 {
+    if (config.engine == Engine::reference) need_reference_engine();
     const auto lazy = std::make_shared<LazyDevice>(device, threads, config.engine);
 
     Experiment experiment;

@@ -1,8 +1,10 @@
 #include "experiment/run/runner.hpp"
 
+#include "analysis/tilings/lattice_share.hpp"
 #include "base/files/file_lock.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 #include "base/programs/interrupt.hpp"
+#include "experiment/measuring/zone_plate_analysis.hpp"
 #include "experiment/run/result_folder.hpp"
 #include "experiment/run/run_work.hpp"
 #include "experiment/store/unit_store.hpp"
@@ -310,8 +312,11 @@ void RunsOutcome::raise_failures() const
 RunsOutcome run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew,
                             Progress& progress)
 {
-    for (const auto& [experiment, out] : runs)
+    for (const auto& [experiment, out] : runs) {
         if (experiment.dimension == 3 && !experiment.series.empty()) need_triangulations_3d();
+        if (experiment.analysis.tiles > 0) need_tile_measures();
+        if (experiment.analysis.zone_plate) need_zone_plate();
+    }
     std::optional<Runs> work;
     const bool is_there = crew.together([&] {
         if (crew.leads()) check_folders(runs, settings);

@@ -40,7 +40,7 @@ const std::vector<KernelFile>& kernel_files()
     static const std::vector<KernelFile> files{
         {"averaged_tiles.cl", "averaged-tiles", doubles, {}},
         {"beatty_tiling.cl", "aperiodic tile", {}, {}},
-        {"class_darts.cl", "distribute classes", {}, {dimension}},
+        {"class_darts.cl", "distribute classes", {}, {dimension, {"REGION", {"0", "1"}}}},
         {"class_tiles.cl", "tiles build", doubles_in_tiles, {dimension}},
         {"dart_throwing.cl", "dart-throwing", staging, {dimension, reach, large_disks, bricks, {"REGION", {"0", "1"}}}},
         {"darts_in_bricks.cl", "dart-throwing", {}, {dimension, reach, large_disks, {"BRICKS", {"1"}}}},

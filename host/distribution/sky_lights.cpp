@@ -2,6 +2,7 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

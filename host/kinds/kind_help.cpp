@@ -2,6 +2,7 @@
 
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_help.hpp"
+#include "host/settings/sampler_texts.hpp"
 
 #include <fmt/format.h>
 

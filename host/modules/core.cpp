@@ -1,7 +1,6 @@
 // The core: sets of the unit torus, on which everything else stands.
 #include "host/modules/laboratory.hpp"
 #include "host/sampling/baselines.hpp"
-#include "host/sampling/classics/command_sampler.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
@@ -20,11 +19,10 @@ SamplerSpec in_plane(SamplerSpec spec)
 
 void add_core(Laboratory& laboratory)
 {
-    for (SamplerSpec (*const sampler)() :
-         {random_sampler, regular_sampler, jittered_sampler, dart_throwing_sampler, relaxation_dart_throwing_sampler,
-          lloyd_sampler, file_sampler, command_sampler})
+    for (SamplerSpec (*const sampler)() : {random_sampler, regular_sampler, jittered_sampler, dart_throwing_sampler,
+                                           relaxation_dart_throwing_sampler, lloyd_sampler, file_sampler})
         laboratory.samplers.push_back(sampler());
-    laboratory.region_samplers = {in_plane(file_sampler()), in_plane(command_sampler())};
+    laboratory.region_samplers = {in_plane(file_sampler())};
 }
 
 }

@@ -30,6 +30,7 @@ struct Module
 // Each is in the file of its name.
 void add_core(Laboratory& laboratory);
 void add_methods(Laboratory& laboratory);
+void add_own_methods(Laboratory& laboratory);
 void add_tiles(Laboratory& laboratory);
 void add_other_tiles(Laboratory& laboratory);
 void add_tilings(Laboratory& laboratory);
@@ -37,6 +38,7 @@ void add_textures(Laboratory& laboratory);
 void add_regions(Laboratory& laboratory);
 void add_distributions(Laboratory& laboratory);
 void add_surfaces(Laboratory& laboratory);
+void add_classes(Laboratory& laboratory);
 void add_surface_textures(Laboratory& laboratory);
 
 /// The modules of this program; CMake writes the list.

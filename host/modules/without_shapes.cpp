@@ -3,8 +3,13 @@
 #include "analysis/regions/framed_region.hpp"
 #include "base/errors/missing_module.hpp"
 #include "base/regions/fixed_space.hpp"
+#include "base/regions/region_source.hpp"
 
 namespace poissonlab {
+
+std::string degrees_sentence(const PlaneRegion& /*region*/) { throw MissingModule("regions"); }
+
+const std::vector<std::string>& notes_of(const PlaneRegion& /*region*/) { throw MissingModule("regions"); }
 
 PointSet FramedRegion::framed(const PointSet& /*points*/, const std::string& /*name*/) const
 {

@@ -2,6 +2,7 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/densities/density_values.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>

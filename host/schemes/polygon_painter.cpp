@@ -24,6 +24,22 @@ const PlaneCurve& puzzle_curve(char letter)
     return letter == 'b' ? second : straight;
 }
 
+/// A curve like an S, which fits itself.
+const PlaneCurve& bent_curve()
+{
+    static const PlaneCurve curve = [] {
+        constexpr int steps = 12;
+        constexpr double height = 0.14;
+        PlaneCurve points;
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            points.push_back({t, height * 12 * std::numbers::sqrt3 * t * (t - 0.5) * (t - 1)}); // a cubic
+        }
+        return points;
+    }();
+    return curve;
+}
+
 char small_letter(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }
 
 std::string direction_color(double turn, bool is_mirrored)
@@ -41,27 +57,17 @@ std::string direction_color(double turn, bool is_mirrored)
 
 MarkPoint PolygonPainter::at(const RingPlace& place) const
 {
-    const auto away = tiling_.ring.value(place - view_.middle);
+    const auto away = point_of(tiling_, place - view_.middle);
     return {view_.shift[0] + away[0] / view_.unit, view_.shift[1] + away[1] / view_.unit};
 }
 
-void PolygonPainter::add_edge(std::vector<MarkPoint>& outline, const MarkPoint& from, const MarkPoint& to,
-                              char letter) const
+const PlaneCurve& PolygonPainter::curve_of(char small_letter) const
 {
     static const PlaneCurve straight{{0, 0}, {1, 0}};
-    const char small = small_letter(letter);
-    const auto given = style_.curves.find(small);
-    const PlaneCurve& curve = given != style_.curves.end() ? given->second
-                              : style_.edges == "puzzle"   ? puzzle_curve(small)
-                                                           : straight;
-    // A capital letter's edge is walked along the other way.
-    const bool is_backwards = letter != small;
-    const MarkPoint &a = is_backwards ? to : from, &b = is_backwards ? from : to;
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-        const PlanePoint& p = curve[is_backwards ? curve.size() - 1 - i : i];
-        outline.push_back(
-            {a[0] + p[0] * (b[0] - a[0]) - p[1] * (b[1] - a[1]), a[1] + p[0] * (b[1] - a[1]) + p[1] * (b[0] - a[0])});
-    }
+    const auto given = style_.curves.find(small_letter);
+    if (given != style_.curves.end()) return given->second;
+    if (style_.edges == "puzzle") return puzzle_curve(small_letter);
+    return style_.edges == "curved" ? bent_curve() : straight;
 }
 
 /// Where shifts move a vertex of an outline.
@@ -98,8 +104,19 @@ std::vector<MarkPoint> PolygonPainter::outline(const PlacedTile& tile) const
 {
     const std::vector<Vertex> vertices = vertices_of(tile);
     std::vector<MarkPoint> outline;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        add_edge(outline, vertices[i].place, vertices[(i + 1) % vertices.size()].place, vertices[i].letter);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const char letter = vertices[i].letter, small = small_letter(letter);
+        const bool is_backwards = letter != small; // a capital letter's edge is walked along the other way
+        const MarkPoint &from = vertices[i].place, &to = vertices[(i + 1) % vertices.size()].place;
+        const MarkPoint &a = is_backwards ? to : from, &b = is_backwards ? from : to;
+        const double side = tile.motion.is_mirrored ? -1 : 1;
+        const PlaneCurve& curve = curve_of(small);
+        for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+            const PlanePoint& p = curve[is_backwards ? curve.size() - 1 - k : k];
+            outline.push_back({a[0] + p[0] * (b[0] - a[0]) - side * p[1] * (b[1] - a[1]),
+                               a[1] + p[0] * (b[1] - a[1]) + side * p[1] * (b[0] - a[0])});
+        }
+    }
     return outline;
 }
 
@@ -172,11 +189,16 @@ std::array<MarkPoint, 2> box_around(const PolygonPainter& painter, std::span<con
     constexpr double none = std::numeric_limits<double>::infinity();
     std::array<MarkPoint, 2> box{MarkPoint{none, none}, MarkPoint{-none, -none}};
     for (const PlacedTile& tile : tiles)
-        for (const MarkPoint& p : painter.outline(tile))
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                box[0][axis] = std::min(box[0][axis], p[axis]);
-                box[1][axis] = std::max(box[1][axis], p[axis]);
-            }
+        for (const MarkPoint& p : painter.outline(tile)) box = box_with(box, p);
+    return box;
+}
+
+std::array<MarkPoint, 2> box_with(std::array<MarkPoint, 2> box, const MarkPoint& point)
+{
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        box[0][axis] = std::min(box[0][axis], point[axis]);
+        box[1][axis] = std::max(box[1][axis], point[axis]);
+    }
     return box;
 }
 

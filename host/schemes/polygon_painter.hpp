@@ -45,7 +45,7 @@ private:
     std::string color_of(const PlacedTile& tile) const;
     std::vector<Vertex> vertices_of(const PlacedTile& tile) const;
     MarkPoint shifted(const PlacedTile& tile, const ShiftedPlace& vertex) const;
-    void add_edge(std::vector<MarkPoint>& outline, const MarkPoint& from, const MarkPoint& to, char letter) const;
+    const PlaneCurve& curve_of(char small_letter) const;
     void paint_arcs(const PlacedTile& tile);
     void paint_letters(const PlacedTile& tile);
 
@@ -61,6 +61,9 @@ double picture_unit(const PolygonTiling& tiling, double scale);
 
 /// The low and high corner of a box around tiles, in units of their view.
 std::array<MarkPoint, 2> box_around(const PolygonPainter& painter, std::span<const PlacedTile> tiles);
+
+/// A box that holds a point as well.
+std::array<MarkPoint, 2> box_with(std::array<MarkPoint, 2> box, const MarkPoint& point);
 
 /// Pixels of a unit in a picture of this width.
 double pixels_a_unit(double width);

@@ -26,15 +26,6 @@ void tiling_keys(Keys& keys, PolygonTilingChoice& choice, const std::vector<std:
                                                : "must have no period: kind = \"periodic\" is for those with one");
 }
 
-bool has_mirrored_tiles(const PolygonTiling& tiling)
-{
-    const auto is_mirrored = [](const PlacedTile& tile) { return tile.motion.is_mirrored; };
-    return std::ranges::any_of(tiling.unit, is_mirrored) ||
-           std::ranges::any_of(tiling.parts,
-                               [&](const auto& parts) { return std::ranges::any_of(parts, is_mirrored); }) ||
-           std::ranges::any_of(tiling.starts, [&](const auto& s) { return std::ranges::any_of(s.tiles, is_mirrored); });
-}
-
 /// curves = { a = [[0.3, 0.1]], b = [[0.5, -0.1]] }: points between (0, 0) and (1, 0) by small letters.
 void read_curves(const Keys& keys, const ConfigNode& node, std::map<char, PlaneCurve>& curves)
 {
@@ -52,7 +43,7 @@ void read_curves(const Keys& keys, const ConfigNode& node, std::map<char, PlaneC
 void style_keys(Keys& keys, PolygonStyle& style, const PolygonTilingChoice& choice)
 {
     keys.word("colors", style.colors, {"tiles", "directions"}, "what decides the colour of a tile");
-    keys.word("edges", style.edges, {"straight", "puzzle"}, "how edges with letters are drawn");
+    keys.word("edges", style.edges, {"straight", "puzzle", "curved"}, "how edges with letters are drawn");
     keys.value("curves", "a table of lists of points [x, y], by letters of edges",
                "curves for edges with letters, between (0, 0) and (1, 0)",
                [&](const ConfigNode& node) { read_curves(keys, node, style.curves); })
@@ -75,7 +66,7 @@ void style_keys(Keys& keys, PolygonStyle& style, const PolygonTilingChoice& choi
         if (!keys.is_given(key) || (key == std::string("edges") && style.edges == "straight")) continue;
         if (!std::ranges::any_of(tiling.prototiles, has_letters))
             throw keys.invalid(key, "is for tilings whose edges have letters");
-        if (key != std::string("letters") && has_mirrored_tiles(tiling))
+        if (key != std::string("letters") && mixes_mirrored_tiles(tiling))
             throw keys.invalid(key, "is for tilings without mirrored tiles");
     }
     if (style.shifts && !std::ranges::all_of(tiling.prototiles, [](const Prototile& p) { return !p.outline.empty(); }))
@@ -108,13 +99,15 @@ void check_substitution(const Keys& keys, const SubstitutionSettings& s)
         while (substitution.counts(deepest + 1, most_polygon_tiles)) ++deepest;
         throw refused(fmt::format("must be at most {} without window, for {} tiles", deepest, most_polygon_tiles));
     }
+    if (s.place && !s.window) throw keys.invalid("place", "needs window");
+    if (s.place && !window_middle(tiling, substitution, s))
+        throw keys.invalid("place",
+                           "must lie in a tile; with another start or depth, tiles reach elsewhere or farther");
     if (s.address.empty()) return;
     if (!s.window) throw keys.invalid("address", "needs window");
     if (s.address.size() > static_cast<std::size_t>(s.depth) + 1)
         throw keys.invalid("address", fmt::format("must have at most {} numbers, depth + 1", s.depth + 1));
-    TileAddress address(static_cast<std::size_t>(s.depth) + 1);
-    std::ranges::copy(s.address, address.begin());
-    keys.check("address", [&] { substitution.tile_at(address); });
+    keys.check("address", [&] { window_middle(tiling, substitution, s); });
 }
 
 std::optional<std::array<double, 2>> read_window(const Keys& keys, const ConfigNode& node)
@@ -145,6 +138,16 @@ void substitution_keys(Keys& keys, SubstitutionSettings& s)
                    for (const double number : *numbers) s.address.push_back(static_cast<std::int64_t>(number));
                })
         .otherwise("the first part of every tile");
+    keys.value("place", "[x, y], each from -1e12 to 1e12",
+               "the place in the middle of the window, in the unit of the tiling's corners",
+               [&](const ConfigNode& node) {
+                   const auto numbers = numbers_of_list(node, 1e12);
+                   if (!numbers || numbers->size() != 2)
+                       throw keys.invalid("place", "must be [x, y], each from -1e12 to 1e12");
+                   s.place = {(*numbers)[0], (*numbers)[1]};
+               })
+        .excludes("address")
+        .otherwise("that of the address");
     style_keys(keys, s.style, s.tiling);
     if (keys.is_read()) check_substitution(keys, s);
 }
@@ -177,7 +180,8 @@ Kind substitution_kind()
 {
     return make_kind<SubstitutionSettings>(
         {"scheme", "substitution", "", "Substitution tiling",
-         "Draw a tiling by substitution: Penrose's tiles, rep-tiles, and those of your own", false},
+         "Draw a tiling by substitution: Penrose's tiles, rep-tiles, the hat, the spectre, and those of your own",
+         false},
         substitution_keys,
         [](const SubstitutionSettings& s) { return fmt::format("{}, {} divisions", tiling_label(s.tiling), s.depth); },
         [](const SubstitutionSettings& s, std::uint64_t, DistributionFiles& files) {

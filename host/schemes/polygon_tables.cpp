@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace poissonlab {
 
@@ -42,6 +44,23 @@ DistributionTable figure_table(const PatchSurvey& survey)
         table.rows.push_back({figure.tiles, fmt::format("{}", figure.count)});
     }
     return table;
+}
+
+std::optional<WindowMiddle> window_middle(const PolygonTiling& tiling, const Substitution& substitution,
+                                          const SubstitutionSettings& settings)
+{
+    constexpr double largest = 0x1p58; // as integers of places
+    TileAddress address(static_cast<std::size_t>(settings.depth) + 1);
+    std::ranges::copy(settings.address, address.begin());
+    const TileMotion tile = substitution.tile_at(address).motion;
+    const double scale = scale_of(tiling.ring, tile);
+    if (!settings.place) return WindowMiddle{tile.at, std::move(address), scale};
+    const std::array<double, 2> point{(*settings.place)[0] * scale, (*settings.place)[1] * scale};
+    if (std::hypot(point[0], point[1]) > largest) return std::nullopt;
+    const RingPlace place = place_near(tiling, point);
+    std::optional<AddressedTile> around = substitution.tile_around(settings.depth, place);
+    if (!around) return std::nullopt;
+    return WindowMiddle{place, std::move(around->address), scale};
 }
 
 std::size_t start_of(const PolygonTiling& tiling, const std::string& name)

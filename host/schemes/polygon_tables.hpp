@@ -1,11 +1,13 @@
 // These tables and names are common to the results of all tilings by polygons: they say how tiles meet.
 #pragma once
 
+#include "host/schemes/scheme_settings.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "tiles/prototiles/patch_survey.hpp"
-#include "tiles/prototiles/polygon_tiling.hpp"
+#include "tiles/prototiles/substitution.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,18 @@ void add_survey(DistributionResult& result, const PatchSurvey& survey);
 
 /// The tiles around vertices, and how often.
 DistributionTable figure_table(const PatchSurvey& survey);
+
+/// The middle of a window: a place, the address of the tile there, and the scale of all tiles.
+struct WindowMiddle
+{
+    RingPlace place;
+    TileAddress address;
+    double scale = 1;
+};
+
+/// Nothing: no tile lies at the place. Throws InputError for an address that is none.
+std::optional<WindowMiddle> window_middle(const PolygonTiling& tiling, const Substitution& substitution,
+                                          const SubstitutionSettings& settings);
 
 /// The number of a start by its name; the first one for an empty name. Throws InputError for a name that is none.
 std::size_t start_of(const PolygonTiling& tiling, const std::string& name);

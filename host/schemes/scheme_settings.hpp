@@ -109,6 +109,7 @@ struct SubstitutionSettings
     std::string start; ///< empty: the first tile
     int depth = 5;
     std::vector<std::int64_t> address;           ///< of the tile in the middle of the window
+    std::optional<std::array<double, 2>> place;  ///< in the middle of the window, instead of an address
     std::optional<std::array<double, 2>> window; ///< none: all tiles
     PolygonStyle style;
 };

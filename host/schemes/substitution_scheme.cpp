@@ -28,23 +28,27 @@ MarkPicture rules_picture(const PolygonTiling& tiling, const PolygonStyle& style
     MarkCanvas nowhere(1, 1, 1);
     std::vector<std::array<MarkPoint, 2>> boxes;
     double width = 0, height = 0;
-    const auto whole = [&](std::size_t i) { return PlacedTile{i, {{}, tiling.magnification, false}}; };
+    const auto enlarged = [&](const PolygonPainter& painter, std::size_t i) {
+        std::vector<MarkPoint> outline;
+        for (const RingPlace& corner : tiling.prototiles[i].corners)
+            outline.push_back(painter.at(mapped(tiling.ring, tiling.magnification, corner)));
+        return outline;
+    };
     for (std::size_t i = 0; i < tiling.parts.size(); ++i) {
-        std::vector<PlacedTile> all = tiling.parts[i];
-        all.push_back(whole(i));
-        boxes.push_back(box_around(PolygonPainter(nowhere, tiling, style, {{}, {}, unit}), all));
+        const PolygonPainter painter(nowhere, tiling, style, {{}, {}, unit});
+        boxes.push_back(box_around(painter, tiling.parts[i]));
+        if (tiling.parts[i].empty()) continue;
+        for (const MarkPoint& p : enlarged(painter, i)) boxes[i] = box_with(boxes[i], p);
         width += boxes[i][1][0] - boxes[i][0][0] + gap;
         height = std::max(height, boxes[i][1][1] - boxes[i][0][1]);
     }
     MarkCanvas canvas(width, height + gap, pixels_a_unit(width));
     double x = gap / 2;
     for (std::size_t i = 0; i < tiling.parts.size(); ++i) {
+        if (tiling.parts[i].empty()) continue;
         PolygonPainter painter(canvas, tiling, style, {{}, {x - boxes[i][0][0], gap / 2 - boxes[i][0][1]}, unit});
         painter.paint(tiling.parts[i]);
-        PolygonStyle plain;
-        const PolygonPainter outlines(canvas, tiling, plain,
-                                      {{}, {x - boxes[i][0][0], gap / 2 - boxes[i][0][1]}, unit});
-        canvas.outline("#b03a2e", outlines.outline(whole(i)), 0.08);
+        canvas.outline("#b03a2e", enlarged(painter, i), 0.08);
         x += boxes[i][1][0] - boxes[i][0][0] + gap;
     }
     return canvas.picture();
@@ -74,7 +78,7 @@ bool is_border_in_window(const PolygonTiling& tiling, const PatchSurvey& survey,
                          const RingPlace& middle, double unit)
 {
     return std::ranges::any_of(survey.border, [&](const RingPlace& place) {
-        const auto away = tiling.ring.value(place - middle);
+        const auto away = point_of(tiling, place - middle);
         return std::abs(away[0]) < window[0] / 2 * unit && std::abs(away[1]) < window[1] / 2 * unit;
     });
 }
@@ -85,7 +89,7 @@ std::string tiles_csv(const PolygonTiling& tiling, const std::vector<AddressedTi
     std::string text = "address,tile,mirrored,x,y,degrees,at0,at1,at2,at3,turn0,turn1,turn2,turn3\n";
     for (const auto& [tile, address] : tiles) {
         const TileMotion& m = tile.motion;
-        const auto at = tiling.ring.value(m.at), turn = tiling.ring.value(m.turn);
+        const auto at = point_of(tiling, m.at), turn = tiling.ring.value(m.turn);
         const double scale = scale_of(tiling.ring, m);
         const double degrees = std::atan2(turn[1], turn[0]) * 180 / std::numbers::pi;
         text += fmt::format("{},{},{},{:.9g},{:.9g},{:.9g},{},{}\n", fmt::join(address, "."),
@@ -93,12 +97,6 @@ std::string tiles_csv(const PolygonTiling& tiling, const std::vector<AddressedTi
                             degrees, fmt::join(m.at.c, ","), fmt::join(m.turn.c, ","));
     }
     return text;
-}
-
-/// How many times longer lengths are than those of their parts.
-double inflation_of(const PolygonTiling& tiling)
-{
-    return tiling.ring.sizes(tiling.magnification)[0] / scale_of(tiling.ring, tiling.parts[0][0].motion);
 }
 
 /// The parts of all tiles that each prototile has after ever more divisions: the substitution matrix's eigenvector.
@@ -140,13 +138,11 @@ DistributionResult make_substitution(const SubstitutionSettings& settings, Distr
 {
     const PolygonTiling tiling = tiling_of(settings.tiling);
     const Substitution substitution(tiling, start_of(tiling, settings.start));
-    TileAddress address(static_cast<std::size_t>(settings.depth) + 1);
-    std::ranges::copy(settings.address, address.begin());
-    const PlacedTile middle = substitution.tile_at(address);
-    const double unit = picture_unit(tiling, scale_of(tiling.ring, middle.motion));
+    const WindowMiddle middle = window_middle(tiling, substitution, settings).value();
+    const double unit = picture_unit(tiling, middle.scale);
     const double radius = settings.window ? std::hypot((*settings.window)[0], (*settings.window)[1]) / 2 : 0;
     const std::vector<AddressedTile> found =
-        settings.window ? substitution.tiles_near(settings.depth, middle.motion.at, radius * picture_unit(tiling, 1),
+        settings.window ? substitution.tiles_near(settings.depth, middle.place, radius * picture_unit(tiling, 1),
                                                   most_polygon_tiles)
                         : substitution.tiles(settings.depth, most_polygon_tiles);
     std::vector<PlacedTile> tiles;
@@ -155,20 +151,24 @@ DistributionResult make_substitution(const SubstitutionSettings& settings, Distr
     result.facts = names_of(tiling);
     result.numbers = {
         {"tiles", "Tiles", static_cast<double>(tiles.size()), "", {}, true},
-        {"inflation", "Inflation factor", inflation_of(tiling), "how much longer a tile is than its parts"}};
+        {"inflation", "Inflation factor", substitution.inflation(), "how much longer a tile is than its parts"}};
     const PatchSurvey survey = survey_patch(tiling, tiles);
     add_survey(result, survey);
-    if (settings.window && is_border_in_window(tiling, survey, *settings.window, middle.motion.at, unit))
+    if (settings.window && is_border_in_window(tiling, survey, *settings.window, middle.place, unit))
         result.facts.emplace_back("the window reaches beyond the tiles: other addresses are farther inside");
     result.tables.push_back(tile_table(tiling, found));
     result.tables.push_back(figure_table(survey));
     files.add_marks("rules.json", rules_picture(tiling, settings.style),
-                    "The parts of each tile; the red line is the tile itself, enlarged.", result);
+                    is_multiplication(tiling.ring, tiling.magnification)
+                        ? "The parts of each tile; the red line is the tile itself, enlarged."
+                        : "The parts of each tile; the red line is the tile itself after the linear map that enlarges "
+                          "places, which bends it.",
+                    result);
     if (settings.window)
         files.add_marks(
-            "tiling.json", window_picture(tiling, settings.style, tiles, *settings.window, middle.motion.at, unit),
+            "tiling.json", window_picture(tiling, settings.style, tiles, *settings.window, middle.place, unit),
             fmt::format("{} x {} sides of a square as large as the first tile, around the tile of address {}.",
-                        (*settings.window)[0], (*settings.window)[1], fmt::join(address, ".")),
+                        (*settings.window)[0], (*settings.window)[1], fmt::join(middle.address, ".")),
             result);
     else
         files.add_marks("tiling.json", patch_picture(tiling, settings.style, tiles),

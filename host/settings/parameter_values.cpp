@@ -1,7 +1,7 @@
 #include "host/settings/parameter_values.hpp"
 
+#include "base/programs/shell_words.hpp"
 #include "base/text/decimal_commas.hpp"
-#include "host/sampling/classics/command_sampler.hpp"
 #include "host/settings/nearest_key.hpp"
 #include "host/settings/sampler_table.hpp"
 

@@ -387,16 +387,21 @@ def box_options(ranges, periodic, options):
         return options
     sides = [high - low for low, high in ranges]
     if periodic is False and len(set(sides)) > 1:
-        raise _poissonlab.InputError('analyze: periodic=False cannot be combined with a domain whose sides differ: to measure '
-                                     'points of the plane within it, give it as region, such as "rectangle 0 0 2 1"')
+        raise _poissonlab.InputError("analyze: periodic=False: sets in space can be measured without wrapping in cubes only"
+                                     if len(sides) == 3 else "analyze: periodic=False: window, tiles and zone_plate cannot "
+                                     "be combined with a domain whose sides differ")
     return {**options, "box": sides}
+
+
+def is_of_squares(options):
+    """Whether measures are asked for that sets in regions do not have."""
+    return any(options.get(key) is not None for key in ("window", "tiles", "zone_plate"))
 
 
 def window_options(sets, options):
     """The options by which sets that are not periodic are measured, as `poissonlab analyze --periodic no` does."""
-    is_of_squares = any(options.get(key) is not None for key in ("window", "tiles", "zone_plate"))
     is_planar = bool(sets) and sets[0].ndim == 2 and sets[0].shape[1] == 2
-    return {"region": "rectangle 0 0 1 1"} if is_planar and not is_of_squares else {"window": True}
+    return {"region": "rectangle 0 0 1 1"} if is_planar and not is_of_squares(options) else {"window": True}
 
 
 def analyze(points: Points, *, label: str = "points", domain: Domain | None = None,
@@ -434,6 +439,10 @@ def analyze(points: Points, *, label: str = "points", domain: Domain | None = No
             raise _poissonlab.InputError("analyze: box: must be a side, (width, height), or in 3D (width, height, "
                                          "depth), numbers above 0")
     ranges = ranges_of(domain)
+    if periodic is False and not is_of_squares(options) and ranges is not None and len(ranges) == 2:
+        corners = " ".join(f"{end!r}" for end in numpy.transpose(ranges).ravel().tolist())
+        options, periodic = {**options, "region": f"rectangle {corners}"}, None  # as the program does
+        ranges = [(-numpy.inf, numpy.inf)]
     sets = sets_of(points, ranges, particles, label)
     options = box_options(ranges, periodic, options)
     if periodic is not None and options.get("region") is not None:

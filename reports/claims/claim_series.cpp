@@ -1,13 +1,5 @@
 #include "reports/claims/claim_series.hpp"
 
-#include "analysis/zone_plate/false_rings.hpp"
-#include "analysis/zone_plate/zone_plate_reference.hpp"
-#include "base/errors/errors.hpp"
-#include "base/images/square_image_file.hpp"
-#include "base/programs/side_by_side.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -60,25 +52,7 @@ ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series, std::vector<co
 {
     // Papers speak of the torus, or of the plane.
     std::erase_if(series_, [](const ReportSeries* one) { return one->stored->region.has_value(); });
-    std::vector<const ReportSeries*> plates;
-    std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {
-        return s->stored->zone_plate && s->stored->zone_plate->size >= smallest_false_rings_picture;
-    });
-    std::map<int, SquareImage> references;
-    for (const auto* plate : plates) references.try_emplace(plate->stored->zone_plate->size);
-    for (auto& [size, reference] : references) reference = zone_plate_reference(size);
-    std::vector<Rings> found(plates.size());
-    for_all_side_by_side(plates.size(), [&](std::size_t i) {
-        const auto file = plates[i]->run->folder / plates[i]->stored->zone_plate->file;
-        const auto picture = read_square_image(file);
-        const auto reference = references.find(picture.size);
-        if (reference == references.end())
-            throw InputError(fmt::format("{}: must have {} pixels along each axis, as results.json says", file.string(),
-                                         plates[i]->stored->zone_plate->size));
-        const auto rings = strongest_false_rings(picture, reference->second);
-        found[i] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
-    });
-    for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];
+    rings_ = rings_in_plates(series_);
 }
 
 bool ClaimSeries::has_tiles() const

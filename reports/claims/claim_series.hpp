@@ -81,6 +81,10 @@ private:
     mutable std::vector<std::string> asked_;
 };
 
+/// The false rings in the zone plates of series that have plates of enough pixels. Throws InputError for pictures that
+/// cannot be read.
+std::map<const ReportSeries*, ClaimSeries::Rings> rings_in_plates(const std::vector<const ReportSeries*>& series);
+
 /// A number of a distribution by its key; with its error, where it is a mean over several sets.
 std::optional<double> number_of(const DistributionResult& distribution, const std::string& key);
 std::optional<Estimate> estimate_in(const DistributionResult& distribution, const std::string& key);

@@ -39,11 +39,6 @@ const char* name_of(Agreement agreement)
     return "shown";
 }
 
-Agreement agreement_of(Finding finding)
-{
-    return finding == Finding::open ? Agreement::open : agreement_if(finding == Finding::holds);
-}
-
 Finding is_above(const Estimate& value, double limit)
 {
     if (value.value - reach_of(value) > limit) return Finding::holds;

@@ -30,7 +30,6 @@ enum class Finding
 };
 
 inline Finding finding_if(bool holds) { return holds ? Finding::holds : Finding::fails; }
-Agreement agreement_of(Finding finding);
 
 /// A value against a limit: open within two standard errors of it. A value without an error counts as exact.
 Finding is_above(const Estimate& value, double limit);

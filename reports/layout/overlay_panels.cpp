@@ -152,20 +152,4 @@ std::vector<Panel> integration_panels(const SeriesList& series)
     return panels;
 }
 
-std::vector<Panel> region_panels(const SeriesList& series)
-{
-    const auto curves = region_curves(series);
-    if (curves.empty()) return {};
-    return {{"region-points", region_points_plot(curves), "Points in the regions of tiles",
-             "over the number of points a tile"}};
-}
-
-std::vector<Panel> tile_radius_panels(const SeriesList& series)
-{
-    const auto curves = tile_radius_curves(series);
-    if (curves.empty()) return {};
-    return {{"tile-radius", tile_radius_plot(curves), "Relative radius within tiles (dots) and of tilings (lines)",
-             "over the number of points a tile"}};
-}
-
 }

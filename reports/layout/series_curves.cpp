@@ -33,13 +33,6 @@ std::vector<std::size_t> first_of_method(const SeriesList& series)
     return result;
 }
 
-std::vector<const Series*> stored_series(const SeriesList& series)
-{
-    std::vector<const Series*> stored;
-    for (const auto& entry : series) stored.push_back(entry.series->stored);
-    return stored;
-}
-
 }
 
 SeriesList series_of(const ReportRun& run)
@@ -181,13 +174,6 @@ std::vector<IntegrationCurve> integration_curves(const SeriesList& series)
     std::map<std::size_t, std::size_t> numbers; // of the methods that are left
     for (auto& curve : curves) curve.index = numbers.try_emplace(curve.index, numbers.size()).first->second;
     return curves;
-}
-
-std::vector<TileSizeCurve> region_curves(const SeriesList& series) { return region_curves(stored_series(series)); }
-
-std::vector<TileSizeCurve> tile_radius_curves(const SeriesList& series)
-{
-    return tile_radius_curves(stored_series(series));
 }
 
 }

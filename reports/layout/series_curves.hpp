@@ -6,7 +6,6 @@
 #include "reports/plots/integration_curves.hpp"
 #include "reports/plots/iteration_curves.hpp"
 #include "reports/plots/second_order_curves.hpp"
-#include "reports/plots/tile_size_curves.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
 
 #include <string>
@@ -62,9 +61,5 @@ std::vector<ZonePlateCurve> zone_plate_curves(const SeriesList& series);
 /// The errors of integrals against N: series that differ only in N are one curve. Empty where no curve has two
 /// sizes.
 std::vector<IntegrationCurve> integration_curves(const SeriesList& series);
-
-/// The points in regions of tiles, and the relative radius within tiles, over the number of points a tile.
-std::vector<TileSizeCurve> region_curves(const SeriesList& series);
-std::vector<TileSizeCurve> tile_radius_curves(const SeriesList& series);
 
 }

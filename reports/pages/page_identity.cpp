@@ -91,11 +91,4 @@ PageData shown_mean(const std::optional<Statistic>& value, int digits)
     return data;
 }
 
-std::string shown_range(const Statistic& value, int digits)
-{
-    const auto low = format_significant(value.min, digits);
-    const auto high = format_significant(value.max, digits);
-    return low == high ? std::string() : low + " to " + high;
-}
-
 }

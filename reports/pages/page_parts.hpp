@@ -32,9 +32,6 @@ PageData shown_mean(const std::optional<Statistic>& value, int digits);
 /// "mean ρ = 0.752", or "ρ = 0.752" of one set; empty where there is none.
 std::string radius_words(const Series& series, int digits);
 
-/// "1,708 to 1,754" from the smallest to the largest value, or nothing where both look the same.
-std::string shown_range(const Statistic& value, int digits);
-
 /// Name, value with error, and meaning of each measure.
 PageData measures_list(const ReportSeries& series);
 

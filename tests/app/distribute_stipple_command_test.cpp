@@ -19,6 +19,7 @@ namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class DistributeStipple : public testing::Test
@@ -160,6 +161,23 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
                                    "the sheet is 86.38 x 86.38 mm, wider than --width for dots at the edges; the "
                                    "pen's way between marks is [0-9.]+ mm \\([0-9]\\.[0-9] m as made\\); dots are 3.19 "
                                    "mm in diameter, which a pen of up to that width draws"));
+}
+
+/// Short strokes are as wide as the pen. A quarter of 80 x 80 mm in 200 dots: each has 8 square millimetres, and a pen
+/// of 0.5 mm draws pi / 16 of them.
+TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
+{
+    const auto said = [&](const std::vector<std::string>& pen) {
+        std::vector<std::string> words{"--image", "0.25", "--points", "200",     "--by",  "warping",
+                                       "--width", "8cm",  "--dots",   "strokes", "--out", "dots.svg"};
+        words.insert(words.end(), pen.begin(), pen.end());
+        return run("stipple", words).error;
+    };
+    EXPECT_THAT(said({"--pen", "0.5mm"}),
+                HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and leave 2.5 % of the "
+                          "ink: circles fill more of it, and 8149 dots would be as wide as the pen"));
+    EXPECT_THAT(said({}), HasSubstr("dots are 3.19 mm in diameter, as wide as the pen has to be"));
+    EXPECT_THAT(said({"--pen", "3.19mm"}), Not(HasSubstr("strokes of the pen")));
 }
 
 /// Separations of colours have equal sheets, wherever their dots lie and however many they are: pixels of 2.5 mm, dots

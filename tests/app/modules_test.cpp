@@ -95,6 +95,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
     for (const auto& [tables, module] : std::vector<std::pair<std::string, std::string>>{
              {"[[method]]\nsampler = \"sobol\"\n", "methods"},
              {"[[method]]\nsampler = \"random\"\norder = \"sample-elimination\"\n", "methods"},
+             {"[[method]]\nsampler = \"command\"\ncommand = \"a {out}\"\n", "own_methods"},
              {"[[method]]\nsampler = \"corner-tiles\"\n", "tiles"},
              {"[[method]]\nsampler = \"lloyd\"\niterations = 1\nstart = {sampler = \"penrose\"}\n", "other_tiles"},
              {"region = \"disk 0 0 1\"\n[[method]]\nsampler = \"random\"\n", "regions"},
@@ -103,6 +104,8 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
+             {"tiles = 2\n[[method]]\nsampler = \"random\"\n", "tile_measures"},
+             {"zone_plate = true\n[[method]]\nsampler = \"random\"\n", "zone_plate"},
              {"[[tiling]]\nkind = \"corner\"\n", "tilings"}}) {
         SCOPED_TRACE(tables);
         const Outcome outcome = run_of(tables);
@@ -111,16 +114,23 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
                                              module + "\": build it with "));
         EXPECT_FALSE(fs::exists(folder_.path() / "out/results.json"));
     }
-    for (const auto& [arguments, module] :
-         std::vector<std::pair<std::string, std::string>>{{"tiles build corner", "tiles"},
-                                                          {"help texture map", "textures"},
-                                                          {"distribute darts --help", "regions"},
-                                                          {"distribute stipple --help", "distributions"},
-                                                          {"texture surface --help", "surface_textures"},
-                                                          {"points lloyd --points 9", "large_sets"},
-                                                          {"tiling corner", "tilings"},
-                                                          {"diff a b", "results"},
-                                                          {"manual", "manual"}})
+    folder_.write("c.toml", small_config + "[[method]]\nsampler = \"lloyd\"\niterations = 1\n");
+    folder_.write("a.ply", "ply\nformat ascii 1.0\n");
+    folder_.write("a.h5", "\x89HDF\r\n\x1a\n");
+    for (const auto& [arguments, module] : std::vector<std::pair<std::string, std::string>>{
+             {"tiles build corner", "tiles"},
+             {"run c.toml --set 'engine=\"reference\"' --out out", "reference"},
+             {"analyze a.ply --out out", "point_formats"},
+             {"analyze a.png --out out", "distributions"},
+             {"analyze a.h5 --out out", "particles"},
+             {"help texture map", "textures"},
+             {"distribute darts --help", "regions"},
+             {"distribute stipple --help", "distributions"},
+             {"texture surface --help", "surface_textures"},
+             {"points lloyd --points 9", "large_sets"},
+             {"tiling corner", "tilings"},
+             {"diff a b", "results"},
+             {"manual", "manual"}})
         EXPECT_THAT(core(arguments).error, HasSubstr("the module \"" + module + "\"")) << arguments;
     EXPECT_THAT(core("samplers --json").error, HasSubstr("without some of its modules"));
     EXPECT_THAT(run_of("[[method]]\nsampler = \"random\"\n", "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0").error,

@@ -20,13 +20,14 @@ link_alone() {
   ninja -C "$program" -t commands poissonlab >"$program.commands"
   cd "$program"
   # The lists of modules and the files that stand in for modules; precompiled headers are not there.
-  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list|without_[a-z]+)\.cpp$' "$program.commands" |
+  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list)\.dir/[^ ]*$' "$program.commands" |
     sed 's/-include [^ ]*cmake_pch[^ ]*//; s/-Winvalid-pch//' | sed 's/ -O[0-9]//g' | bash -e
   grep -E -- ' -o poissonlab( |$)' "$program.commands" | bash -e 2>&1
 }
 
 status=0
-for module in methods results tiles other_tiles tilings regions distributions textures surfaces surface_textures large_sets; do
+for module in methods own_methods results tiles other_tiles tilings regions distributions classes textures surfaces surface_textures \
+  large_sets particles point_formats processes reference space tile_measures zone_plate; do
   if ! (link_alone "$module") >"$folder/$module.out" 2>&1; then
     echo "the program with the module $module alone does not link:"
     grep -E 'undefined reference|multiple definition|error' "$folder/$module.out" | head -n 20

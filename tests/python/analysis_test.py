@@ -84,7 +84,7 @@ class Analyses(FolderTest):
     def test_of_boxes_that_cannot_be_are_refused(self):
         points = sets_of(1, 20)[0]
         for options, words in (({"box": (2, 1), "domain": (0, 2)}, "box: cannot be combined with domain"),
-                               ({"box": (2, 1), "periodic": False}, "periodic=False cannot be combined with"),
+                               ({"box": (2, 1), "periodic": False, "tiles": 2}, "periodic=False: window, tiles"),
                                ({"box": (2, 1), "region": "rectangle 0 0 2 1"}, "box: cannot be combined with region"),
                                ({"box": (2, 0)}, "box: must be"), ({"box": (2, 1, 1)}, "one for each axis"),
                                ({"box": (2, 1), "tiles": 4}, "cannot be combined with tiles")):
@@ -290,10 +290,13 @@ class Analyses(FolderTest):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             inside = pl.analyze(darts, periodic=False)
+            stretched = pl.analyze(darts * (2, 1), box=(2, 1), periodic=False)
             pl.analyze(darts, periodic=True)
             pl.analyze(random.random((500, 2)))
         distances = numpy.hypot(*(darts[:, None] - darts[None]).T) + 9 * numpy.eye(len(darts))
         self.assertAlmostEqual(inside.min_distance[0], distances.min(), 7)
+        distances = numpy.hypot(*((darts[:, None] - darts[None]) * (2, 1)).T) + 9 * numpy.eye(len(darts))
+        self.assertAlmostEqual(stretched.min_distance[0], distances.min() / numpy.sqrt(2), 7)
         self.assertLess(around.min_distance[0], 0.9 * distances.min())
         with self.assertRaisesRegex(pl.InputError, "periodic: cannot be combined with region"):
             pl.analyze(darts, periodic=True, region="rectangle 0 0 1 1")

@@ -371,7 +371,8 @@ class OtherKinds(unittest.TestCase):
 
     def test_schemes_and_constructions_are_drawn(self):
         self.assertTrue(poissonlab.tilings.isohedral(type=16, random=True, rng=5).pictures)
-        self.assertTrue(poissonlab.tilings.substitution(tiling="chair", depth=2, rng=1).pictures)
+        for tiling in ("chair", "hat", "turtle", "spectre"):
+            self.assertTrue(poissonlab.tilings.substitution(tiling=tiling, depth=2, rng=1).pictures)
         self.assertTrue(poissonlab.tilings.set(show="lloyd", points=9, rng=1).pictures)
         with self.assertRaisesRegex(poissonlab.InputError, r"type = 94: must be an integer from 1 to 93"):
             poissonlab.tilings.isohedral(type=94)

@@ -24,14 +24,14 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
 class PatchVertices
 {
 public:
-    explicit PatchVertices(const RootRing& ring) : ring_(ring) {}
+    explicit PatchVertices(const PolygonTiling& tiling) : tiling_(tiling) {}
 
     std::size_t number(const RingPlace& place)
     {
         const auto [found, is_new] = numbers_.emplace(place, places_.size());
         if (is_new) {
             places_.push_back(place);
-            points_.push_back(ring_.value(place - places_[0])); // near each other, though far from the origin
+            points_.push_back(point_of(tiling_, place - places_[0])); // near each other, though far from the origin
         }
         return found->second;
     }
@@ -83,10 +83,11 @@ private:
     {
         const Point along = difference(points_[b], points_[a]), to = difference(points_[v], points_[a]);
         if (std::abs(cross(along, to)) > 1e-3 * dot(along, along)) return false;
-        return ring_.is_real(ring_.times(ring_.conjugate(places_[b] - places_[a]), places_[v] - places_[a]));
+        const RootRing& ring = tiling_.ring;
+        return ring.is_real(ring.times(ring.conjugate(places_[b] - places_[a]), places_[v] - places_[a]));
     }
 
-    const RootRing& ring_;
+    const PolygonTiling& tiling_;
     std::unordered_map<RingPlace, std::size_t, RingPlaceHash> numbers_;
     std::vector<RingPlace> places_;
     std::vector<Point> points_;
@@ -115,7 +116,7 @@ class PatchSurveyor
 {
 public:
     PatchSurveyor(const PolygonTiling& tiling, std::span<const PlacedTile> tiles)
-        : tiling_(tiling), tiles_(tiles), vertices_(tiling.ring)
+        : tiling_(tiling), tiles_(tiles), vertices_(tiling)
     {}
 
     PatchSurvey survey()
@@ -233,7 +234,9 @@ private:
         if (all_are_regular()) return fmt::format("{}", prototile.corners.size());
         const auto degrees = std::lround(angle * 180 / std::numbers::pi);
         if (!piece.starts_edge) return fmt::format("{} side", prototile.name);
-        if (prototile.edges.empty()) return fmt::format("{} {}\u00b0", prototile.name, degrees);
+        const bool has_one_letter =
+            prototile.edges.find_first_not_of(prototile.edges.substr(0, 1)) == std::string::npos;
+        if (has_one_letter) return fmt::format("{} {}\u00b0", prototile.name, degrees);
         const std::size_t count = prototile.corners.size();
         return fmt::format("{} {}\u00b0 {}", prototile.name, degrees,
                            corner_letters(tile, (piece.edge + count - 1) % count, piece.edge));

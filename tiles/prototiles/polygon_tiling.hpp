@@ -80,8 +80,13 @@ struct PolygonTiling
     RootRing ring;
     std::vector<Prototile> prototiles;
 
-    /// Of a substitution: a tile as many times as large, and the parts of that larger tile, for each prototile.
-    RingPlace magnification;
+    /// Lengths of edges along even and odd powers of z. Incidences and angles of tiles with such edges do not depend on
+    /// them, so that all places may stay those of edges of one length.
+    std::array<double, 2> lengths{1, 1};
+
+    /// Of a substitution: a tile as many times as large, and the parts of that larger tile, for each prototile. Tiles
+    /// without parts vanish when they are divided: what they cover belongs to the parts of others.
+    RingMap magnification;
     std::vector<std::vector<PlacedTile>> parts; ///< empty: the tiling is periodic
     std::vector<StartPatch> starts;             ///< the prototiles, and others
 
@@ -96,8 +101,17 @@ RingPlace moved(const RootRing& ring, const TileMotion& motion, const RingPlace&
 /// The corners of a tile, counterclockwise.
 std::vector<RingPlace> corners_of(const PolygonTiling& tiling, const PlacedTile& tile);
 
+/// x and y of a place, with the lengths of the tiling's edges.
+std::array<double, 2> point_of(const PolygonTiling& tiling, const RingPlace& place);
+
+/// A place at most an edge away from a point.
+RingPlace place_near(const PolygonTiling& tiling, const std::array<double, 2>& point);
+
 /// The letter of the edge from corner `edge` of corners_of() to the next one; 0 where edges have no letters.
 char edge_letter(const PolygonTiling& tiling, const PlacedTile& tile, std::size_t edge);
+
+/// True if some tiles of one level are mirrored and others are not.
+bool mixes_mirrored_tiles(const PolygonTiling& tiling);
 
 /// True if tiles may share an edge that has these letters on its two sides.
 bool letters_fit(char one, char other);
@@ -105,7 +119,7 @@ bool letters_fit(char one, char other);
 /// Four times the area, times i: an exact number of the ring, as areas themselves need not be.
 RingPlace quadruple_area(const RootRing& ring, const std::vector<RingPlace>& corners);
 
-/// The area of a prototile.
+/// The area of a prototile, with the lengths of the tiling's edges.
 double area_of(const PolygonTiling& tiling, std::size_t prototile);
 
 /// How much longer lengths of a tile are than those of its prototile: the absolute value of its turn.

@@ -49,11 +49,12 @@ std::array<Pair, 4> powers_of(const Pair& root)
     return powers;
 }
 
-Pair sum_of(const RingPlace& a, const std::array<Pair, 4>& powers)
+Pair sum_of(const RingPlace& a, const std::array<Pair, 4>& powers, const Pair& lengths = {1, 1})
 {
     Pair sum{};
     for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t axis = 0; axis < 2; ++axis) sum[axis] += static_cast<double>(a.c[i]) * powers[i][axis];
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            sum[axis] += lengths[i % 2] * static_cast<double>(a.c[i]) * powers[i][axis];
     return sum;
 }
 
@@ -67,6 +68,15 @@ std::size_t RingPlaceHash::operator()(const RingPlace& place) const
         hash ^= hash >> 29;
     }
     return hash;
+}
+
+RingPlace mapped(const RootRing& ring, const RingMap& map, const RingPlace& place)
+{
+    std::array<Wide, 7> powers{};
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            powers[i - i % 2 + j] += static_cast<Wide>(place.c[i]) * (i % 2 == 0 ? map.of_one : map.of_root).c[j];
+    return reduced(powers, ring.order());
 }
 
 RootRing::RootRing(int order)
@@ -100,7 +110,10 @@ RingPlace RootRing::conjugate(const RingPlace& a) const
     return sum;
 }
 
-std::array<double, 2> RootRing::value(const RingPlace& a) const { return sum_of(a, powers_); }
+std::array<double, 2> RootRing::value(const RingPlace& a, const std::array<double, 2>& lengths) const
+{
+    return sum_of(a, powers_, lengths);
+}
 
 std::array<double, 2> RootRing::sizes(const RingPlace& a) const
 {

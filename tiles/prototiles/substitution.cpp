@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,22 @@ TileShapeKey shape_key(const PolygonTiling& tiling, const PlacedTile& tile)
     std::vector<RingPlace> corners = corners_of(tiling, tile);
     std::ranges::sort(corners);
     return {tile.prototile, std::move(corners)};
+}
+
+/// True if a place lies in a tile or on its border. Differences are exact, and so near places do not round.
+bool lies_in(const PolygonTiling& tiling, const PlacedTile& tile, const RingPlace& place)
+{
+    constexpr double rounding = 1e-9;
+    const std::vector<RingPlace> corners = corners_of(tiling, tile);
+    bool is_inside = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto a = point_of(tiling, corners[i] - place);
+        const auto b = point_of(tiling, corners[(i + 1) % corners.size()] - place);
+        const double cross = a[0] * b[1] - a[1] * b[0], dot = a[0] * b[0] + a[1] * b[1];
+        if (std::abs(cross) <= rounding * std::hypot(b[0] - a[0], b[1] - a[1]) && dot <= rounding) return true;
+        if ((a[1] > 0) != (b[1] > 0) && (cross > 0) == (b[1] > a[1])) is_inside = !is_inside;
+    }
+    return is_inside;
 }
 
 /// Walks from tiles to their parts, and keeps those of the last level.
@@ -62,34 +79,102 @@ private:
 
 }
 
-std::optional<RingPlace> turn_of_magnification(const RootRing& ring, const RingPlace& magnification)
+bool is_multiplication(const RootRing& ring, const RingMap& map)
 {
-    const RingPlace conjugate = ring.conjugate(magnification);
+    return map.of_root == ring.times(ring.unit(1), map.of_one);
+}
+
+std::optional<RingPlace> turn_of_magnification(const RootRing& ring, const RingMap& magnification)
+{
+    if (!is_multiplication(ring, magnification)) return ring.unit(0);
+    const RingPlace conjugate = ring.conjugate(magnification.of_one);
     for (int k = 0; k < ring.order(); ++k)
-        if (ring.times(ring.unit(k), conjugate) == magnification) return ring.unit(k);
+        if (ring.times(ring.unit(k), conjugate) == magnification.of_one) return ring.unit(k);
     return std::nullopt;
 }
 
 Substitution::Substitution(const PolygonTiling& tiling, std::size_t start)
     : tiling_(tiling), start_(tiling.starts.at(start)),
-      mirrored_turn_(turn_of_magnification(tiling.ring, tiling.magnification).value()), reach_(reach_beyond_parts())
-{}
-
-/// The radius around a tile's place that its corners and all its parts' parts stay in: a part's place is at most so far
-/// away, and the part's own reach is smaller by a factor.
-double Substitution::reach_beyond_parts() const
+      mirrored_turn_(turn_of_magnification(tiling.ring, tiling.magnification).value())
 {
-    const double factor = tiling_.ring.sizes(tiling_.magnification)[0];
-    double corners = 0, away = 0;
+    // Where this matters, all parts that have parts are alike. A multiplication has one map for both sorts of tiles.
+    for (const auto& parts : tiling.parts)
+        for (const PlacedTile& part : parts) flips_ |= part.motion.is_mirrored && !tiling.parts[part.prototile].empty();
+    add_levels();
+}
+
+std::array<double, 3> Substitution::sizes(const RingPlace& place) const
+{
+    const auto point = point_of(tiling_, place);
+    const auto planes = tiling_.ring.sizes(place);
+    return {std::hypot(point[0], point[1]), planes[0], planes[1]};
+}
+
+void Substitution::add_levels()
+{
+    constexpr std::size_t most_levels = 200;
+    Level none;
     for (const Prototile& prototile : tiling_.prototiles)
-        for (const RingPlace& corner : prototile.corners) corners = std::max(corners, tiling_.ring.sizes(corner)[0]);
-    double scale = 0;
+        for (const RingPlace& corner : prototile.corners)
+            for (std::size_t i = 0; i < 3; ++i) none.reach[i] = std::max(none.reach[i], sizes(corner)[i]);
+    levels_.push_back(none);
+    while (levels_.size() <= most_levels) {
+        try {
+            const Level next = next_level();
+            if (!fits(next)) return;
+            levels_.push_back(next);
+        } catch (const InputError&) {
+            return; // an integer needs more than 64 bits
+        }
+    }
+}
+
+/// A division, and then what the last level does: parts' places are enlarged by it, and they reach as far as it says.
+Substitution::Level Substitution::next_level() const
+{
+    const RootRing& ring = tiling_.ring;
+    const Level& last = levels_.back();
+    Level next;
+    for (const bool is_mirrored : {false, true}) {
+        // The map of mirrored tiles, as part_of() has it, between two mirrors and a turn.
+        const auto mirrored = [&](const RingPlace& place) { return is_mirrored ? ring.conjugate(place) : place; };
+        const auto image = [&](const RingPlace& place) {
+            const RingPlace there = mirrored(mapped(ring, tiling_.magnification, mirrored(place)));
+            return mapped(ring, last.maps[is_mirrored != flips_],
+                          is_mirrored ? ring.times(mirrored_turn_, there) : there);
+        };
+        next.maps[is_mirrored] = {image(ring.unit(0)), image(ring.unit(1))};
+    }
     for (const auto& parts : tiling_.parts)
         for (const PlacedTile& part : parts) {
-            away = std::max(away, tiling_.ring.sizes(part.motion.at)[0]);
-            scale = std::max(scale, scale_of(tiling_.ring, part.motion));
+            const auto at = sizes(mapped(ring, last.maps[part.motion.is_mirrored], part.motion.at));
+            const auto turn = ring.sizes(part.motion.turn);
+            for (std::size_t i = 0; i < 3; ++i)
+                next.reach[i] = std::max(next.reach[i], at[i] + turn[i / 2] * last.reach[i]);
         }
-    return std::max(corners, away / (factor - scale));
+    return next;
+}
+
+/// True if all places of a level fit into 64-bit integers.
+bool Substitution::fits(const Level& level) const
+{
+    constexpr double largest = 0x1p60; // integers are at most twice as large as their numbers, see RootRing::sizes()
+    return std::ranges::all_of(start_.tiles, [&](const PlacedTile& tile) {
+        const auto at = sizes(mapped(tiling_.ring, level.maps[tile.motion.is_mirrored], tile.motion.at));
+        const auto turn = tiling_.ring.sizes(tile.motion.turn);
+        return at[1] + turn[0] * level.reach[1] <= largest && at[2] + turn[1] * level.reach[2] <= largest;
+    });
+}
+
+double Substitution::inflation() const
+{
+    const RootRing& ring = tiling_.ring;
+    if (is_multiplication(ring, tiling_.magnification))
+        return ring.sizes(tiling_.magnification.of_one)[0] / scale_of(ring, tiling_.parts[0][0].motion);
+    // Two levels, as mirrored ones may alternate; the difference to the limit falls as the square of the inflation.
+    if (levels_.size() < 3) return 0;
+    const auto size = [&](const Level& level) { return sizes(level.maps[0].of_one)[0]; };
+    return std::sqrt(size(levels_.back()) / size(levels_[levels_.size() - 3]));
 }
 
 PlacedTile Substitution::part_of(const PlacedTile& whole, std::size_t index) const
@@ -102,7 +187,8 @@ PlacedTile Substitution::part_of(const PlacedTile& whole, std::size_t index) con
         turn = ring.times(mirrored_turn_, ring.conjugate(turn));
     }
     return {part.prototile,
-            {ring.times(tiling_.magnification, whole.motion.at) + ring.times(whole.motion.turn, at),
+            {mapped(ring, levels_.at(1).maps[whole.motion.is_mirrored], whole.motion.at) +
+                 ring.times(whole.motion.turn, at),
              ring.times(whole.motion.turn, turn), whole.motion.is_mirrored != part.motion.is_mirrored}};
 }
 
@@ -121,30 +207,6 @@ std::optional<std::vector<std::uint64_t>> Substitution::counts(int depth, std::u
     return counts;
 }
 
-int Substitution::deepest() const
-{
-    constexpr double largest = 0x1p60; // integers are at most twice as large as their numbers, see RootRing::sizes()
-    constexpr int most_levels = 200;
-    const RootRing& ring = tiling_.ring;
-    const auto larger = [&](std::array<double, 2>& sizes, const RingPlace& place) {
-        for (std::size_t i = 0; i < 2; ++i) sizes[i] = std::max(sizes[i], ring.sizes(place)[i]);
-    };
-    std::array<double, 2> place{}, turn{}, part{}, part_turn{}, corner{};
-    for (const PlacedTile& tile : start_.tiles) larger(place, tile.motion.at), larger(turn, tile.motion.turn);
-    for (const auto& parts : tiling_.parts)
-        for (const PlacedTile& tile : parts) larger(part, tile.motion.at), larger(part_turn, tile.motion.turn);
-    for (const Prototile& prototile : tiling_.prototiles)
-        for (const RingPlace& c : prototile.corners) larger(corner, c);
-    const std::array<double, 2> factor = ring.sizes(tiling_.magnification);
-    for (int depth = 0; depth < most_levels; ++depth)
-        for (std::size_t i = 0; i < 2; ++i) {
-            place[i] = factor[i] * place[i] + turn[i] * part[i];
-            turn[i] *= part_turn[i];
-            if (place[i] + turn[i] * corner[i] > largest) return depth;
-        }
-    return most_levels;
-}
-
 PlacedTile Substitution::tile_at(const TileAddress& address) const
 {
     const auto refused = [](std::size_t place, std::uint32_t number, std::size_t count) {
@@ -154,6 +216,9 @@ PlacedTile Substitution::tile_at(const TileAddress& address) const
     PlacedTile tile = start_.tiles[address[0]];
     for (std::size_t i = 1; i < address.size(); ++i) {
         const std::size_t count = tiling_.parts[tile.prototile].size();
+        if (count == 0)
+            throw InputError(fmt::format("number {} is {}: must lead to a tile with parts; \"{}\" has none", i,
+                                         address[i - 1], tiling_.prototiles[tile.prototile].name));
         if (address[i] >= count) throw refused(i, address[i], count);
         tile = part_of(tile, address[i]);
     }
@@ -177,15 +242,13 @@ std::vector<AddressedTile> Substitution::tiles_near(int depth, const RingPlace& 
 {
     const RootRing& ring = tiling_.ring;
     const auto levels = static_cast<std::size_t>(depth);
-    std::vector<RingPlace> powers{RingPlace{{1, 0, 0, 0}}}; // of the magnification
-    for (std::size_t i = 0; i < levels; ++i) powers.push_back(ring.times(powers.back(), tiling_.magnification));
     TileAddress first(levels + 1);
     const double unit = scale_of(ring, tile_at(first).motion); // all tiles of a level have one scale
     // The distance is a difference of exact places, so that it is right however far away from the origin both are.
     const auto is_near = [&](const PlacedTile& tile, std::size_t level) {
-        const RingPlace& power = powers[levels - level];
-        const double away = ring.sizes(ring.times(power, tile.motion.at) - middle)[0];
-        return away <= radius * unit + reach_ * scale_of(ring, tile.motion) * ring.sizes(power)[0];
+        const Level& left = levels_[levels - level];
+        const RingPlace there = mapped(ring, left.maps[tile.motion.is_mirrored], tile.motion.at);
+        return sizes(there - middle)[0] <= radius * unit + left.reach[0] * scale_of(ring, tile.motion);
     };
     SubstitutionWalk walk(tiling_, depth, most);
     const auto part = [&](const PlacedTile& tile, std::size_t index) { return part_of(tile, index); };
@@ -194,6 +257,14 @@ std::vector<AddressedTile> Substitution::tiles_near(int depth, const RingPlace& 
         walk.walk(start_.tiles[i], address, is_near, part);
     }
     return walk.take();
+}
+
+std::optional<AddressedTile> Substitution::tile_around(int depth, const RingPlace& place) const
+{
+    constexpr std::size_t plenty = 100'000;
+    for (AddressedTile& tile : tiles_near(depth, place, 0, plenty))
+        if (lies_in(tiling_, tile.tile, place)) return std::move(tile);
+    return std::nullopt;
 }
 
 }

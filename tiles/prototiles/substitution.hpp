@@ -5,10 +5,16 @@
 // of its neighbours make up for it, and may overlap others of the same shape and place, which then are one tile. All
 // places are exact. A tile is known by its address, the numbers of the parts that lead to it, and can be made from it
 // alone.
+//
+// Where the tiles of all levels have one shape up to a linear map that is no similarity, as clusters of hats have,
+// places are enlarged by that map. Smith, Myers, Kaplan and Goodman-Strauss, An aperiodic monotile, 2024 (arXiv
+// 2303.10798), and A chiral aperiodic monotile, 2024 (arXiv 2305.17743); the return modules are those of Baake, Gaehler
+// and Sadun, Dynamics and topology of the Hat family of tilings (arXiv 2305.05639).
 #pragma once
 
 #include "tiles/prototiles/polygon_tiling.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,7 +42,10 @@ public:
     std::optional<std::vector<std::uint64_t>> counts(int depth, std::uint64_t most) const;
 
     /// The largest depth at which all places are certain to fit into 64-bit integers.
-    int deepest() const;
+    int deepest() const { return static_cast<int>(levels_.size()) - 1; }
+
+    /// How many times longer lengths are than those of their parts, in the limit.
+    double inflation() const;
 
     /// The tile of an address, whose length is the depth and one. Throws InputError for a number that is no part.
     PlacedTile tile_at(const TileAddress& address) const;
@@ -49,17 +58,37 @@ public:
     /// that nearly do. The radius is in units of the prototiles.
     std::vector<AddressedTile> tiles_near(int depth, const RingPlace& middle, double radius, std::size_t most) const;
 
+    /// The tile that a place lies in; at edges, the first one of several. Nothing: none of them does.
+    std::optional<AddressedTile> tile_around(int depth, const RingPlace& place) const;
+
 private:
+    /// What so many divisions make of a tile's place, and how far from there its descendants reach.
+    struct Level
+    {
+        std::array<RingMap, 2> maps; ///< of tiles that are not mirrored, and of those that are
+        /// For a tile of scale 1: in the plane with the lengths of edges, and in the ring's two planes, see
+        /// RootRing::sizes().
+        std::array<double, 3> reach{};
+    };
+
     PlacedTile part_of(const PlacedTile& whole, std::size_t index) const;
-    double reach_beyond_parts() const;
+    std::array<double, 3> sizes(const RingPlace& place) const;
+    void add_levels();
+    Level next_level() const;
+    bool fits(const Level& level) const;
 
     const PolygonTiling& tiling_;
     const StartPatch& start_;
     RingPlace mirrored_turn_; ///< magnification over its conjugate
-    double reach_ = 0;        ///< of what a tile becomes, from its place on, in units of the tile
+    bool flips_ = false;      ///< parts are mirrored where their tile is not
+    std::vector<Level> levels_;
 };
 
-/// The number that a magnification is over its conjugate, if the ring has it as a root of unity: real numbers have 1.
-std::optional<RingPlace> turn_of_magnification(const RootRing& ring, const RingPlace& magnification);
+/// The number that a magnification is over its conjugate, if the ring has it as a root of unity: real numbers have 1,
+/// and so have linear maps that are no multiplication.
+std::optional<RingPlace> turn_of_magnification(const RootRing& ring, const RingMap& magnification);
+
+/// True if the map is a multiplication.
+bool is_multiplication(const RootRing& ring, const RingMap& map);
 
 }

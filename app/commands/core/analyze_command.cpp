@@ -84,11 +84,6 @@ ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::v
     return entries;
 }
 
-ConfigTable region_entry(const std::string& region)
-{
-    return region.empty() ? ConfigTable{} : entry_of("--region", "region", region, region);
-}
-
 /// True where measures are asked for that sets in regions do not have.
 bool has_measures_of_squares(const AnalyzeOptions& options)
 {
@@ -123,9 +118,10 @@ std::string rectangle_of(const PointDomain& domain)
 ConfigTable box_entry(const AnalyzeOptions& options, const std::vector<double>& sides)
 {
     if (options.periodic == "no")
-        throw InputError(
-            "analyze: --periodic no cannot be combined with a domain whose sides differ: to measure points of the "
-            "plane within it, give it as --region, such as \"rectangle 0 0 2 1\"");
+        throw InputError(sides.size() == 3
+                             ? "analyze: --periodic no: sets in space can be measured without wrapping in cubes only"
+                             : "analyze: --periodic no cannot be combined with a domain of a file whose sides differ: "
+                               "give it as --region, such as \"rectangle 0 0 2 1\"");
     ConfigList list;
     for (const double side : sides) list.push_back({side, {}, fmt::format("{}", side)});
     ConfigTable entries = entry_of("--domain", "box", list, {});
@@ -228,7 +224,8 @@ void analyze(const AnalyzeOptions& options)
     check_periodic(options);
     PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
-    ConfigTable entries = region_entry(options.region);
+    ConfigTable entries;
+    if (!options.region.empty()) entries = entry_of("--region", "region", options.region, options.region);
     auto region = overridden_region(options.overrides, entries);
     if (region && domain)
         throw InputError("analyze: --domain cannot be combined with --region: points are then in the region's units");

@@ -7,8 +7,8 @@
 #include "host/kinds/kind_help.hpp"
 #include "host/modules/laboratory.hpp"
 #include "host/modules/manifest.hpp"
-#include "host/settings/sampler_help.hpp"
 #include "host/settings/sampler_registry.hpp"
+#include "host/settings/sampler_texts.hpp"
 
 #include <algorithm>
 #include <iterator>

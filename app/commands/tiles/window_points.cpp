@@ -4,6 +4,7 @@
 #include "base/densities/density_values.hpp"
 #include "base/densities/plane_formula.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/tile_points/point_levels.hpp"
 

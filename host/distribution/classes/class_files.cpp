@@ -86,17 +86,19 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
     });
 }
 
-void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment)
+void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment,
+                      const PlaneRegion* region)
 {
     const std::size_t count = points.classes.size();
     const auto axes = static_cast<std::size_t>(points.points.dimension);
-    write_class_pieces(file, points.points.dimension, count, comment, [&](const ClassedPointSink& sink) {
+    const auto in_pieces = [&](const ClassedPointSink& sink) {
         for (std::size_t begin = 0; begin < count; begin += points_a_piece) {
             const std::size_t some = std::min(points_a_piece, count - begin);
             sink(std::span(points.points.coordinates).subspan(begin * axes, some * axes),
                  std::span(points.classes).subspan(begin, some));
         }
-    });
+    };
+    write_class_pieces(file, points.points.dimension, count, comment, in_pieces, region);
 }
 
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points)

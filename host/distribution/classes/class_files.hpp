@@ -19,8 +19,9 @@ namespace poissonlab {
 const std::vector<std::string>& class_file_ends();
 
 /// Writes points in one of these formats, whole or not at all. Numbers read back are the same doubles. Throws
-/// StorageError.
-void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment);
+/// StorageError. Coordinates are those of the region's file, if there is a region.
+void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment,
+                      const PlaneRegion* region = nullptr);
 
 /// Takes some points, coordinate after coordinate, and the class of each.
 using ClassedPointSink =

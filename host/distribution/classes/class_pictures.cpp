@@ -1,5 +1,7 @@
 #include "host/distribution/classes/class_pictures.hpp"
 
+#include "host/distribution/region_runs/dart_pictures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,9 +44,7 @@ ChartAxis frequency_axis(const CrossSpectra& spectra, double unit)
 
 double root_of_number(std::size_t points) { return std::sqrt(static_cast<double>(points)); }
 
-}
-
-MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& distances)
+MarkPicture picture_of_torus(const ClassedPoints& points, const ClassDistances& distances)
 {
     MarkPicture picture{class_picture_side, class_picture_side};
     for (std::uint32_t i = 0; i < distances.classes(); ++i) {
@@ -61,6 +61,25 @@ MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& dis
     std::ranges::stable_sort(picture.groups, std::greater{},
                              [](const MarkGroup& g) { return g.disks.empty() ? 0 : g.disks.front()[2]; });
     return picture;
+}
+
+/// Large disks lie below small ones.
+MarkPicture picture_in_region(const ClassSet& set)
+{
+    const ClassedPoints points = set.in_units();
+    const ClassDistances kept = set.kept();
+    std::vector<LandDots> dots;
+    for (std::uint32_t i = 0; i < kept.classes(); ++i)
+        dots.push_back({class_color(i), points.of_class(i), shown_radius * kept.at(i, i)});
+    std::ranges::stable_sort(dots, std::greater{}, &LandDots::radius);
+    return land_picture(*set.work.land, set.work.request.region->box(), dots);
+}
+
+}
+
+MarkPicture class_picture(const ClassSet& set)
+{
+    return set.work.land ? picture_in_region(set) : picture_of_torus(set.points, set.kept());
 }
 
 std::vector<std::uint32_t> used_classes(const ClassedPoints& points)

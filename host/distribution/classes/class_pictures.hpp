@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/distribution/classes/class_means.hpp"
+#include "host/distribution/classes/class_points.hpp"
 #include "host/sampling/classes/class_darts.hpp"
 #include "results/pictures/curve_chart.hpp"
 #include "results/pictures/mark_picture.hpp"
@@ -12,8 +13,9 @@
 
 namespace poissonlab {
 
-/// Points as disks, a colour for each class, as large as its distances; of 3D points those of the lowest tenth.
-MarkPicture class_picture(const ClassedPoints& points, const ClassDistances& distances);
+/// Points as disks, a colour for each class, as large as its distances; of 3D points those of the lowest tenth. In a
+/// region, its outlines and obstacles as well.
+MarkPicture class_picture(const ClassSet& set);
 
 /// Classes that have points, by which spectra are listed.
 std::vector<std::uint32_t> used_classes(const ClassedPoints& points);

@@ -105,8 +105,8 @@ void append_names(std::string& text, const std::vector<std::uint32_t>& used, con
         for (std::size_t j = 0; j < i; ++j) text += fmt::format(",cross_{}_{}{}", used[j], used[i], end);
 }
 
-/// The matrix that settings say or imply.
-ClassDistances asked_distances(const ClassSettings& settings)
+/// The matrix that settings say, or imply where points lie in so large an area.
+ClassDistances asked_distances(const ClassSettings& settings, double area)
 {
     const std::size_t classes = settings.classes();
     if (!settings.matrix.empty()) {
@@ -119,7 +119,7 @@ ClassDistances asked_distances(const ClassSettings& settings)
     std::vector<double> distances;
     for (const std::size_t count : settings.points)
         distances.push_back(std::min(1.0, min_distance_for(settings.relative_radius, count, settings.dimension)));
-    return wei_distances(distances, settings.dimension);
+    return wei_distances(distances, settings.dimension).scaled(std::sqrt(area));
 }
 
 /// Scales all distances down until none is above that of the densest packing of a class: larger ones would shrink in
@@ -130,6 +130,55 @@ ClassDistances within_packings(const ClassDistances& distances, const ClassSetti
     for (std::size_t i = 0; i < settings.points.size(); ++i)
         scale = std::min(scale, max_min_distance(settings.points[i], settings.dimension) / distances.at(i, i));
     return distances.scaled(scale);
+}
+
+double largest_of(const ClassDistances& distances)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < distances.classes(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) largest = std::max(largest, distances.at(i, j));
+    return largest;
+}
+
+/// Finds the region on the torus, and what distances are there: longer by what rounding takes from them.
+void place_in_region(const ClassSettings& settings, ClassWork& work)
+{
+    work.land = region_land(settings.place);
+    work.asked = asked_distances(settings, area_of(work.land->rest));
+    DartSettings place = settings.place; // of the class that keeps the largest distance, to saturation
+    place.points.reset();
+    place.min_distance = largest_of(work.asked);
+    if (!place.obstacle_distance) place.obstacle_distance = 0;
+    const RegionDartRequest darts = region_dart_request(place, 0, work.land);
+    const RegionBox& box = darts.kept.box;
+    work.side = FixedRegion::torus_side(box);
+    work.request.region = darts.region;
+    work.request.distances = ClassDistances(work.asked.classes());
+    for (std::size_t i = 0; i < work.asked.classes(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            const double distance = work.asked.at(i, j);
+            work.request.distances.set(i, j, std::min((distance + distance_rounding(distance, box)) / work.side, 0.5));
+        }
+}
+
+/// Saturated sets in regions have at most so many points: the cells that they begin with take memory.
+constexpr double most_saturated_in_region = 1 << 24;
+
+/// Throws InputError where there would be more points than are made. Full classes have half as many points as a
+/// packing, nearly.
+void check_count(const ClassWork& work)
+{
+    if (work.request.region && work.request.points.empty()) {
+        double points = 0;
+        for (std::size_t i = 0; i < work.asked.classes(); ++i)
+            points += work.request.region->area() / std::pow(work.asked.at(i, i), 2);
+        if (points > most_saturated_in_region)
+            throw InputError(fmt::format("these are some {:.2g} points in the region; at most {}", points,
+                                         most_saturated_in_region));
+        return;
+    }
+    if (const std::size_t most = most_class_points(work.request); most > 2 * static_cast<std::size_t>(max_points))
+        throw InputError(fmt::format("these are {} points; at most {}", most / 2, max_points));
 }
 
 /// Full classes have fewer points than were asked for.
@@ -194,59 +243,81 @@ std::size_t ClassSettings::classes() const
     return std::max(points.size(), distances.size());
 }
 
-ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number)
+ClassedPoints ClassSet::in_units() const
 {
-    ClassDartRequest request{.dimension = settings.dimension,
-                             .distances = asked_distances(settings),
-                             .shares = {settings.points.begin(), settings.points.end()},
-                             .points = settings.points,
-                             .factor = settings.factor,
-                             .stream = stream_key(seed, Purpose::class_darts, number)};
-    if (settings.factor < 1) request.distances = within_packings(request.distances, settings);
+    if (!work.request.region) return points;
+    ClassedPoints own = points;
+    own.points = in_units_of(*work.request.region, points.points);
+    return own;
+}
+
+ClassedPoints ClassSet::as_in_files() const
+{
+    ClassedPoints own = in_units();
+    if (work.land) own.points = poissonlab::as_in_files(work.land->whole, std::move(own.points));
+    return own;
+}
+
+ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number)
+{
+    ClassWork work{.request = {.dimension = settings.dimension,
+                               .distances = {},
+                               .shares = {settings.points.begin(), settings.points.end()},
+                               .points = settings.points,
+                               .factor = settings.factor,
+                               .stream = stream_key(seed, Purpose::class_darts, number)},
+                   .asked = {}};
+    if (settings.has_region()) {
+        place_in_region(settings, work);
+    } else {
+        work.asked = asked_distances(settings, 1);
+        if (settings.factor < 1) work.asked = within_packings(work.asked, settings);
+        work.request.distances = work.asked;
+    }
     if (settings.points.empty())
-        for (std::size_t i = 0; i < request.distances.classes(); ++i)
-            request.shares.push_back(std::pow(request.distances.at(i, i), -settings.dimension));
-    // Full classes have half as many points as a packing, nearly.
-    if (const std::size_t most = most_class_points(request); most > 2 * static_cast<std::size_t>(max_points))
-        throw InputError(fmt::format("these are {} points; at most {}", most / 2, max_points));
-    return request;
+        for (std::size_t i = 0; i < work.asked.classes(); ++i)
+            work.request.shares.push_back(std::pow(work.asked.at(i, i), -settings.dimension));
+    check_count(work);
+    return work;
 }
 
 ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                        std::uint32_t number)
 {
     if (settings.has_tiles()) return tiled_classes(settings, seed, place, number);
-    ClassSet set{class_dart_request(settings, seed, number), {}};
+    ClassSet set{class_work(settings, seed, number), {}};
+    const ClassDartRequest& request = set.work.request;
     if (place.engine == Engine::reference) {
-        set.points = reference::throw_class_darts(set.request);
+        set.points = reference::throw_class_darts(request);
     } else {
         Device& device = place.device();
-        check_fits("dart throwing", ClassDartThrower::memory(set.request), device.info());
-        set.points = ClassDartThrower(device).throw_darts(set.request);
+        check_fits("dart throwing", ClassDartThrower::memory(request), device.info());
+        set.points = ClassDartThrower(device).throw_darts(request);
     }
     check_numbers(settings, set.points);
-    set.request.distances = set.request.distances.scaled(set.points.scale);
     return set;
 }
 
-ClassDistances least_distances(const ClassedPoints& points)
+ClassDistances least_distances(const ClassSet& set)
 {
-    const std::size_t classes = points.is_full.size();
+    const std::size_t classes = set.points.is_full.size();
     std::vector<PointSet> sets;
-    for (std::uint32_t i = 0; i < classes; ++i) sets.push_back(points.of_class(i));
+    for (std::uint32_t i = 0; i < classes; ++i) sets.push_back(set.points.of_class(i));
     ClassDistances least(classes);
     for (std::size_t i = 0; i < classes; ++i)
         for (std::size_t j = 0; j <= i; ++j)
             least.set(i, j, i == j ? min_toroidal_distance(sets[i]) : least_distance_between(sets[i], sets[j]));
-    return least;
+    return least.scaled(set.work.side);
 }
 
 std::vector<DistributionNumber> class_numbers(const ClassSet& set)
 {
-    const ClassDistances least = least_distances(set.points);
+    const ClassDistances least = least_distances(set);
     const std::vector<std::size_t> counts = set.points.counts();
     const std::size_t all = set.points.points.size();
-    const int d = set.request.dimension;
+    const int d = set.work.request.dimension;
+    const double unit = std::pow(set.size(), 1.0 / d);
+    const ClassDistances kept = set.kept();
     double least_of_all = INFINITY;
     std::vector<DistributionNumber> numbers;
     numbers.push_back({"points", "Points", static_cast<double>(all), "of all classes"});
@@ -255,15 +326,15 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set)
                            static_cast<double>(counts[i]),
                            set.points.is_full[i] ? "no further one fits" : "as asked for"});
         numbers.push_back({fmt::format("relative_radius_{}", i), fmt::format("Relative radius of class {}", i),
-                           radius_of(least.at(i, i), counts[i], d), "on the torus, of its points alone"});
+                           radius_of(least.at(i, i) / unit, counts[i], d), "of its points alone"});
         for (std::size_t j = 0; j <= i; ++j) least_of_all = std::min(least_of_all, least.at(i, j));
     }
-    numbers.push_back({"relative_radius", "Relative radius", radius_of(least_of_all, all, d), "of all points"});
+    numbers.push_back({"relative_radius", "Relative radius", radius_of(least_of_all / unit, all, d), "of all points"});
     for (std::size_t i = 0; i < counts.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             numbers.push_back({fmt::format("distance_{}_{}", j, i),
                                fmt::format("Distance {}, {}", j, i),
-                               set.request.distances.at(i, j),
+                               kept.at(i, j),
                                "that the two classes keep",
                                {},
                                true});
@@ -280,13 +351,13 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set)
 
 DistributionTable distance_table(const ClassSet& set)
 {
-    const ClassDistances least = least_distances(set.points);
+    const ClassDistances least = least_distances(set), kept = set.kept();
     DistributionTable table{
         "Distances that classes keep, and the least that there are", {"classes", "kept", "least"}, {}};
     for (std::size_t i = 0; i < least.classes(); ++i)
         for (std::size_t j = 0; j <= i; ++j)
-            table.rows.push_back({fmt::format("{}, {}", j, i), fmt::format("{:.6f}", set.request.distances.at(i, j)),
-                                  std::isfinite(least.at(i, j)) ? fmt::format("{:.6f}", least.at(i, j)) : "none"});
+            table.rows.push_back({fmt::format("{}, {}", j, i), fmt::format("{:.6g}", kept.at(i, j)),
+                                  std::isfinite(least.at(i, j)) ? fmt::format("{:.6g}", least.at(i, j)) : "none"});
     return table;
 }
 

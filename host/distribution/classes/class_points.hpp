@@ -5,6 +5,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/distribution/classes/class_means.hpp"
+#include "host/distribution/regions/region_darts.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/classes/class_darts.hpp"
 #include "results/pictures/distribution_result.hpp"
@@ -29,8 +30,10 @@ double least_distance_between(const PointSet& a, const PointSet& b);
 /// kind = "classes". Lists have a value for each class.
 struct ClassSettings
 {
+    DartSettings place;              ///< the region, how it is read, and obstacles in it; no region: the unit torus
     std::vector<std::size_t> points; ///< empty: to saturation
-    std::vector<double> distances;   ///< of points of the same class; empty: of `matrix`, or those of relative_radius
+    std::vector<double> distances;   ///< of points of the same class, in sides of the torus or units of the region;
+                                     ///< empty: of `matrix`, or those of relative_radius
     std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
     double relative_radius = 0.62;   ///< of each class, where there are no distances
     double factor = 1; ///< all distances are multiplied by it where a class with points to come is full; 1: an error
@@ -42,18 +45,40 @@ struct ClassSettings
 
     std::size_t classes() const;
     bool has_tiles() const { return colors > 0 || !tiles.empty(); }
+    bool has_region() const { return !place.region.empty(); }
 };
 
 struct PoissonTileSet;
 
-/// Sets of other numbers have other random numbers. Throws InputError for what the torus or memory has no room for.
-ClassDartRequest class_dart_request(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number = 0);
+/// What darts are thrown for.
+struct ClassWork
+{
+    ClassDartRequest request;
+    ClassDistances asked;                     ///< in sides of the torus or units of the region
+    double side = 1;                          ///< of the torus, in these units
+    std::shared_ptr<const RegionLand> land{}; ///< of a region
+};
+
+/// Sets of other numbers have other random numbers. Throws InputError for what the torus, the region or memory has no
+/// room for.
+ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number = 0);
 
 struct ClassSet
 {
-    ClassDartRequest request;
-    ClassedPoints points;
+    ClassWork work;
+    ClassedPoints points;                          ///< of the torus, in a corner of which a region lies
     std::shared_ptr<const PoissonTileSet> tiles{}; ///< of a tiling
+
+    /// The distances that classes keep, in sides of the torus or units of the region.
+    ClassDistances kept() const { return work.asked.scaled(points.scale); }
+
+    /// The set in these units, and as files have it, in longitude and latitude where the region was mapped from there.
+    ClassedPoints in_units() const;
+    ClassedPoints as_in_files() const;
+    const PlaneRegion* region() const { return work.land ? &work.land->whole : nullptr; }
+
+    /// The area, or volume, that the points lie in, in powers of these units.
+    double size() const { return work.request.region ? work.request.region->area() : 1; }
 };
 
 /// Throws the darts, or takes the points of a tiling. Throws InputError where a class is full before it has the points
@@ -61,8 +86,8 @@ struct ClassSet
 ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                        std::uint32_t number = 0);
 
-/// The least distance that was found for each pair of classes; infinite where there is none.
-ClassDistances least_distances(const ClassedPoints& points);
+/// The least distance that was found for each pair of classes, in units of the set; infinite where there is none.
+ClassDistances least_distances(const ClassSet& set);
 
 /// Numbers of all classes, of each, and of each pair.
 std::vector<DistributionNumber> class_numbers(const ClassSet& set);

@@ -84,7 +84,7 @@ ClassSet classes_by_tiles(const std::shared_ptr<const PoissonTileSet>& tiles, co
         number == 0 ? static_cast<std::uint32_t>(seed) : stream_key(seed, Purpose::class_darts, number)[0];
     ClassSet result;
     result.tiles = tiles;
-    result.request.distances = distances_on_torus(classes, settings.torus);
+    result.work.asked = distances_on_torus(classes, settings.torus);
     result.points.points = place.engine == Engine::reference
                                ? reference::torus_points(set, tiling_seed, settings.torus)
                                : TilePointGenerator(place.device(), set).generate_torus(tiling_seed, settings.torus);

@@ -122,6 +122,20 @@ std::string group_begin(const Plot& plot, double mark_width)
                        rounded(plot.sheet.pen > 0 ? plot.sheet.pen : mark_width));
 }
 
+/// Which pen draws the dots. Short strokes are as wide as the pen, whatever the diameter of dots.
+std::string pen_words(const Plot& plot)
+{
+    const double wide = 2 * plot.marks.disks.front()[2], pen = plot.sheet.pen;
+    if (plot.sheet.dots == DotForm::circles) return ", which a pen of up to that width draws";
+    if (!(pen > 0)) return ", as wide as the pen has to be";
+    if (pen > 0.95 * wide) return "";
+    const double times = wide * wide / (pen * pen);
+    return fmt::format(
+        ", but strokes of the pen are {:.3g} mm wide and leave {:.2g} % of the ink: circles fill more of "
+        "it, and {:.0f} dots would be as wide as the pen",
+        pen, 100 / times, static_cast<double>(plot.marks.disks.size()) * times);
+}
+
 }
 
 std::optional<double> millimetres_of(std::string_view text)
@@ -168,8 +182,7 @@ std::string plot_words(const Plot& plot)
                     unit, is_on_paper ? ", wider than --width for dots at the edges" : "", way_text(plot.way));
     if (plot.sheet.travel == PenTravel::nearest) words += fmt::format(" ({} as made)", way_text(plot.way_as_made));
     if (is_on_paper && !plot.marks.disks.empty())
-        words += fmt::format("; dots are {:.3g} mm in diameter, which a pen of up to that width draws",
-                             2 * plot.marks.disks.front()[2]);
+        words += fmt::format("; dots are {:.3g} mm in diameter{}", 2 * plot.marks.disks.front()[2], pen_words(plot));
     if (plot.widest_hole > 0 && plot.sheet.dots == DotForm::circles)
         words += fmt::format("; circles leave holes of {:.2g} mm in dots: a wider pen or more dots fill them",
                              plot.widest_hole);

@@ -206,48 +206,65 @@ void add_color_bar(const std::vector<double>& distances, MarkPicture& picture)
     picture.width = left + wide + 4.4 * letters;
 }
 
-MarkGroup equal_dots(const RegionDarts& darts, const PicturePlaces& places, double radius)
+PointSet set_of(const std::vector<std::array<double, 2>>& places)
 {
-    MarkGroup dots{"#000000"};
-    for (std::size_t i = 0; i < darts.points.size(); ++i) {
-        const auto [x, y] = places(darts.points[i][0], darts.points[i][1]);
-        dots.disks.push_back({x, y, radius});
-    }
-    return dots;
+    PointSet set{2, {}};
+    for (const auto& place : places) set.coordinates.insert(set.coordinates.end(), place.begin(), place.end());
+    return set;
 }
 
+MarkGroup disks_of(const LandDots& dots, const PicturePlaces& places)
+{
+    MarkGroup group{dots.color};
+    for (std::size_t i = 0; i < dots.points.size(); ++i) {
+        const auto [x, y] = places(dots.points[i][0], dots.points[i][1]);
+        group.disks.push_back({x, y, std::min(dots.radius * places.scale(), picture_side / 100)});
+    }
+    return group;
+}
+
+/// Disks of points lie between outlines and obstacles, whose points are disks of this radius in units of the region.
+MarkPicture picture_of(const RegionLand& land, const RegionBox& box, const PicturePlaces& places, double radius,
+                       std::vector<MarkGroup> points)
+{
+    MarkPicture picture = places.picture();
+    MarkGroup lines{"#8a8f98"}, obstacles{"#c2410c"};
+    for (const RegionPolygon& polygon : land.rest.polygons) {
+        places.add_ring(lines, polygon.outline);
+        for (const RegionRing& hole : polygon.holes) places.add_ring(lines, hole);
+    }
+    for (const RegionRing& line : lines_of(land.whole))
+        for (std::size_t i = 1; i < line.size(); ++i) places.add_line(lines, line[i - 1], line[i]);
+    for (const auto& [x0, y0, x1, y1] : lines_within(land.obstacles, box))
+        places.add_line(obstacles, {x0, y0}, {x1, y1});
+    const LandDots marks{obstacles.color, set_of(points_within(land.obstacles, box)), radius};
+    obstacles.disks = disks_of(marks, places).disks;
+    picture.groups = {std::move(lines)};
+    for (MarkGroup& group : points) picture.groups.push_back(std::move(group));
+    if (land.obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
+    return picture;
+}
+
+}
+
+MarkPicture land_picture(const RegionLand& land, const RegionBox& box, const std::vector<LandDots>& dots)
+{
+    const PicturePlaces places(box);
+    std::vector<MarkGroup> points;
+    for (const LandDots& some : dots) points.push_back(disks_of(some, places));
+    return picture_of(land, box, places, dots.empty() ? 0 : dots.front().radius, std::move(points));
 }
 
 MarkPicture dart_picture(const RegionDarts& darts)
 {
     if (darts.space) return space_picture(darts);
-    const RegionBox box =
-        darts.length > 0 ? box_around(lines_of(darts.request.land->whole)) : darts.request.region->box();
-    const PicturePlaces places(box);
-    MarkPicture picture = places.picture();
-    MarkGroup lines{"#8a8f98"}, obstacles{"#c2410c"};
-    for (const RegionPolygon& polygon : darts.request.land->rest.polygons) {
-        places.add_ring(lines, polygon.outline);
-        for (const RegionRing& hole : polygon.holes) places.add_ring(lines, hole);
-    }
-    for (const RegionRing& line : lines_of(darts.request.land->whole))
-        for (std::size_t i = 1; i < line.size(); ++i) places.add_line(lines, line[i - 1], line[i]);
-    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land->obstacles, box))
-        places.add_line(obstacles, {x0, y0}, {x1, y1});
+    const RegionLand& land = *darts.request.land;
+    const RegionBox box = darts.length > 0 ? box_around(lines_of(land.whole)) : darts.request.region->box();
     const double distance = darts.sure_distance > 0 ? darts.sure_distance : darts.request.min_distance;
-    const double radius = std::min(distance * places.scale() / 6, picture_side / 100);
-    for (const auto& [x, y] : points_within(darts.request.land->obstacles, box)) {
-        const auto [left, top] = places(x, y);
-        obstacles.disks.push_back({left, top, radius});
-    }
-    picture.groups = {std::move(lines)};
-    if (darts.varied) {
-        for (MarkGroup& group : distance_disks(darts, places)) picture.groups.push_back(std::move(group));
-    } else {
-        picture.groups.push_back(equal_dots(darts, places, radius));
-    }
-    if (darts.request.land->obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
-    if (darts.varied) add_color_bar(darts.varied->distances, picture);
+    if (!darts.varied) return land_picture(land, box, {{"#000000", darts.points, distance / 6}});
+    const PicturePlaces places(box);
+    MarkPicture picture = picture_of(land, box, places, distance / 6, distance_disks(darts, places));
+    add_color_bar(darts.varied->distances, picture);
     return picture;
 }
 

@@ -4,6 +4,7 @@
 // Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
 // nothing about a region: distances are what is measured.
 #include "base/densities/density_text.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
@@ -97,15 +98,8 @@ void dart_keys(Keys& keys, DartSettings& s)
     keys.word("boundary", s.boundary, region_boundary_names,
               "what is inside: points, whole disks of half the minimum distance around them, or points that lie on "
               "the boundary first");
-    keys.region("obstacles", s.obstacles,
-                "what points keep away from: a file of GeoJSON or WKT with points, lines and polygons")
-        .otherwise("none");
-    keys.number("obstacle_distance", s.obstacle_distance, {0, 1e12}, "the least distance of points from obstacles")
-        .unit("units of the region")
-        .otherwise("min_distance from points, 0 from lines and polygons");
+    obstacle_keys(keys, s.obstacles, s.obstacle_distance, "min_distance from points, 0 from lines and polygons");
     if (!keys.is_read()) return;
-    if (keys.is_given("obstacle_distance") && s.obstacles.empty())
-        throw keys.invalid("obstacle_distance", "needs " + keys.name_of("obstacles"));
     read_land(keys, s);
     if (!s.points && !s.min_distance && !s.varies())
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));

@@ -23,11 +23,55 @@ std::uint64_t square_root_above(std::uint64_t squared)
     return root;
 }
 
+/// The level of cells that are about as wide as a distance, and no wider.
+std::uint32_t level_of(double distance)
+{
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(1 / distance)), 1.0, 30.0));
+}
+
+/// Cells of a level that are not outside of a region.
+OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level)
+{
+    OpenCells open{1, {0, 0}};
+    while (open.level < level) {
+        std::vector<std::uint32_t> kept(open.count(2));
+        const std::uint32_t below = open.level + 1, extent = (1u << (32 - below)) - 1;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            for (std::uint32_t child = 0; child < 4; ++child) {
+                FixedBox box;
+                for (std::size_t k = 0; k < 2; ++k) {
+                    box.low[k] = (2 * open.cells[2 * i + k] + (child >> k & 1)) << (32 - below);
+                    box.high[k] = box.low[k] + extent;
+                }
+                if (region.side_of(box) != RegionSide::outside) kept[i] |= 1u << child;
+            }
+        open = refined(open, kept, 2);
+    }
+    return open;
+}
+
+/// At most four points that keep a distance lie in a square whose sides are no longer than it.
+constexpr std::size_t most_points_of_cell = 4;
+
 std::size_t most_points_of(const ClassDartRequest& request, std::size_t i)
 {
     if (!request.points.empty()) return request.points[i];
-    return packing_bound(request.distances.at(i, i), request.dimension);
+    const double distance = request.distances.at(i, i);
+    const std::size_t most = packing_bound(distance, request.dimension);
+    if (!request.region) return most;
+    return std::min(most, most_points_of_cell * cells_in_region(*request.region, level_of(distance)).count(2));
 }
+
+/// The torus has the area of so many regions, or more: a grid of all of it has so many cells for each point.
+double tori_for_region(const ClassDartRequest& request)
+{
+    constexpr double most = 16;
+    if (!request.region) return 1;
+    const double side = request.region->unit() * 0x1p32;
+    return std::min(most, side * side / request.region->area());
+}
+
+OpenCells whole_torus(int dimension) { return {0, std::vector<std::uint32_t>(static_cast<std::size_t>(dimension))}; }
 
 }
 
@@ -52,7 +96,11 @@ void FillOrder::add(std::uint32_t to) { ++counts_[to]; }
 
 void FillOrder::close(std::uint32_t full) { is_closed_[full] = true; }
 
-OpenCells whole_torus(int dimension) { return {0, std::vector<std::uint32_t>(static_cast<std::size_t>(dimension))}; }
+OpenCells start_cells(const ClassDartRequest& request, const ClassDistances& distances, std::size_t own)
+{
+    if (!request.region) return whole_torus(request.dimension);
+    return cells_in_region(*request.region, std::max(1u, first_level(distances, own) - 1));
+}
 
 std::uint32_t first_level(const ClassDistances& distances, std::size_t own)
 {
@@ -104,8 +152,8 @@ ClassGrids class_grids(const ClassDartRequest& request)
     ClassGrids all;
     for (std::size_t i = 0; i < request.distances.classes(); ++i) {
         const double by_distance = std::floor(std::log2(1 / request.distances.at(i, i)));
-        const double by_count =
-            std::ceil(std::log2(static_cast<double>(most_points_of(request, i))) / request.dimension);
+        const double all_round = static_cast<double>(most_points_of(request, i)) * tori_for_region(request);
+        const double by_count = std::ceil(std::log2(all_round) / request.dimension);
         const auto bits = static_cast<std::uint32_t>(std::clamp(std::min(by_distance, by_count), 0.0, 15.0));
         all.grids.push_back({.bits = bits, .first = static_cast<std::uint32_t>(all.cells)});
         all.cells += lattice_cells(std::size_t{1} << bits, request.dimension);

@@ -3,10 +3,12 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
+#include "host/sampling/cells/region_buffers.hpp"
 #include "host/sampling/classes/class_cells.hpp"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace poissonlab {
@@ -26,6 +28,7 @@ struct ClassDartBuffers
     Words cells, kept;              ///< those of all lists; bits of the list that is refined
     Words slot_classes, candidates; ///< a slot of the batch each
     Words heads, points, counters;
+    RegionBuffers region;
 };
 
 namespace {
@@ -40,16 +43,18 @@ NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request
 {
     const std::size_t classes = request.distances.classes(), points = most_class_points(request);
     const auto axes = static_cast<std::size_t>(request.dimension);
-    return {{b.pairs, classes * classes},
-            {b.grids, classes},
-            {b.lists, classes},
-            {b.cells, std::max(classes, cells_a_point * points) * axes},
-            {b.kept, cells_a_point * points},
-            {b.slot_classes, most_slots},
-            {b.candidates, most_slots},
-            {b.heads, class_grids(request).cells},
-            {b.points, points * contract::class_darts::POINT_WORDS(axes)},
-            {b.counters, contract::class_darts::COUNTERS}};
+    NeededBuffers needed{{b.pairs, classes * classes},
+                         {b.grids, classes},
+                         {b.lists, classes},
+                         {b.cells, std::max(classes, cells_a_point * points) * axes},
+                         {b.kept, cells_a_point * points},
+                         {b.slot_classes, most_slots},
+                         {b.candidates, most_slots},
+                         {b.heads, class_grids(request).cells},
+                         {b.points, points * contract::class_darts::POINT_WORDS(axes)},
+                         {b.counters, contract::class_darts::COUNTERS}};
+    if (request.region) std::ranges::copy(b.region.needed(*request.region), std::back_inserter(needed));
+    return needed;
 }
 
 class ThrowingClasses
@@ -57,10 +62,11 @@ class ThrowingClasses
 public:
     ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          order_(request.shares, request.points), distances_(request.distances),
-          open_(request.distances.classes(), whole_torus(request.dimension)), lists_(open_.size())
+          order_(request.shares, request.points), distances_(request.distances), open_(request.distances.classes()),
+          lists_(open_.size())
     {
-        const KernelProgram program = kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}});
+        const KernelProgram program =
+            kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}, {"REGION", request.region != nullptr}});
         find_ = device.kernel(program, "find_darts");
         settle_ = device.kernel(program, "settle_class_darts");
         cover_ = device.kernel(program, "cover_cells");
@@ -69,6 +75,8 @@ public:
         buffers.pairs.write(class_pairs(distances_));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
+        if (request.region) buffers.region.write(*request.region);
+        start_anywhere();
         write_lists();
     }
 
@@ -93,6 +101,22 @@ public:
     }
 
 private:
+    void start_anywhere()
+    {
+        for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = start_cells(request_, distances_, i);
+    }
+
+    /// Calls run() with the arguments that kernels take for the region.
+    template <typename Run>
+    void with_region(const Run& run) const
+    {
+        const RegionBuffers& r = buffers_.region;
+        if (request_.region)
+            run(region_grid(*request_.region), r.cells, r.edges, r.filled);
+        else
+            run();
+    }
+
     SlotBatch batch_of(std::size_t slots, std::uint32_t skipped) const
     {
         return {.classes = words(open_.size()),
@@ -120,10 +144,12 @@ private:
         ClassDartBuffers& b = buffers_;
         const SlotBatch batch = batch_of(slots.size(), skipped);
         b.slot_classes.write(slots);
-        find_.run(slots.size(), group_size_, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads,
-                  b.points, b.candidates);
-        settle_.run(1, 1, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads, b.points, b.candidates,
-                    b.counters);
+        with_region([&](const auto&... region) {
+            find_.run(slots.size(), group_size_, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads,
+                      b.points, b.candidates, region...);
+            settle_.run(1, 1, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads, b.points,
+                        b.candidates, b.counters, region...);
+        });
         std::array<std::uint32_t, contract::class_darts::COUNTERS> counters{};
         b.counters.read(counters);
         return {counters[contract::class_darts::SETTLED], counters[contract::class_darts::REDRAWN]};
@@ -140,8 +166,10 @@ private:
         const std::size_t count = open_[own].count(request_.dimension);
         reserve(device_, b.kept, count);
         const std::uint32_t level = std::min(open_[own].level + 1, last_level);
-        cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], level, b.pairs, b.grids, b.cells, b.heads,
-                   b.points, b.kept);
+        with_region([&](const auto&... region) {
+            cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], level, b.pairs, b.grids, b.cells, b.heads,
+                       b.points, b.kept, region...);
+        });
         open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension);
         const bool goes_on = !open_[own].cells.empty() || shrink();
         if (!goes_on) order_.close(own);
@@ -156,7 +184,7 @@ private:
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         buffers_.pairs.write(class_pairs(distances_));
-        open_.assign(open_.size(), whole_torus(request_.dimension));
+        start_anywhere();
         return true;
     }
 

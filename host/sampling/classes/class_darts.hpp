@@ -1,4 +1,4 @@
-// Dart throwing with classes of points on the unit torus: each class and all together are even.
+// Dart throwing with classes of points on the unit torus or in a region: each class and all together are even.
 //
 // Wei, Multi-class blue noise sampling, SIGGRAPH 2010, section 3. Points come one after the other, each of the class
 // that is least filled: darts of that class are thrown until one is far enough from all points, by a distance for each
@@ -11,15 +11,18 @@
 //
 // The darts of a slot, the place of one point, fall uniformly into cells that may have room for its class: the whole
 // torus at first, and, each time that TRIES darts of a slot failed, the parts of half the size that no single point
-// covers. Those are never more than what is left, so the law is that of darts that fall anywhere.
+// covers. Those are never more than what is left, so the law is that of darts that fall anywhere. In a region these
+// cells are at first those that are not outside of it.
 #pragma once
 
 #include "base/geometry/class_distances.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/fixed_region.hpp"
 #include "host/sampling/device_method.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace poissonlab {
@@ -32,6 +35,7 @@ struct ClassDartRequest
     std::vector<std::size_t> points; ///< of each class, where it stops; empty: at saturation
     double factor = 1;               ///< all distances are multiplied by it where a class with an end is full
     StreamKey stream{};
+    std::shared_ptr<const FixedRegion> region{}; ///< of the plane, that all points lie in; none: the torus
 };
 
 struct ClassedPoints

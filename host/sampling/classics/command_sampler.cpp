@@ -274,12 +274,6 @@ std::uint32_t command_seed(std::uint64_t seed, std::uint32_t realization)
     return std::max(1U, stream_key(seed, Purpose::other_program, realization)[0] >> 1);
 }
 
-std::string program_name(const std::string& command)
-{
-    const auto words = split_shell_words(command);
-    return words && !words->empty() ? fs::path(words->front()).stem().string() : "";
-}
-
 SamplerSpec command_sampler()
 {
     SamplerSpec spec;

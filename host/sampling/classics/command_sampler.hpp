@@ -28,7 +28,4 @@ std::vector<std::string> command_words(const std::string& command, const Command
 /// The seed that a program is given: 1 to 2^31 - 1, so that every language's generator takes it.
 std::uint32_t command_seed(std::uint64_t seed, std::uint32_t realization);
 
-/// The name of the program that a command runs, without folder and extension; empty: there is none.
-std::string program_name(const std::string& command);
-
 }

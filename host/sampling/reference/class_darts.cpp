@@ -41,8 +41,9 @@ class ThrowingInSlots
 public:
     explicit ThrowingInSlots(const ClassDartRequest& request)
         : request_(request), order_(request.shares, request.points), distances_(request.distances),
-          pairs_(class_pairs(distances_)), open_(request.distances.classes(), whole_torus(D))
+          pairs_(class_pairs(distances_)), open_(request.distances.classes())
     {
+        start_anywhere();
         for (const ClassGrid& grid : class_grids(request).grids) {
             bits_.push_back(grid.bits);
             cells_.emplace_back(std::size_t{1} << D * grid.bits);
@@ -71,13 +72,30 @@ public:
     }
 
 private:
+    void start_anywhere()
+    {
+        for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = start_cells(request_, distances_, i);
+    }
+
+    /// Is all of the box outside of the region? A position is known to be, a larger box that may cross it is not.
+    bool is_outside(const ClassBox<D>& box) const
+    {
+        if constexpr (D == 2) {
+            if (!request_.region) return false;
+            if (box.extent == 0) return !request_.region->contains(box.low);
+            const TorusPoint<2> high{box.low[0] + box.extent, box.low[1] + box.extent};
+            return request_.region->side_of({box.low, high}) == RegionSide::outside;
+        }
+        return false;
+    }
+
     /// Returns nothing where the class is full.
     std::optional<TorusPoint<D>> first_free_dart(std::uint32_t slot, std::uint32_t own)
     {
         for (std::uint32_t number = 0;;) {
             for (std::uint32_t i = 0; i < contract::class_darts::TRIES; ++i, ++number) {
                 const TorusPoint<D> dart = draw(slot, number, own);
-                if (!is_covered({dart, 0}, own)) return dart;
+                if (!is_outside({dart, 0}) && !is_covered({dart, 0}, own)) return dart;
             }
             refine(own);
             if (open_[own].cells.empty() && !shrink()) return {};
@@ -91,7 +109,7 @@ private:
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         pairs_ = class_pairs(distances_);
-        open_.assign(open_.size(), whole_torus(D));
+        start_anywhere();
         return true;
     }
 
@@ -123,7 +141,7 @@ private:
                     box.low[k] =
                         static_cast<std::uint32_t>((is_split ? 2 * cell + (child >> k & 1) : cell) << (32 - level));
                 }
-                if (!is_covered(box, own)) kept[i] |= 1u << child;
+                if (!is_outside(box) && !is_covered(box, own)) kept[i] |= 1u << child;
             }
         open_[own] = refined(list, kept, D);
     }

@@ -3,10 +3,15 @@
 
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
+#include "host/sampling/reference/reference_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+namespace poissonlab {
+void need_reference_engine() {}
+}
 
 namespace poissonlab::reference {
 namespace {

@@ -27,4 +27,16 @@ void region_reading_keys(Keys& keys, RegionReading& reading)
         .unit("units of the region");
 }
 
+void obstacle_keys(Keys& keys, std::string& obstacles, std::optional<double>& distance, const std::string& usually)
+{
+    keys.region("obstacles", obstacles,
+                "what points keep away from: a file of GeoJSON or WKT with points, lines and polygons")
+        .otherwise("none");
+    keys.number("obstacle_distance", distance, {0, 1e12}, "the least distance of points from obstacles")
+        .unit("units of the region")
+        .otherwise(usually);
+    if (keys.is_read() && keys.is_given("obstacle_distance") && obstacles.empty())
+        throw keys.invalid("obstacle_distance", "needs " + keys.name_of("obstacles"));
+}
+
 }

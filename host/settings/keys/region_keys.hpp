@@ -1,10 +1,12 @@
-// The keys that say how a region is read: planar, crs, overlap and buffer.
+// The keys that say how a region is read, planar, crs, overlap and buffer, and those of obstacles.
 #pragma once
 
 #include "base/regions/region_reading.hpp"
 #include "host/settings/keys/keys.hpp"
 
 #include <array>
+#include <optional>
+#include <string>
 
 namespace poissonlab {
 
@@ -16,5 +18,8 @@ void region_coordinates_keys(Keys& keys, RegionReading& reading);
 
 /// Visits all of them.
 void region_reading_keys(Keys& keys, RegionReading& reading);
+
+/// Visits obstacles and obstacle_distance; `usually` says which distance is kept where none is given.
+void obstacle_keys(Keys& keys, std::string& obstacles, std::optional<double>& distance, const std::string& usually);
 
 }

@@ -36,14 +36,17 @@ public:
 
     PolygonTiling read()
     {
-        check_keys(table_, {"title", "source", "directions", "magnification", "period", "unit", "tile", "start"});
-        int directions = 12;
         Keys keys(table_, {name_}, "");
+        if (find(table_, "rule")) return read_other_lengths(keys);
+        check_keys(table_,
+                   {"title", "source", "directions", "lengths", "magnification", "period", "unit", "tile", "start"});
+        int directions = 12;
         keys.text("title", tiling_.title, "of the tiling");
         keys.text("source", tiling_.source, "where it comes from");
         keys.integer("directions", directions, 8, 12, "of unit vectors");
         if (directions % 2 != 0) throw keys.invalid("directions", "must be 8, 10 or 12");
         tiling_.ring = RootRing(directions);
+        read_lengths(keys);
         const auto tables = read_tables(table_, "tile");
         if (tables.empty() || tables.size() > most_prototiles)
             throw problem(fmt::format("{} tables [[tile]]: must be 1 to {}", tables.size(), most_prototiles));
@@ -56,6 +59,50 @@ public:
     }
 
 private:
+    /// rule = "hat": the tiles of a tiling that the program brings, with edges of other lengths.
+    PolygonTiling read_other_lengths(Keys& keys)
+    {
+        check_keys(table_, {"title", "source", "rule", "lengths"});
+        std::string rule;
+        keys.word("rule", rule, substitution_words(), "a tiling that the program brings");
+        tiling_ = PolygonTilingReader(built_in_tiling_text(rule + ".toml"), rule + ".toml").read();
+        keys.text("title", tiling_.title, "of the tiling");
+        keys.text("source", tiling_.source, "where it comes from");
+        read_lengths(keys);
+        if (const ConfigNode* node = find(table_, "lengths")) check_lengths(*node);
+        return std::move(tiling_);
+    }
+
+    void read_lengths(Keys& keys)
+    {
+        constexpr double largest = 1000;
+        const ConfigNode* node = find(table_, "lengths");
+        if (!node) return;
+        const ConfigList& items = list("lengths", *node, 2, 2, "numbers in quotes");
+        for (std::size_t i = 0; i < 2; ++i) {
+            const RingPlace length = number("lengths", items[i]);
+            tiling_.lengths[i] = tiling_.ring.value(length)[0];
+            if (!tiling_.ring.is_real(length) || !(tiling_.lengths[i] > 0 && tiling_.lengths[i] <= largest))
+                throw keys.invalid("lengths", fmt::format("must be two real numbers above 0, up to {}", largest));
+        }
+    }
+
+    /// Turns by odd powers of z would exchange the lengths.
+    void check_lengths(const ConfigNode& node) const
+    {
+        const auto turns_evenly = [](const PlacedTile& tile) { return is_even(tile.motion.turn); };
+        const auto turn_evenly = [&](const std::vector<PlacedTile>& tiles) {
+            return std::ranges::all_of(tiles, turns_evenly);
+        };
+        if (!std::ranges::all_of(tiling_.parts, turn_evenly) ||
+            !std::ranges::all_of(tiling_.starts, [&](const StartPatch& s) { return turn_evenly(s.tiles); }))
+            throw invalid_node("lengths", node,
+                               fmt::format("is for substitutions whose tiles turn by multiples of {} degrees",
+                                           720 / tiling_.ring.order()));
+    }
+
+    static bool is_even(const RingPlace& place) { return place.c[1] == 0 && place.c[3] == 0; }
+
     InputError problem(const std::string& what) const { return InputError::at({name_}, what); }
 
     RingPlace number(const std::string& key, const ConfigNode& node) const
@@ -123,6 +170,14 @@ private:
         if (sides && find(table, "corners")) throw invalid_node("sides", *sides, "cannot be combined with corners");
         if (sides) return read_regular(keys, prototile);
         const ConfigNode& node = required(table, where, "[[tile]]", "corners");
+        if (const auto* name = node.get_if<std::string>()) { // another tile's
+            const auto other = std::ranges::find(tiling_.prototiles, *name, &Prototile::name);
+            if (other == tiling_.prototiles.end())
+                throw invalid_node("corners", node, "must be a list, or the name of a tile before this one");
+            prototile.corners = other->corners;
+            prototile.edges = other->edges;
+            return;
+        }
         for (const ConfigNode& corner : list("corners", node, 3, most_corners, "numbers in quotes"))
             prototile.corners.push_back(number("corners", corner));
         const std::set<RingPlace> different(prototile.corners.begin(), prototile.corners.end());
@@ -237,7 +292,7 @@ private:
     std::vector<PlacedTile> placed_tiles(const std::string& key, const ConfigNode& node) const
     {
         std::vector<PlacedTile> tiles;
-        for (const ConfigNode& item : list(key, node, 1, most_placed, "tiles with their places"))
+        for (const ConfigNode& item : list(key, node, key == "parts" ? 0 : 1, most_placed, "tiles with their places"))
             tiles.push_back(placed(key, item));
         return tiles;
     }
@@ -258,7 +313,7 @@ private:
 
     void read_period()
     {
-        for (const char* const key : {"magnification", "start"})
+        for (const char* const key : {"magnification", "start", "lengths"})
             if (const ConfigNode* node = find(table_, key))
                 throw invalid_node(key, *node, "cannot be combined with period");
         const ConfigNode& period = *find(table_, "period");
@@ -281,25 +336,70 @@ private:
     void read_substitution(const std::vector<const ConfigNode*>& tables)
     {
         const ConfigNode& node = required(table_, {name_}, "no period", "magnification");
-        tiling_.magnification = number("magnification", node);
-        if (!turn_of_magnification(tiling_.ring, tiling_.magnification))
-            throw invalid_node("magnification", node, "must be a real number times a unit vector, or 1 plus one");
+        read_magnification(node);
         std::optional<RingPlace> size;
         for (const ConfigNode* table : tables) {
             const ConfigNode& parts = required(*table->get_if<ConfigTable>(), table->location, "[[tile]]", "parts");
             tiling_.parts.push_back(placed_tiles("parts", parts));
             check_turns("parts", parts, tiling_.parts.back(), size);
         }
-        const double factor = tiling_.ring.sizes(tiling_.magnification)[0];
-        if (!(factor * factor > tiling_.ring.value(*size)[0] * 1.01))
-            throw invalid_node("magnification", node, "must be larger than the turns of the parts");
+        check_vanishing(tables);
         read_starts();
+        if (!is_multiplication(tiling_.ring, tiling_.magnification)) check_map(node);
+        if (const ConfigNode* lengths = find(table_, "lengths")) check_lengths(*lengths);
+        if (!(Substitution(tiling_, 0).inflation() > 1.005))
+            throw invalid_node("magnification", node, "must be larger than the turns of the parts");
+    }
+
+    void read_magnification(const ConfigNode& node)
+    {
+        const RootRing& ring = tiling_.ring;
+        if (node.get_if<ConfigList>()) {
+            const ConfigList& images = list("magnification", node, 2, 2, "numbers in quotes");
+            if (ring.order() == 10) throw invalid_node("magnification", node, "must be one number for 10 directions");
+            tiling_.magnification = {number("magnification", images[0]), number("magnification", images[1])};
+        } else {
+            const RingPlace factor = number("magnification", node);
+            tiling_.magnification = {factor, ring.times(ring.unit(1), factor)};
+            if (!turn_of_magnification(ring, tiling_.magnification))
+                throw invalid_node("magnification", node, "must be a real number times a unit vector, or 1 plus one");
+        }
+    }
+
+    /// The first tile and first parts never vanish, so that addresses may end in zeros.
+    void check_vanishing(const std::vector<const ConfigNode*>& tables) const
+    {
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            const auto& parts = tiling_.parts[i];
+            if (parts.empty() ? i == 0 : tiling_.parts[parts[0].prototile].empty())
+                throw invalid_node("parts", *find(*tables[i]->get_if<ConfigTable>(), "parts"),
+                                   i == 0 && parts.empty() ? "must not be empty for the first tile"
+                                                           : "must begin with a tile that has parts");
+        }
+    }
+
+    /// A linear map that is no multiplication commutes with turns by even powers of z only, and not with mirrors.
+    void check_map(const ConfigNode& node) const
+    {
+        std::optional<bool> mirrored;
+        for (const auto& parts : tiling_.parts)
+            for (const PlacedTile& part : parts) {
+                if (tiling_.parts[part.prototile].empty()) continue;
+                const RingPlace& turn = part.motion.turn;
+                if (!is_even(turn) || tiling_.ring.times(turn, tiling_.ring.conjugate(turn)) != tiling_.ring.unit(0) ||
+                    (mirrored && *mirrored != part.motion.is_mirrored))
+                    throw invalid_node("magnification", node,
+                                       fmt::format("must be one number where some parts are mirrored, or where they "
+                                                   "turn by other numbers than unit vectors at multiples of {} degrees",
+                                                   720 / tiling_.ring.order()));
+                mirrored = part.motion.is_mirrored;
+            }
     }
 
     void read_starts()
     {
         for (std::size_t i = 0; i < tiling_.prototiles.size(); ++i)
-            tiling_.starts.push_back({tiling_.prototiles[i].name, {PlacedTile{i, {}}}});
+            if (!tiling_.parts[i].empty()) tiling_.starts.push_back({tiling_.prototiles[i].name, {PlacedTile{i, {}}}});
         for (const ConfigNode* node : read_tables(table_, "start")) {
             const auto& table = *node->get_if<ConfigTable>();
             check_keys(table, {"name", "tiles"});
@@ -325,8 +425,16 @@ private:
 
 const std::vector<std::string>& substitution_words()
 {
-    static const std::vector<std::string> words{
-        "penrose-kite-dart", "penrose-rhombs", "robinson-triangles", "kite-domino", "shield", "chair", "sphinx"};
+    static const std::vector<std::string> words{"penrose-kite-dart",
+                                                "penrose-rhombs",
+                                                "robinson-triangles",
+                                                "kite-domino",
+                                                "shield",
+                                                "chair",
+                                                "sphinx",
+                                                "hat",
+                                                "turtle",
+                                                "spectre"};
     return words;
 }
 

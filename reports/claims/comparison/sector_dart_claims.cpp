@@ -165,7 +165,7 @@ std::vector<PaperClaim> claims_about_sector_darts()
         {"6.13-logarithmic", "6.13", "The logarithmic algorithm has the spectrum of dart throwing.",
          "radial curves of full sets differ by less than 0.05 on average, by two standard errors", like_dart_throwing},
         {"6.13-plate", "6.13", "The logarithmic algorithm has the sampling performance of dart throwing.",
-         std::string("against dart throwing at 0.75 and of full sets: ") + plates_alike_criterion, logarithmic_plates},
+         fmt::format("against dart throwing at 0.75 and of full sets: {}", plates_alike_criterion), logarithmic_plates},
         {"6.13-linear", "6.13",
          "The peaks of the linear algorithm at multiples of the principal frequency are slightly larger.",
          "more power between 1.9 and 2.3 times the principal frequency than dart throwing of full sets has, by two "

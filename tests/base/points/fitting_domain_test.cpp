@@ -50,9 +50,10 @@ TEST(FittingDomain, HoldsAllNumbers)
     }
 }
 
-std::string message(const std::string& name, std::string_view content, PointReading how = {})
+std::string message(const std::string& name, std::string_view content, PointReading how = {},
+                    const char* domain = "--domain {}:{}")
 {
-    how.options = {.domain = "--domain {}:{}", .region = "--region 'rectangle {} {} {} {}'"};
+    how.options = {.domain = domain, .region = "--region 'rectangle {} {} {} {}'"};
     const TemporaryFolder folder;
     return message_of([&] { read_points(folder.write(name, content), how); });
 }
@@ -76,6 +77,19 @@ TEST(FittingDomain, IsARectangleWhereAxesDiffer)
     EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"), HasSubstr("--domain 0:100 or --domain \"0:100 0:8"));
     EXPECT_THAT(message("a.csv", "0 0\n99 79\n50 60\n"),
                 HasSubstr("\" (a periodic box) or --region 'rectangle 0 0 100 8"));
+}
+
+TEST(FittingDomain, IsABoxWhereAxesInSpaceDiffer)
+{
+    std::string box = "x,y,z\n", cube = box;
+    for (int i = 0; i < 1000; ++i) {
+        const double x = i % 10 / 10.0 + 0.0999, y = i / 10 % 10 / 10.0 + 0.0999, z = i / 100 / 10.0 + 0.0999;
+        box += fmt::format("{},{},{}\n", 2 * x, y, z);
+        cube += fmt::format("{},{},{}\n", 2 * x, 2 * y, 2 * z);
+    }
+    EXPECT_THAT(message("a.csv", box), EndsWith(": --domain \"0:2 0:1 0:1\" (a periodic box) would fit"));
+    EXPECT_THAT(message("a.csv", box, {}, "domain=({}, {})"), EndsWith(": \"0:2 0:1 0:1\" (a periodic box) would fit"));
+    EXPECT_THAT(message("a.csv", cube), HasSubstr(": --domain 0:2 would fit"));
 }
 
 /// The regions that are suggested are read without an error; none is suggested only of large extents.

@@ -37,7 +37,7 @@ TEST(ClassPoints, HaveDistancesOfTheRelativeRadius)
 {
     const ClassSet set = throw_classes(three_classes(), 1, class_place);
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{20, 60, 200}));
-    EXPECT_DOUBLE_EQ(set.request.distances.at(1, 1), min_distance_for(0.62, 60, 2));
+    EXPECT_DOUBLE_EQ(set.kept().at(1, 1), min_distance_for(0.62, 60, 2));
     EXPECT_EQ(number_of(set, "points"), 280);
     // Measured distances are no less than those that are kept.
     for (int i = 0; i < 3; ++i) {
@@ -57,6 +57,37 @@ TEST(ClassPoints, TakeAMatrixAsItIs)
     const ClassSet set = throw_classes(settings, 1, class_place);
     EXPECT_GE(number_of(set, "least_0_1"), 0.2 - 1e-15);
     EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
+}
+
+/// 0.002 degrees of longitude and latitude at 60 degrees north: 111.4 m by 222.8 m, nearly (a degree of longitude is
+/// half as long there).
+TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "park.geojson";
+    write_whole_file(file, R"({"type": "Polygon", "coordinates": [[[10, 60], [10.002, 60], [10.002, 60.002], [10, 60.002],
+                              [10, 60]]]})");
+    ClassSettings settings;
+    settings.place.region = file.string();
+    settings.distances = {30, 9};
+    const ClassSet set = throw_classes(settings, 1, class_place);
+    EXPECT_NEAR(set.size(), 111.4 * 222.8, 0.01 * 111.4 * 222.8);
+    EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
+    const ClassedPoints metres = set.in_units(), degrees = set.as_in_files();
+    constexpr double metres_a_degree = 111'412; // of latitude at 60 degrees, WGS 84
+    for (std::size_t i = 0; i < metres.classes.size(); ++i) {
+        EXPECT_TRUE(degrees.points[i][0] >= 10 && degrees.points[i][0] <= 10.002);
+        EXPECT_TRUE(degrees.points[i][1] >= 60 && degrees.points[i][1] <= 60.002);
+        for (std::size_t j = 0; j < i; ++j) {
+            const double kept = set.kept().at(metres.classes[i], metres.classes[j]);
+            EXPECT_GE(std::hypot(metres.points[i][0] - metres.points[j][0], metres.points[i][1] - metres.points[j][1]),
+                      kept);
+            // A hundredth is what lengths of degrees are off, and more.
+            const double east = (degrees.points[i][0] - degrees.points[j][0]) * metres_a_degree / 2,
+                         north = (degrees.points[i][1] - degrees.points[j][1]) * metres_a_degree;
+            EXPECT_GE(std::hypot(east, north), 0.99 * kept);
+        }
+    }
 }
 
 TEST(ClassPoints, SayWhereThereIsNoRoom)
@@ -145,10 +176,10 @@ TEST(ClassTiles, AreBuiltForTheirTorus)
     EXPECT_EQ(set.points.counts(), (std::vector<std::size_t>{72, 144}));
     EXPECT_NE(set.points.points, other.points.points);
     for (const ClassSet* each : {&set, &other}) {
-        const ClassDistances least = least_distances(each->points);
+        const ClassDistances least = least_distances(*each);
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t j = 0; j <= i; ++j)
-                EXPECT_GE(least.at(i, j), set.request.distances.at(i, j) - unit) << i << ", " << j;
+                EXPECT_GE(least.at(i, j), set.kept().at(i, j) - unit) << i << ", " << j;
     }
 }
 

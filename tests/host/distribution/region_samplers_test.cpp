@@ -4,7 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/distribution/regions/region_points.hpp"
-#include "host/settings/sampler_help.hpp"
+#include "host/settings/sampler_texts.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"

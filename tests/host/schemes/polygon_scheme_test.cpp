@@ -2,14 +2,19 @@
 #include "host/schemes/scheme_run.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "host/schemes/polygon_tables.hpp"
+#include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "results/pictures/mark_picture.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace poissonlab {
@@ -84,15 +89,76 @@ TEST_F(PolygonSchemes, DrawTabsAndShiftedOutlinesOfTheSameArea)
 
 TEST_F(PolygonSchemes, FillWindowsFarInside)
 {
+    for (const auto& [word, depth] : {std::pair{"chair", 50}, {"hat", 40}, {"turtle", 40}, {"spectre", 36}}) {
+        SubstitutionSettings settings;
+        settings.tiling.word = word;
+        settings.depth = depth;
+        settings.window = {12, 9};
+        settings.address = {0, 1, 1, 2, 3, 1, 0, 1, 2, 2, 1, 3};
+        const DistributionResult result = made(settings);
+        EXPECT_EQ(number_of(result, "overlaps"), 0);
+        EXPECT_THAT(result.facts, testing::Not(testing::Contains(testing::HasSubstr("reaches beyond the tiles"))));
+        EXPECT_GE(painted_area("tiling.json"), 12 * 9) << "in squares as large as the tile";
+        EXPECT_LT(number_of(result, "tiles"), 1000);
+    }
+}
+
+TEST_F(PolygonSchemes, FindTilesByPlaceAndByAddress)
+{
+    for (const std::string word : {"hat", "turtle", "spectre", "chair", "penrose-rhombs"}) {
+        SubstitutionSettings settings;
+        settings.tiling.word = word;
+        settings.depth = 30;
+        settings.window = {6, 6};
+        settings.address = {0, 1, 0, 2, 1, 0, 1};
+        made(settings);
+        const std::string rows = text_of("tiles.csv");
+        // The middle of the window is the place of a tile, whose row says where that is.
+        const PolygonTiling tiling = built_in_tiling(word);
+        const Substitution substitution(tiling, 0);
+        const WindowMiddle middle = window_middle(tiling, substitution, settings).value();
+        const auto point = point_of(tiling, middle.place);
+        settings.address = {};
+        settings.place = {point[0] / middle.scale, point[1] / middle.scale};
+        const WindowMiddle found = window_middle(tiling, substitution, settings).value();
+        EXPECT_THAT(rows, testing::HasSubstr(fmt::format("\n{},", fmt::join(found.address, ".")))) << word;
+        const auto away = point_of(tiling, found.place - middle.place);
+        EXPECT_LT(std::hypot(away[0], away[1]), 1.8 * middle.scale + 1e-3 * std::abs(point[0]) / 0x1p40) << word;
+        settings.place = {-1e12, 1e12};
+        settings.depth = 4;
+        EXPECT_FALSE(window_middle(tiling, substitution, settings)) << word;
+    }
+}
+
+TEST_F(PolygonSchemes, BendEdgesOfSpectres)
+{
     SubstitutionSettings settings;
-    settings.tiling.word = "chair";
-    settings.depth = 50;
-    settings.window = {12, 9};
-    settings.address = {0, 1, 1, 2, 3, 1, 0, 1, 2, 2, 1, 3};
+    settings.tiling.word = "spectre";
+    settings.depth = 3;
     const DistributionResult result = made(settings);
-    EXPECT_EQ(number_of(result, "overlaps"), 0);
-    EXPECT_GE(painted_area("tiling.json"), 12 * 9) << "in squares as large as the tile";
-    EXPECT_LT(number_of(result, "tiles"), 1000);
+    EXPECT_NEAR(number_of(result, "inflation"), std::sqrt(4 + std::sqrt(15.0)), 1e-14);
+    EXPECT_NEAR(painted_area("tiling.json"), 559, 1e-6);
+    // Each edge is its own half-turn, so that it adds as much to a tile as it takes away, and bends to the same side of
+    // the tile wherever it lies; mirrored tiles are mirror images.
+    settings.style.edges = "curved";
+    made(settings);
+    EXPECT_NEAR(painted_area("tiling.json"), 559, 1e-6);
+    for (settings.depth = 0; settings.depth < 3; ++settings.depth) {
+        made(settings);
+        for (const MarkGroup& group : read_mark_picture(folder_.path() / "tiling.json").groups)
+            for (const auto& polygon : group.polygons) {
+                ASSERT_EQ(polygon.size(), 14U * 12);
+                for (std::size_t i = 0; i < polygon.size(); i += 12) {
+                    const auto point = [&](std::size_t k) { return polygon[(i + k) % polygon.size()]; };
+                    for (std::size_t axis = 0; axis < 2; ++axis)
+                        for (std::size_t k = 0; k < 6; ++k)
+                            EXPECT_NEAR(point(k)[axis] + point(12 - k)[axis], point(0)[axis] + point(12)[axis], 1e-5);
+                    const double left = (point(12)[0] - point(0)[0]) * (point(3)[1] - point(0)[1]) -
+                                        (point(12)[1] - point(0)[1]) * (point(3)[0] - point(0)[0]);
+                    EXPECT_EQ(left > 0, settings.depth % 2 == 0);
+                }
+            }
+    }
 }
 
 TEST_F(PolygonSchemes, SayWhereAWindowReachesBeyondTheTiles)

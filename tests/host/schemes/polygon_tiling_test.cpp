@@ -1,9 +1,8 @@
 // Tilings by polygons that the program brings: against closed forms of their counts, published atlases of vertices and
 // tables of symmetry groups, and exact areas.
+#include "base/errors/errors.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
-#include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tiles/prototiles/patch_survey.hpp"
 #include "tiles/prototiles/periodic_tiling.hpp"
 #include "tiles/prototiles/substitution.hpp"
@@ -14,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <random>
@@ -45,6 +44,26 @@ std::map<std::pair<std::string, bool>, std::uint64_t> counts_of(const std::strin
     for (const PlacedTile& tile : patch_of(word, depth))
         ++counts[{tiling.prototiles[tile.prototile].name, tile.motion.is_mirrored}];
     return counts;
+}
+
+/// The hat, the turtle and the spectre.
+bool is_monotile(const std::string& word)
+{
+    const PolygonTiling& tiling = built_in_tiling(word);
+    return !is_multiplication(tiling.ring, tiling.magnification);
+}
+
+/// Of a tile that has parts itself, where the tiling has others.
+TileAddress random_address(const Substitution& substitution, const PolygonTiling& tiling, int depth,
+                           std::mt19937& random)
+{
+    TileAddress address{0};
+    while (address.size() <= static_cast<std::size_t>(depth)) {
+        const std::size_t parts = tiling.parts[substitution.tile_at(address).prototile].size();
+        address.push_back(static_cast<std::uint32_t>(random() % parts));
+        if (tiling.parts[substitution.tile_at(address).prototile].empty()) address.pop_back();
+    }
+    return address;
 }
 
 std::uint64_t fibonacci_number(int n)
@@ -94,17 +113,184 @@ TEST(SubstitutionTilings, HaveAsManyTilesAsTheirMatricesSay)
     }
 }
 
+TEST(Monotiles, HaveAsManyTilesAsTheirMatricesSay)
+{
+    const auto lucas_number = [](int n) { return fibonacci_number(n - 1) + fibonacci_number(n + 1); };
+    const auto count = [](const std::string& word, std::size_t start, int depth, const std::string& name) {
+        const PolygonTiling& tiling = built_in_tiling(word);
+        std::uint64_t named = 0, all = 0;
+        for (const PlacedTile& tile : patch_of(word, depth, start))
+            ++all, named += tiling.prototiles[tile.prototile].name == name;
+        return std::pair{all, named};
+    };
+    // Clusters of hats by ((6, 1), (5, 1)), whose eigenvalues are the golden ratio to the powers 4 and -4: for each
+    // reflected hat there are in the limit that many others, 3 phi^2 - 1.
+    for (int n = 1; n <= 4; ++n)
+        for (const std::string word : {"hat", "turtle"}) {
+            EXPECT_EQ(count(word, 0, n, "reflected"),
+                      (std::pair{fibonacci_number(4 * n + 2), fibonacci_number(4 * n) / 3}));
+            EXPECT_EQ(count(word, 1, n, "reflected"), (std::pair{lucas_number(4 * n), lucas_number(4 * n - 2) / 3}));
+        }
+    // Clusters of eight spectres, one of them a Mystic: eigenvalues 4 + sqrt(15) and 4 - sqrt(15).
+    const double root = std::sqrt(15.0);
+    for (int n = 0; n <= 4; ++n) {
+        const double up = std::pow(4 + root, n), down = std::pow(4 - root, n);
+        const std::pair expected{
+            static_cast<std::uint64_t>(std::llround(((1 + root / 3) * up + (1 - root / 3) * down) / 2)),
+            static_cast<std::uint64_t>(std::llround((up - down) / (2 * root)))};
+        for (const std::size_t start : {0, 1, 7}) EXPECT_EQ(count("spectre", start, n, "upper"), expected); // not gamma
+    }
+}
+
+TEST(Monotiles, HaveTheAreasAndFactorsOfTheirPapers)
+{
+    // Tile(a, b) has the area sqrt(3) (2 a^2 + sqrt(3) a b + b^2); arXiv 2303.10798, section 6.
+    constexpr double root = std::numbers::sqrt3;
+    const std::map<std::string, std::array<double, 2>> sides{
+        {"hat", {1, root}}, {"turtle", {root, 1}}, {"spectre", {1, 1}}};
+    for (const auto& [word, lengths] : sides) {
+        const auto [a, b] = lengths;
+        const PolygonTiling& tiling = built_in_tiling(word);
+        for (std::size_t i = 0; i < tiling.prototiles.size(); ++i)
+            EXPECT_NEAR(area_of(tiling, i), root * (2 * a * a + root * a * b + b * b), 1e-14 * 20) << word;
+        const double factor = word == "spectre" ? std::sqrt(4 + std::sqrt(15.0)) : std::pow(std::numbers::phi, 2);
+        EXPECT_NEAR(Substitution(tiling, 0).inflation(), factor, 1e-14) << word;
+    }
+}
+
+TEST(Monotiles, MakePatchesWithoutHoles)
+{
+    // Euler: corners - edges + tiles = 1 for a patch that is a disk, whose border edges are its only ones.
+    for (const std::string word : {"hat", "turtle", "spectre"})
+        for (int depth = 0; depth <= 4; ++depth) {
+            const PolygonTiling& tiling = built_in_tiling(word);
+            const std::vector<PlacedTile> tiles = patch_of(word, depth);
+            std::set<RingPlace> corners;
+            for (const PlacedTile& tile : tiles)
+                for (const RingPlace& corner : corners_of(tiling, tile)) corners.insert(corner);
+            const PatchSurvey survey = survey_patch(tiling, tiles);
+            EXPECT_TRUE(survey.is_edge_to_edge) << word;
+            EXPECT_EQ(2 * survey.inner_edges + survey.border_edges, 14 * tiles.size()) << word;
+            EXPECT_EQ(corners.size() + tiles.size(), survey.inner_edges + survey.border_edges + 1) << word << depth;
+        }
+}
+
+TEST(Monotiles, AreReflectedWhereTheyShouldBe)
+{
+    // No spectre is reflected when another is not, and those that turn by odd multiples of 30 degrees are in Mystics.
+    for (int depth = 1; depth <= 4; ++depth)
+        for (const PlacedTile& tile : patch_of("spectre", depth)) {
+            const RingPlace& turn = tile.motion.turn;
+            EXPECT_EQ(tile.motion.is_mirrored, depth % 2 == 1);
+            EXPECT_EQ(turn.c[1] != 0 || turn.c[3] != 0,
+                      built_in_tiling("spectre").prototiles[tile.prototile].name == "upper");
+        }
+    EXPECT_FALSE(mixes_mirrored_tiles(built_in_tiling("spectre")));
+    EXPECT_TRUE(mixes_mirrored_tiles(built_in_tiling("hat")));
+    for (const PlacedTile& tile : patch_of("hat", 4))
+        EXPECT_EQ(tile.motion.is_mirrored, built_in_tiling("hat").prototiles[tile.prototile].name == "reflected");
+}
+
+TEST(Monotiles, AreUnionsOfKitesOfOneGrid)
+{
+    // Kites of [3.4.6.4] with edges 1 and sqrt(3) have their corners in the triangular lattice. Up to translations of
+    // the kites they are one corner of degree 6, two of degree 3 and three of degree 4, and 6 of 12 points are none.
+    // Each corner of a tile has one degree wherever the tile lies, and each degree's points are alike.
+    for (const std::string word : {"hat", "turtle"}) {
+        const PolygonTiling& tiling = built_in_tiling(word);
+        const std::vector<PlacedTile> tiles = patch_of(word, 4);
+        // x + y w in the lattice of points at distance 1; turtles are turned by -30 degrees for it.
+        const auto lattice = [&](const RingPlace& p) {
+            const auto& c = p.c;
+            return word == "hat" ? std::pair{c[0] + c[1] - c[3], c[1] + c[2] + 2 * c[3]}
+                                 : std::pair{2 * c[0] + c[1] + c[2], c[2] - c[0] + c[3]};
+        };
+        const auto origin = lattice(corners_of(tiling, tiles[0])[0]);
+        std::map<std::pair<std::int64_t, std::int64_t>, std::set<std::size_t>> corners_in_class;
+        for (const PlacedTile& tile : tiles)
+            for (std::size_t i = 0; i < 14; ++i) {
+                const RingPlace corner = moved(tiling.ring, tile.motion, tiling.prototiles[tile.prototile].corners[i]);
+                const auto [x, y] = lattice(corner);
+                const auto point = point_of(tiling, corner);
+                const std::complex<double> there = std::polar(1.0, word == "hat" ? 0 : -std::numbers::pi / 6) *
+                                                   std::complex<double>(point[0], point[1]);
+                EXPECT_NEAR(there.real(), static_cast<double>(x) + static_cast<double>(y) / 2, 1e-9);
+                EXPECT_NEAR(there.imag(), static_cast<double>(y) * std::numbers::sqrt3 / 2, 1e-9);
+                const auto modulo = [](std::int64_t a, std::int64_t m) { return (a % m + m) % m; };
+                // Centres of hexagons are the multiples of 2 (1 + w).
+                const std::int64_t u = x - origin.first, v = y - origin.second;
+                corners_in_class[{modulo(u + v, 2) * 2 + modulo(u, 2), modulo(u - v, 3)}].insert(i);
+            }
+        EXPECT_EQ(corners_in_class.size(), 6U) << word;
+        std::map<std::set<std::size_t>, std::size_t> degrees;
+        for (const auto& [place, corners] : corners_in_class) ++degrees[corners];
+        std::multiset<std::size_t> classes;
+        std::size_t corners_in_all = 0;
+        for (const auto& [corners, count] : degrees) classes.insert(count), corners_in_all += corners.size();
+        EXPECT_EQ(classes, (std::multiset<std::size_t>{1, 2, 3})) << word;
+        EXPECT_EQ(corners_in_all, 14U) << word << ": no corner has two degrees";
+    }
+}
+
+TEST(Monotiles, AreTheSameFarAwayAsNearTheOrigin)
+{
+    std::mt19937 random(11);
+    for (const std::string word : {"hat", "turtle", "spectre"}) {
+        const PolygonTiling& tiling = built_in_tiling(word);
+        const RootRing& ring = tiling.ring;
+        const Substitution far(tiling, 0);
+        for (const int depth : {4, 5, 25, far.deepest()}) {
+            // A cluster of three levels beside those that are made from its own first tile.
+            TileAddress address = random_address(far, tiling, depth - 3, random);
+            const PlacedTile ancestor = far.tile_at(address);
+            const Substitution near(tiling, ancestor.prototile); // the first starts are the tiles that have parts
+            address.resize(static_cast<std::size_t>(depth) + 1);
+            const PlacedTile first = far.tile_at(address);
+            const RingPlace local_first = near.tile_at({0, 0, 0, 0}).motion.at;
+            for (const AddressedTile& local : near.tiles(3, plenty)) {
+                std::copy(local.address.begin() + 1, local.address.end(), address.end() - 3);
+                const RingPlace away = local.tile.motion.at - local_first;
+                EXPECT_EQ(far.tile_at(address).motion.at - first.motion.at,
+                          ring.times(ancestor.motion.turn, ancestor.motion.is_mirrored ? ring.conjugate(away) : away));
+            }
+        }
+    }
+}
+
+TEST(Monotiles, AreFoundFromAnyPlace)
+{
+    // Windows around places that are no tile's own: hundreds of millions of edges away from the origin.
+    for (const std::string word : {"hat", "turtle", "spectre"}) {
+        const PolygonTiling& tiling = built_in_tiling(word);
+        const Substitution substitution(tiling, word == "spectre" ? 0 : 2); // those that cover the plane
+        for (const std::int64_t k : {0, 1, 2, 3, 4, 5}) {
+            const RingPlace direction = tiling.ring.unit(static_cast<int>(2 * k));
+            const RingPlace middle = tiling.ring.times(direction, {{300'000'000 + k, 7 * k, 100'000'000, k}});
+            const auto near = substitution.tiles_near(26, middle, 12, plenty);
+            const PatchSurvey survey = survey_patch(tiling, tiles_of(near));
+            EXPECT_EQ(survey.crowded_edges + survey.odd_vertices + survey.unfit_edges, 0U);
+            EXPECT_LT(near.size(), 400U);
+            for (const AddressedTile& tile : near) EXPECT_EQ(substitution.tile_at(tile.address), tile.tile);
+            EXPECT_GT(survey.inner_vertices, 100U) << word << ", direction " << k;
+            const auto around = substitution.tile_around(26, middle);
+            ASSERT_TRUE(around) << word << ", direction " << k;
+            EXPECT_EQ(substitution.tile_at(around->address), around->tile);
+        }
+    }
+}
+
 TEST(SubstitutionTilings, HavePartsOfTheAreaOfTheWholeExactly)
 {
     for (const std::string& word : substitution_words()) {
-        if (word == "shield") continue; // what stands out of one tile is cut out of another
+        if (word == "shield" || is_monotile(word)) continue; // what stands out of one tile is cut out of another
         const PolygonTiling& tiling = built_in_tiling(word);
         const RootRing& ring = tiling.ring;
         for (std::size_t i = 0; i < tiling.parts.size(); ++i) {
             RingPlace parts;
             for (const PlacedTile& part : tiling.parts[i])
                 parts = parts + quadruple_area(ring, corners_of(tiling, part));
-            const RingPlace whole = quadruple_area(ring, corners_of(tiling, {i, {{}, tiling.magnification, false}}));
+            const RingPlace whole =
+                quadruple_area(ring, corners_of(tiling, {i, {{}, tiling.magnification.of_one, false}}));
             EXPECT_EQ(parts, whole) << word << ", " << tiling.prototiles[i].name;
         }
     }
@@ -132,7 +318,10 @@ TEST(SubstitutionTilings, FillThePlaneWithoutGapsAndOverlaps)
                                             {"kite-domino", 2},
                                             {"shield", 5},
                                             {"chair", 5},
-                                            {"sphinx", 5}};
+                                            {"sphinx", 5},
+                                            {"hat", 4},
+                                            {"turtle", 4},
+                                            {"spectre", 4}};
     for (const std::string& word : substitution_words()) {
         const PolygonTiling& tiling = built_in_tiling(word);
         for (std::size_t start = 0; start < tiling.starts.size(); ++start) {
@@ -226,7 +415,8 @@ TEST(SubstitutionTilings, GiveTheTileOfEachAddress)
 
 TEST(SubstitutionTilings, HaveInWindowsWhatTheyHaveAsAWhole)
 {
-    const std::map<std::string, int> depths{{"kite-domino", 2}, {"shield", 4}, {"chair", 4}, {"sphinx", 4}};
+    const std::map<std::string, int> depths{{"kite-domino", 2}, {"shield", 4}, {"chair", 4},  {"sphinx", 4},
+                                            {"hat", 4},         {"turtle", 4}, {"spectre", 3}};
     for (const std::string& word : substitution_words()) {
         const PolygonTiling& tiling = built_in_tiling(word);
         const int depth = depths.contains(word) ? depths.at(word) : 6;
@@ -242,7 +432,8 @@ TEST(SubstitutionTilings, HaveInWindowsWhatTheyHaveAsAWhole)
             for (const AddressedTile& tile : all) {
                 const auto corners = corners_of(tiling, tile.tile);
                 const bool is_inside = std::ranges::any_of(corners, [&](const RingPlace& corner) {
-                    return tiling.ring.sizes(corner - middle)[0] < radius * scale;
+                    const auto away = point_of(tiling, corner - middle);
+                    return std::hypot(away[0], away[1]) < radius * scale;
                 });
                 EXPECT_TRUE(!is_inside || found.contains(tile.address)) << word;
             }
@@ -259,20 +450,17 @@ TEST(SubstitutionTilings, AreExactAtTheirGreatestDepths)
                                              {"kite-domino", 10},
                                              {"shield", 55},
                                              {"chair", 55},
-                                             {"sphinx", 55}};
+                                             {"sphinx", 55},
+                                             {"hat", 40},
+                                             {"turtle", 40},
+                                             {"spectre", 37}};
     for (const std::string& word : substitution_words()) {
         const PolygonTiling& tiling = built_in_tiling(word);
         const Substitution substitution(tiling, 0);
         const int depth = substitution.deepest();
         EXPECT_GE(depth, deepest.at(word)) << word;
         // Somewhere inside, tiles fill a window around a tile, as they do near the origin.
-        TileAddress address{0};
-        PlacedTile tile = tiling.starts[0].tiles[0];
-        for (int level = 1; level <= depth; ++level) {
-            const auto parts = static_cast<std::uint32_t>(tiling.parts[tile.prototile].size());
-            address.push_back(static_cast<std::uint32_t>(random()) % parts);
-            tile = substitution.tile_at(address);
-        }
+        const PlacedTile tile = substitution.tile_at(random_address(substitution, tiling, depth, random));
         const double reach = 6 * std::sqrt(area_of(tiling, 0));
         const auto tiles = tiles_of(substitution.tiles_near(depth, tile.motion.at, reach, plenty));
         const PatchSurvey survey = survey_patch(tiling, tiles);
@@ -405,79 +593,6 @@ TEST(RepeatedTiles, CoverTheirWindow)
                 EXPECT_EQ(around, 1) << word << " at " << x << ", " << y;
             }
     }
-}
-
-class TilingFiles : public testing::Test
-{
-protected:
-    PolygonTiling read(const std::string& text) const
-    {
-        folder_.write("t.toml", text);
-        return read_polygon_tiling(folder_.path() / "t.toml");
-    }
-
-    /// The message without the folder.
-    std::string refusal(const std::string& text) const
-    {
-        const std::string message = refusal_of([&] { read(text); });
-        const std::string before = (folder_.path() / "t.toml").string();
-        return message.starts_with(before) ? message.substr(before.size()) : message;
-    }
-
-    TemporaryFolder folder_;
-};
-
-TEST_F(TilingFiles, OfTheDocumentationAreTilings)
-{
-    std::ifstream page(source_folder() + "/docs/polygon-tilings.md");
-    std::string text;
-    bool is_inside = false;
-    for (std::string line; std::getline(page, line);) {
-        if (line == "    title = \"Half hexagon\"") is_inside = true;
-        if (is_inside && !line.empty() && !line.starts_with("    ")) break;
-        if (is_inside) text += line + "\n";
-    }
-    const PolygonTiling tiling = read(text);
-    ASSERT_EQ(tiling.parts.size(), 1U);
-    std::vector<PlacedTile> tiles = tiles_of(Substitution(tiling, 0).tiles(4, plenty));
-    ASSERT_EQ(tiles.size(), 256U);
-    const PatchSurvey survey = survey_patch(tiling, tiles);
-    EXPECT_EQ(survey.crowded_edges + survey.odd_vertices, 0U);
-    // The sides of the whole are 80, of tiles 1 and 2.
-    EXPECT_GE(survey.border_edges, 40U);
-    EXPECT_LE(survey.border_edges, 80U);
-}
-
-TEST_F(TilingFiles, SayWhatIsWrongInThem)
-{
-    const std::string square = "[[tile]]\nname = \"s\"\ncorners = [\"0\", \"1\", \"1 + i\", \"i\"]\n";
-    const std::string whole = "magnification = \"2\"\n" + square;
-    EXPECT_EQ(refusal(""), ": 0 tables [[tile]]: must be 1 to 64");
-    EXPECT_EQ(refusal(square), ": no period: magnification is missing");
-    EXPECT_EQ(refusal(whole), ":2: [[tile]]: parts is missing");
-    EXPECT_EQ(refusal("directions = 9\n" + square), ":1: directions = 9: must be 8, 10 or 12");
-    EXPECT_EQ(refusal("magnification = \"2 + i\"\n" + square + "parts = [\"s\"]"),
-              ":1: magnification = \"2 + i\": must be a real number times a unit vector, or 1 plus one");
-    EXPECT_EQ(refusal(whole + "parts = [\"t\"]"),
-              ":5: parts = \"t\": must be a tile and its place, such as \"kite at 1 + @60 turn @120 mirrored\"; no "
-              "tile is called \"t\"");
-    EXPECT_EQ(refusal(whole + "parts = [\"s at 1 + @50\"]"),
-              ":5: parts = \"s at 1 + @50\": @50: degrees must be multiples of 30 here");
-    EXPECT_EQ(refusal(whole + "parts = [\"s\", \"s turn 2\"]"),
-              ":5: parts = \"s turn 2\": must turn by a number of the absolute value that the others have");
-    EXPECT_EQ(refusal("magnification = \"1\"\n" + square + "parts = [\"s\"]"),
-              ":1: magnification = \"1\": must be larger than the turns of the parts");
-    EXPECT_EQ(refusal("period = [\"1\", \"2 i\"]\nunit = [\"s\"]\n" + square),
-              ":2: unit = [\"s\"]: must have the area of a period");
-    EXPECT_EQ(refusal("period = [\"i\", \"1\"]\nunit = [\"s\"]\n" + square),
-              ":1: period = [\"i\", \"1\"]: must be two vectors, the second to the left of the first");
-    EXPECT_EQ(refusal("[[tile]]\nname = \"s\"\ncorners = [\"0\", \"i\", \"1\"]"),
-              ":3: corners = [\"0\", \"i\", \"1\"]: must go around the tile counterclockwise");
-    EXPECT_EQ(refusal("[[tile]]\nname = \"s\"\nsides = 5"), ":3: sides = 5: must be a divisor of 12, the directions");
-    EXPECT_EQ(refusal(square + "edges = \"abc\""),
-              ":4: edges = \"abc\": must be 4 letters or digits, one for each edge");
-    EXPECT_EQ(refusal(square + "colour = \"#ffffff\"").substr(0, 60),
-              std::string(":4: colour = \"#ffffff\": unknown key; did you mean \"color\"? known").substr(0, 60));
 }
 
 }

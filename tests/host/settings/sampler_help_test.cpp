@@ -1,5 +1,6 @@
 // The help on samplers is printed from their descriptions.
 #include "host/settings/sampler_help.hpp"
+#include "host/settings/sampler_texts.hpp"
 
 #include "base/files/whole_file.hpp"
 #include "host/settings/sampler_registry.hpp"

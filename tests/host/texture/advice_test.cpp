@@ -218,7 +218,7 @@ TEST(TextureAdvice, IsThatOfTheDocumentation)
         EXPECT_EQ(advice.colors, 3) << one.picture;
         EXPECT_EQ(advice.is_straightened, one.is_straightened) << one.picture;
         EXPECT_EQ(advice.is_flattened, one.is_flattened) << one.picture;
-        EXPECT_EQ(advice.is_joint, one.size == 64) << one.picture;
+        EXPECT_TRUE(advice.is_joint) << one.picture;
     }
     EXPECT_EQ(advise_texture(shipped("fabric")).periods.size(), 2u);
     EXPECT_TRUE(advise_texture(shipped("clouds")).is_wide);
@@ -264,8 +264,8 @@ TEST(TextureAdvice, SaysWhatIsAgainstIt)
     EXPECT_THAT(advice_note(pebbles, request), HasSubstr("--size 128 is advised, 64 was given"));
     take_advice(request, pebbles, true, true);
     EXPECT_EQ(advice_note(pebbles, request), "");
-    EXPECT_FALSE(request.joint);
-    EXPECT_THAT(large_set_note(request), HasSubstr("81 tiles of 128 x 128 pixels are too many"));
+    EXPECT_TRUE(request.joint);
+    EXPECT_EQ(large_set_note(request), "");
     TextureRequest omega;
     omega.kind = TextureKind::omega;
     omega.colors = {4, 4};
@@ -277,13 +277,16 @@ TEST(TextureAdvice, SaysWhatIsAgainstIt)
     take_advice(large, pebbles, false, true);
     EXPECT_EQ(large.colors.horizontal, 2);
     EXPECT_THAT(advice_note(pebbles, large), Not(HasSubstr("--colors")));
+    large.colors = {3, 3};
+    large.is_joint_open = true;
+    EXPECT_THAT(large_set_note(large), HasSubstr("81 tiles of 256 x 256 pixels are too many"));
 }
 
 /// Advice leaves out choices that the caller has made.
 TEST(TextureAdvice, IsOfWhatIsOpen)
 {
     const TextureAdvice brick = advise_texture(shipped("brick"));
-    EXPECT_THAT(advice_lines(brick), ElementsAre(HasSubstr("of 3 colours, fitted one piece after another: its scale"),
+    EXPECT_THAT(advice_lines(brick), ElementsAre(HasSubstr("of 3 colours, made both ways, the better set being kept: its scale"),
                                                  HasSubstr("--straighten")));
     EXPECT_THAT(advice_lines(brick, {false, false, false, false}),
                 ElementsAre(AllOf(HasSubstr("128 x 128 pixels: its scale"), Not(HasSubstr("colours")))));

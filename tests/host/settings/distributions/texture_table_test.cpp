@@ -60,8 +60,8 @@ TEST(TextureTable, ChoosesSmallSetsTogether)
         {"kind = \"wang\"\ntiles = \"compact\"", true},
         {"kind = \"omega\"", true},
         {"stages = 3\nweight = \"plain\"", true},
-        {"colors = 4", true},             // 256 tiles, 2^20 pixels
-        {"colors = 4\nsize = 66", false}, // more pixels
+        {"colors = 4\nsize = 90", true},  // 256 tiles, fewer than 2^21 pixels
+        {"colors = 4\nsize = 92", false}, // more pixels
         {"colors = 5\nsize = 16", false}, // more tiles
         {"stages = 1", false},
         {"stages = 0", false},

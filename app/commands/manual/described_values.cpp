@@ -1,4 +1,4 @@
-#include "app/commands/core/described_values.hpp"
+#include "app/commands/manual/described_values.hpp"
 
 namespace poissonlab {
 namespace {

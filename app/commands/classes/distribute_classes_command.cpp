@@ -26,6 +26,9 @@ class fits, which is proven. Distances are those of --distances, in sides of the
 many points, or of all pairs: --matrix, row after row. With --factor all distances are multiplied by it wherever a class
 has no room for its next point, until there is room for --points. With --tiles the points are those of a torus of
 tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
+With --region points lie in polygons with holes: GeoJSON, WKT, drawings, pictures, formulas, as of distribute darts.
+Distances are in its units, metres where it is in longitude and latitude; points are written as the file has its places.
+--obstacles FILE are kept away from by --obstacle-distance.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .geojson (features with the property class), .svg and .png (disks in
 colours). --spectra FILE.csv has the radially averaged power of each class and of all, and cross power of pairs: with --sets
@@ -33,6 +36,7 @@ means over so many sets, and errors.
   poissonlab distribute classes --points 100 400 1600 --out forest.csv --out forest.png
   poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
   poissonlab distribute classes --tiles forest.ptiles --torus 12 --out forest.png --spectra forest.csv
+  poissonlab distribute classes --region park.geojson --distances 12 5 2 --out plants.geojson --out plants.png
   poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --sets 10 --out two.npy --spectra two.csv)help";
 
 struct ClassOptions : KindOptions
@@ -45,8 +49,8 @@ struct ClassOptions : KindOptions
 void write_class_output(const std::filesystem::path& file, const ClassSet& set, const std::string& comment)
 {
     if (std::ranges::find(class_file_ends(), file.extension().string()) != class_file_ends().end())
-        return write_class_file(file, set.points, comment);
-    write_picture_file(file, draw_marks(class_picture(set.points, set.request.distances), {}));
+        return write_class_file(file, set.as_in_files(), comment, set.region());
+    write_picture_file(file, draw_marks(class_picture(set), {}));
 }
 
 void throw_class_points(const ClassOptions& o)
@@ -59,6 +63,7 @@ void throw_class_points(const ClassOptions& o)
     std::filesystem::path spectra;
     if (!o.spectra.empty()) {
         if (settings.dimension != 2) throw InputError("--spectra: is for points of the plane, --dimension 2");
+        if (settings.has_region()) throw InputError("--spectra: is for the torus, and --region is given");
         spectra = checked_output(o.command(), "--spectra", o.spectra, {{".csv"}});
     }
     const ClassSet set = throw_classes(settings, o.seed(), o.place());

@@ -4,12 +4,16 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "base/regions/region_source.hpp"
+#include "base/regions/region_text.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
+#include "host/distribution/region_runs/region_results.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/class_keys.hpp"
+#include "host/settings/keys/region_keys.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -31,19 +35,41 @@ bool has_tiles(const Keys& keys)
     return has_tiles;
 }
 
-void check_darts(const ClassSettings& s) { class_dart_request(s, 0); }
+void check_darts(const ClassSettings& s) { class_work(s, 0); }
+
+/// Reads the keys of a region, and refuses those of the torus beside it.
+void place_keys(Keys& keys, ClassSettings& s)
+{
+    keys.region("region", s.place.region, "the region that points lie in: a file, a formula, or a shape")
+        .otherwise("the unit torus");
+    region_reading_keys(keys, s.place.reading);
+    obstacle_keys(keys, s.place.obstacles, s.place.obstacle_distance, "0");
+    if (!keys.is_read()) return;
+    for (const char* key : {"planar", "crs", "overlap", "buffer", "obstacles"})
+        if (!s.has_region() && keys.is_given(key)) throw keys.invalid(key, "needs " + keys.name_of("region"));
+    if (!s.has_region()) return;
+    for (const char* key : {"dimension", "colors", "sets", "tiles", "torus"})
+        if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("region"));
+    if (s.place.is_in_space()) throw keys.invalid("region", "must be a region of the plane, and this one is of space");
+    keys.check("region", [&] { read_region(s.place.region, s.place.reading); });
+    keys.check(s.place.obstacles.empty() ? "region" : "obstacles", [&] { s.place.land = region_land(s.place); });
+    if (!s.place.obstacle_distance && !s.place.land->obstacles.points.empty())
+        throw keys.invalid("obstacles", "has points, which need " + keys.name_of("obstacle_distance"));
+}
 
 void class_keys(Keys& keys, ClassSettings& s)
 {
+    place_keys(keys, s);
+    // Distances are lengths of any size in regions, and parts of the torus else.
+    const Interval lengths = s.has_region() ? Interval{1e-12, 1e12} : Interval{1e-6, 1};
     class_counts(keys, "points", s.points, max_points, "how many points there are")
         .otherwise("as many as there is room for");
-    class_list(keys, "distances", s.distances, {1e-6, 1}, "a number from 1e-06 to 1",
+    class_list(keys, "distances", s.distances, lengths,
+               fmt::format("a number from {:g} to {:g}", lengths.low, lengths.high),
                "the least distance of points of the same class")
-        .unit("sides of the torus")
+        .unit("sides of the torus, or units of the region")
         .otherwise("those of relative_radius");
-    class_matrix(keys, "matrix", s.matrix, {1e-6, 1})
-        .excludes("distances")
-        .otherwise("that of Wei 2010, from distances");
+    class_matrix(keys, "matrix", s.matrix, lengths).excludes("distances").otherwise("that of Wei 2010, from distances");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");
@@ -88,8 +114,9 @@ std::string class_label(const ClassSettings& s)
         return fmt::format("classes of {0}, {1} x {1} tiles", name_of_input(s.tiles.string()), s.torus);
     if (s.colors > 0)
         return fmt::format("classes of {0} x {0} corner tiles of {1} points", s.torus, fmt::join(s.points, ", "));
-    return s.points.empty() ? fmt::format("{} classes, saturated", s.classes())
-                            : fmt::format("{} classes, {} points", s.classes(), fmt::join(s.points, ", "));
+    const std::string where = s.has_region() ? " in " + name_of_input(s.place.region) : "";
+    return s.points.empty() ? fmt::format("{} classes{}, saturated", s.classes(), where)
+                            : fmt::format("{} classes{}, {} points", s.classes(), where, fmt::join(s.points, ", "));
 }
 
 std::vector<std::string> facts_of(const ClassSettings& s)
@@ -126,26 +153,30 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
                                 DistributionFiles& files)
 {
     const ClassSet set = throw_classes(settings, seed, place);
+    const ClassedPoints in_files = set.as_in_files();
     DistributionResult result;
-    result.facts = {fmt::format("{} classes", set.request.distances.classes()),
+    result.facts = {fmt::format("{} classes", set.work.asked.classes()),
                     fmt::format("{} points", set.points.points.size())};
     for (const std::string& fact : facts_of(settings)) result.facts.push_back(fact);
-    files.add_marks("points.json", class_picture(set.points, set.request.distances),
+    files.add_marks("points.json", class_picture(set),
                     settings.dimension == 2 ? "The points, a colour for each class."
                                             : "The points of the lowest tenth, a colour for each class.",
                     result);
     for (const char* name : {"points.csv", "points.ply"}) {
-        write_class_file(files.add(name), set.points, "");
+        write_class_file(files.add(name), in_files, "", set.region());
         result.files.emplace_back(name);
     }
-    write_points(files.add("points.npy"), set.points.points);
+    write_points(files.add("points.npy"), in_files.points);
     write_class_numbers(files.add("classes.npy"), set.points);
     for (const char* name : {"points.npy", "classes.npy"}) result.files.emplace_back(name);
     if (settings.colors > 0) {
         write_tile_set(files.add("tiles.ptiles"), *set.tiles);
         result.files.emplace_back("tiles.ptiles");
     }
-    if (settings.dimension == 2)
+    if (set.work.land) {
+        for (const std::string& note : notes_of(set.work.land->whole)) result.facts.push_back(note);
+        add_region_curves(set.work.land->rest, set.in_units().points, files, result);
+    } else if (settings.dimension == 2)
         add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), files, result);
     result.numbers = class_numbers(set);
     result.tables.push_back(distance_table(set));
