@@ -4,7 +4,8 @@
 # POISSONLAB_MODULES says which the program gets. ./lab begins with none and adds those that a config or a command names;
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules
-  methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures)
+  methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures
+  surface_spectra)
 set(lab_command_modules
   results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
 # Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential
@@ -25,6 +26,7 @@ set(lab_needs_of_distributions methods point_formats)
 set(lab_needs_of_classes methods regions)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods point_formats)
+set(lab_needs_of_surface_spectra surfaces)
 set(lab_needs_of_surface_textures distributions textures surfaces)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")

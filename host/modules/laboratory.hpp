@@ -40,6 +40,7 @@ void add_distributions(Laboratory& laboratory);
 void add_surfaces(Laboratory& laboratory);
 void add_classes(Laboratory& laboratory);
 void add_surface_textures(Laboratory& laboratory);
+void add_surface_spectra(Laboratory& laboratory);
 
 /// The modules of this program; CMake writes the list.
 const std::vector<Module>& built_modules();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -13,6 +14,12 @@ namespace poissonlab {
 namespace {
 
 constexpr int distribution_digits = 4;
+
+/// Distributions of one picture each make one figure if there are at least so many.
+constexpr std::size_t least_in_figure = 3;
+
+/// Sections of so many distributions begin with small pictures that link to them.
+constexpr std::size_t least_with_overview = 4;
 
 PageData picture_data(const ReportDistribution& distribution, const DistributionPicture& picture,
                       const std::string& anchor, const std::filesystem::path& page_folder)
@@ -130,6 +137,106 @@ PageData distribution_section(const ReportDistribution& distribution, const std:
     data.set("files", files);
     data.set("has_files", files.is_non_empty_list());
     return data;
+}
+
+namespace {
+
+struct PlacedDistribution
+{
+    const ReportDistribution* distribution = nullptr;
+    std::string anchor;
+};
+using PlacedDistributions = std::vector<PlacedDistribution>;
+
+/// True if a picture, its facts and numbers are all that a page shows. Tones need a filter of their own.
+bool has_one_picture(const PlacedDistribution& placed)
+{
+    const ReportDistribution& its = *placed.distribution;
+    return its.stored->pictures.size() == 1 && its.curves.empty() && its.stored->tables.empty() && !shows_tones(its);
+}
+
+/// One table of the numbers of several distributions: a row each, and a column for each number that one of them has.
+void set_number_table(PageData& data, const PlacedDistributions& shown)
+{
+    std::vector<DistributionNumber> columns;
+    for (const auto& [distribution, anchor] : shown)
+        for (const DistributionNumber& number : distribution->stored->numbers)
+            if (std::ranges::find(columns, number.title, &DistributionNumber::title) == columns.end())
+                columns.push_back(number);
+    PageData heads{PageData::type::list}, rows{PageData::type::list};
+    for (const DistributionNumber& column : columns) heads << number_data(column);
+    for (const auto& [distribution, anchor] : shown) {
+        PageData row, cells{PageData::type::list};
+        for (const DistributionNumber& column : columns) {
+            const auto& numbers = distribution->stored->numbers;
+            const auto found = std::ranges::find(numbers, column.title, &DistributionNumber::title);
+            PageData cell;
+            cell.set("value", found == numbers.end() ? PageData("–") : *number_data(*found).get("value"));
+            cells << cell;
+        }
+        row.set("label", distribution->stored->label);
+        row.set("anchor", anchor);
+        row.set("cells", cells);
+        rows << row;
+    }
+    data.set("heads", heads);
+    data.set("rows", rows);
+    data.set("has_rows", !columns.empty());
+}
+
+/// Small pictures that link to the sections of distributions.
+PageData overview_data(const PlacedDistributions& shown, const std::filesystem::path& page_folder)
+{
+    PageData list{PageData::type::list};
+    for (const auto& [distribution, anchor] : shown) {
+        const auto& pictures = distribution->stored->pictures;
+        const auto picture = std::ranges::find_if(pictures, [](const auto& its) { return !its.has_curves(); });
+        if (picture == pictures.end()) continue;
+        PageData card;
+        card.set("label", distribution->stored->label);
+        card.set("anchor", anchor);
+        card.set("source", relative_link(page_folder, png_of(*distribution, *picture)));
+        list << card;
+    }
+    return list;
+}
+
+/// The distributions that `is_shown` takes, whose anchors are their places in the whole list.
+void set_group(PageData& page, const std::string& name, const std::vector<ReportDistribution>& distributions,
+               const std::string& anchor, bool (*is_shown)(const ReportDistribution&),
+               const std::filesystem::path& page_folder)
+{
+    PlacedDistributions placed;
+    for (std::size_t i = 0; i < distributions.size(); ++i)
+        if (is_shown(distributions[i])) placed.push_back({&distributions[i], fmt::format("{}-{}", anchor, i + 1)});
+    const bool has_figure = static_cast<std::size_t>(std::ranges::count_if(placed, has_one_picture)) >= least_in_figure;
+    PlacedDistributions in_figure, large;
+    for (const PlacedDistribution& one : placed)
+        (has_figure && has_one_picture(one) ? in_figure : large).push_back(one);
+    PageData group, figure{PageData::type::list}, sections{PageData::type::list};
+    for (const PlacedDistribution& one : in_figure)
+        figure << distribution_section(*one.distribution, one.anchor, page_folder, PageNumbers::elsewhere);
+    for (const PlacedDistribution& one : large)
+        sections << distribution_section(*one.distribution, one.anchor, page_folder);
+    group.set("has_figure", has_figure);
+    group.set("figure", figure);
+    group.set("figure_grid", grid_of_pictures(in_figure.size()));
+    set_number_table(group, in_figure);
+    group.set("has_overview", large.size() >= least_with_overview);
+    group.set("overview", overview_data(large, page_folder));
+    group.set("sections", sections);
+    page.set(name, group);
+    page.set("has_" + name, !placed.empty());
+}
+
+}
+
+void set_distributions(PageData& page, const ReportRun& run, const std::filesystem::path& page_folder)
+{
+    const auto is_any = [](const ReportDistribution& /*scheme*/) { return true; };
+    set_group(page, "packings", run.distributions, "distribution", is_of_packings, page_folder);
+    set_group(page, "distributions", run.distributions, "distribution", is_of_densities, page_folder);
+    set_group(page, "schemes", run.schemes, "scheme", is_any, page_folder);
 }
 
 }

@@ -16,8 +16,8 @@ std::string template_text(const std::string& name)
 
 void add_partials(PageData& data)
 {
-    for (const std::string name :
-         {"panel", "overlay", "guide", "provenance", "endless_view", "distribution", "at_a_glance"})
+    for (const std::string name : {"panel", "overlay", "guide", "provenance", "endless_view", "distribution",
+                                   "distribution_group", "at_a_glance"})
         data.set(name, PageData(kainjow::mustache::partial([name] { return template_text(name); })));
 }
 

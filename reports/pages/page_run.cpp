@@ -51,17 +51,6 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
-/// The sections of distributions of a kind, whose anchors are their places in the whole list.
-PageData distribution_sections(const std::vector<ReportDistribution>& distributions, const std::string& anchor,
-                               bool (*is_shown)(const ReportDistribution&), const std::filesystem::path& page_folder)
-{
-    PageData list{PageData::type::list};
-    for (std::size_t i = 0; i < distributions.size(); ++i)
-        if (is_shown(distributions[i]))
-            list << distribution_section(distributions[i], fmt::format("{}-{}", anchor, i + 1), page_folder);
-    return list;
-}
-
 PageData zone_plate_reference_data(const ReportRun& run, const std::filesystem::path& page_folder)
 {
     const auto curves = zone_plate_curves(series_of(run));
@@ -117,13 +106,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("constructions", construction_sections(run, page_folder));
     page.set("has_constructions", !run.constructions.empty());
     set_textures(page, run, page_folder);
-    page.set("packings", distribution_sections(run.distributions, "distribution", is_of_packings, page_folder));
-    page.set("has_packings", std::ranges::any_of(run.distributions, is_of_packings));
-    page.set("distributions", distribution_sections(run.distributions, "distribution", is_of_densities, page_folder));
-    page.set("has_distributions", std::ranges::any_of(run.distributions, is_of_densities));
-    page.set("schemes", distribution_sections(
-                            run.schemes, "scheme", [](const ReportDistribution&) { return true; }, page_folder));
-    page.set("has_schemes", !run.schemes.empty());
+    set_distributions(page, run, page_folder);
     return render_template("run", page);
 }
 

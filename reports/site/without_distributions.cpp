@@ -36,10 +36,10 @@ std::filesystem::path png_of(const ReportDistribution& /*distribution*/, const D
     throw MissingModule("regions");
 }
 
-PageData distribution_section(const ReportDistribution& /*distribution*/, const std::string& /*anchor*/,
-                              const std::filesystem::path& /*from*/, PageNumbers /*numbers*/)
+void set_distributions(PageData& page, const ReportRun& run, const std::filesystem::path& /*from*/)
 {
-    throw MissingModule("regions");
+    if (!run.distributions.empty() || !run.schemes.empty()) throw MissingModule("regions");
+    for (const char* field : {"has_packings", "has_distributions", "has_schemes"}) page.set(field, false);
 }
 
 void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& /*from*/)

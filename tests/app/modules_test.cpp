@@ -102,6 +102,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[method]]\nsampler = \"random\"\nregion = \"disk 0 0 1\"\n", "regions"},
              {"[[distribution]]\nkind = \"darts\"\n", "regions"},
              {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
+             {"[[distribution]]\nkind = \"mesh-set\"\n", "surface_spectra"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
              {"tiles = 2\n[[method]]\nsampler = \"random\"\n", "tile_measures"},

@@ -30,6 +30,7 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
 with a range for each axis where the sides of a periodic box differ: `# domain 0:2 0:1`.
   poissonlab analyze set-*.dat --label "My method" --out mine
   poissonlab analyze lamps.csv --region roads.geojson --along
+  poissonlab analyze points.csv --surface bunny.obj
 A picture is measured as a mask of thresholds, for dithering or as a texture of blue noise: the power of its values,
 their histogram, and the pixels below thresholds.
   poissonlab analyze blue-noise.png --channel R
@@ -55,6 +56,7 @@ struct AnalyzeOptions
     std::uint32_t particles = no_type;
     std::string region;   ///< as for read_region(); empty: sets fill their square
     bool along = false;   ///< whether points lie on the region's lines
+    std::string surface;  ///< the mesh that points lie on; empty: they lie on none
     std::string channel;  ///< of a picture
     std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
@@ -155,15 +157,45 @@ std::string quoted(const std::string& text) { return nlohmann::json(text).dump()
 
 void check_printable(const AnalyzeOptions& options)
 {
-    for (const std::string& typed : {options.files.front().string(), options.label, options.channel})
+    for (const std::string& typed :
+         {options.files.front().string(), options.label, options.channel, options.region, options.surface})
         if (printable(typed) != typed)
             throw InputError(fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8",
                                          printable(typed)));
 }
 
-/// Measures a file by one kind of work; `keys` are the entries of that kind's table.
-void analyze_by_kind(const AnalyzeOptions& options, const std::string& keys)
+/// Measures one file by a kind of work, whose other keys --set gives: a picture as a mask of thresholds, or points on
+/// the lines of a region or on a mesh. Relative paths start at the current folder.
+void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
 {
+    check_printable(options);
+    const std::string file =
+        (is_picture ? std::ranges::find_if(options.files, has_picture_name) : options.files.begin())->string();
+    const bool is_mesh = !options.surface.empty(), has_region = !options.region.empty();
+    if (options.along && !has_region) throw InputError("analyze: --along needs --region");
+    const bool has_others = is_picture ? is_mesh || has_region : !options.channel.empty() || (is_mesh && has_region);
+    if (has_others || !options.domain.empty() || options.particles != no_type || !options.periodic.empty() ||
+        options.gallery || options.in_pieces || options.files.size() > 1)
+        throw InputError(fmt::format(
+            "analyze: {}--out, --label, --set, --threads and --quiet can be given with it",
+            is_picture
+                ? printable(file) + ": is a picture, which is measured alone, as a mask of thresholds: --channel, "
+            : is_mesh ? "--surface measures one file of points on a mesh: "
+                      : "--along measures one file of points on lines: --region, "));
+    if (is_picture) read_picture_header(file);
+    std::string keys = fmt::format("kind = \"{}\"\n{} = {}\n",
+                                   is_picture ? "mask-picture"
+                                   : is_mesh  ? "mesh-set"
+                                              : "line-set",
+                                   is_picture ? "mask" : "set", quoted(file));
+    const std::initializer_list<std::pair<const char*, std::string>> others{
+        {"channel", options.channel}, {"region", options.region}, {"mesh", options.surface}};
+    for (const auto& [key, value] : others)
+        if (!value.empty()) keys += fmt::format("{} = {}\n", key, quoted(value));
+    for (const std::string& text : options.overrides)
+        keys += text.starts_with("analysis.")
+                    ? text.substr(text.find('.') + 1) + "\n"
+                    : throw InputError("analyze: --set " + text + ": must be analysis.KEY=VALUE");
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     Experiment experiment = experiment_of_text(fmt::format("title = {}\n[[distribution]]\n{}", quoted(label), keys));
     experiment.command = options.command;
@@ -173,44 +205,11 @@ void analyze_by_kind(const AnalyzeOptions& options, const std::string& keys)
     finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
 }
 
-/// Measures a picture as a mask of thresholds.
-void analyze_mask(const AnalyzeOptions& options)
-{
-    const std::string name = printable(std::ranges::find_if(options.files, has_picture_name)->string());
-    check_printable(options);
-    if (options.files.size() > 1) throw InputError(fmt::format("analyze: {}: a picture is measured alone", name));
-    const bool has_others = !options.domain.empty() || options.particles != no_type || !options.region.empty() ||
-                            !options.periodic.empty() || !options.overrides.empty() || options.gallery ||
-                            options.in_pieces || options.along;
-    if (has_others)
-        throw InputError(fmt::format("analyze: {}: is a picture, which is measured as a mask of thresholds: --out, "
-                                     "--label, --channel, --threads and --quiet can be given with it",
-                                     name));
-    read_picture_header(options.files.front());
-    std::string keys = fmt::format("kind = \"mask-picture\"\nmask = {}\n", quoted(options.files.front().string()));
-    if (!options.channel.empty()) keys += fmt::format("channel = {}\n", quoted(options.channel));
-    analyze_by_kind(options, keys);
-}
-
-/// Measures points on the lines of a region. Relative paths start at the current folder.
-void analyze_line_set(const AnalyzeOptions& options)
-{
-    if (options.region.empty()) throw InputError("analyze: --along needs --region");
-    const bool has_others = !options.domain.empty() || options.particles != no_type || !options.channel.empty() ||
-                            !options.periodic.empty() || options.gallery || options.in_pieces;
-    if (has_others || !options.overrides.empty() || options.files.size() > 1)
-        throw InputError("analyze: --along measures one file of points on lines: --region, --out, --label, --threads "
-                         "and --quiet can be given with it");
-    check_printable(options);
-    analyze_by_kind(options, fmt::format("kind = \"line-set\"\nset = {}\nregion = {}\n",
-                                         quoted(options.files.front().string()), quoted(options.region)));
-}
-
 void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
-    if (std::ranges::any_of(options.files, has_picture_name)) return analyze_mask(options);
-    if (options.along) return analyze_line_set(options);
+    const bool has_picture = std::ranges::any_of(options.files, has_picture_name);
+    if (has_picture || options.along || !options.surface.empty()) return analyze_by_kind(options, has_picture);
     if (!options.channel.empty()) throw InputError("analyze: --channel needs a picture");
     std::optional<PointDomain> domain;
     if (!options.domain.empty()) {
@@ -288,6 +287,7 @@ Command analyze_command(const std::string& typed)
               "X0 Y0 X1 Y1, disk X Y RADIUS",
               "REGION"},
              {"--along", &o->along, "Measure the points along the lines and outlines of the region"},
+             {"--surface", &o->surface, "The mesh that points lie on, whose eigenfunctions give the spectrum", "MESH"},
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "

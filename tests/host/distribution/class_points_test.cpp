@@ -65,7 +65,8 @@ TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
 {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "park.geojson";
-    write_whole_file(file, R"({"type": "Polygon", "coordinates": [[[10, 60], [10.002, 60], [10.002, 60.002], [10, 60.002],
+    write_whole_file(file,
+                     R"({"type": "Polygon", "coordinates": [[[10, 60], [10.002, 60], [10.002, 60.002], [10, 60.002],
                               [10, 60]]]})");
     ClassSettings settings;
     settings.place.region = file.string();

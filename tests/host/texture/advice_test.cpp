@@ -286,8 +286,9 @@ TEST(TextureAdvice, SaysWhatIsAgainstIt)
 TEST(TextureAdvice, IsOfWhatIsOpen)
 {
     const TextureAdvice brick = advise_texture(shipped("brick"));
-    EXPECT_THAT(advice_lines(brick), ElementsAre(HasSubstr("of 3 colours, made both ways, the better set being kept: its scale"),
-                                                 HasSubstr("--straighten")));
+    EXPECT_THAT(advice_lines(brick),
+                ElementsAre(HasSubstr("of 3 colours, made both ways, the better set being kept: its scale"),
+                            HasSubstr("--straighten")));
     EXPECT_THAT(advice_lines(brick, {false, false, false, false}),
                 ElementsAre(AllOf(HasSubstr("128 x 128 pixels: its scale"), Not(HasSubstr("colours")))));
 }

@@ -67,6 +67,34 @@ TEST_F(DistributionReport, SaysNumbersOfATableOnce)
     EXPECT_THAT(page(), AllOf(HasSubstr(">count</th>"), Not(HasSubstr(">part</th>"))));
 }
 
+/// Three of one picture each are one figure with one table, whose columns are those of all; two are sections, and so is
+/// one with a table. Four sections begin with small pictures.
+TEST_F(DistributionReport, PutsSmallDistributionsIntoOneFigure)
+{
+    const auto small = [&](const std::string& name, const char* more) {
+        auto json = result(name, "objects");
+        json["tables"] = nlohmann::json::array();
+        if (*more != 0)
+            json["numbers"].push_back({{"key", more}, {"title", more}, {"value", 7}, {"meaning", "what it is"}});
+        return json;
+    };
+    json_["distributions"] = {small("a", ""), result("b", "ranks"), small("c", "more")};
+    EXPECT_THAT(page(), AllOf(HasSubstr("<article id=\"distribution-1\">"), Not(HasSubstr("class=\"numbers\""))));
+    json_["distributions"].push_back(small("d", ""));
+    const std::string text = page();
+    for (const char* place : {"1", "3", "4"})
+        EXPECT_THAT(text, AllOf(HasSubstr(std::string("<figure id=\"distribution-") + place + "\">"),
+                                HasSubstr(std::string("<a href=\"#distribution-") + place + "\">")));
+    EXPECT_THAT(text, HasSubstr("<article id=\"distribution-2\">"));
+    EXPECT_THAT(text, HasSubstr("<th scope=\"col\">below</th><th scope=\"col\">more</th></tr>"));
+    EXPECT_THAT(text, HasSubstr("<td>44,212</td><td>0.2512</td><td>−2.500</td><td>–</td></tr>"));
+    EXPECT_THAT(text, HasSubstr("<td>44,212</td><td>0.2512</td><td>−2.500</td><td>7</td></tr>"));
+    EXPECT_THAT(text, HasSubstr("<b>more.</b> what it is"));
+    EXPECT_THAT(text, Not(HasSubstr("<ul class=\"cards\">\n<li><a href=\"#distribution")));
+    json_["distributions"] = {result("a", "ranks"), result("b", "ranks"), result("c", "ranks"), result("d", "ranks")};
+    EXPECT_THAT(page(), HasSubstr("<li><a href=\"#distribution-4\"><img class=\"framed\" src=\"d/marks.png\""));
+}
+
 TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
 {
     const auto texture = [&](const std::string& name, const std::string& exemplar, double coverage) {

@@ -1,0 +1,172 @@
+#include "analysis/surfaces/eigenvalue_band.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
+
+/// Columns of a block: no group of symmetries of space has more equal eigenvalues by itself than the five of the
+/// icosahedron.
+constexpr Eigen::Index block_size = 5;
+
+/// What is left of an eigenvalue of the inverse when it counts as found, as a share.
+constexpr double small_residual = 1e-9;
+
+/// Where in the band shifts are tried.
+constexpr double shifts[] = {0.5, 0.47, 0.55};
+
+/// Columns that have something of every eigenvector: a sequence whose steps grow, so that it follows no order of nodes.
+Eigen::MatrixXd start_block(Eigen::Index rows, Eigen::Index first)
+{
+    Eigen::MatrixXd block(rows, block_size);
+    for (Eigen::Index k = 0; k < block_size; ++k)
+        for (Eigen::Index i = 0; i < rows; ++i) {
+            const double turns = static_cast<double>(i + 1) * static_cast<double>(i + 2) *
+                                 std::sqrt(static_cast<double>(first + k) + 2.5);
+            block(i, k) = turns - std::floor(turns) - 0.5;
+        }
+    return block;
+}
+
+/// A basis that grows by what the inverse of stiffness - shift mass makes of its last block.
+class LanczosBasis
+{
+public:
+    LanczosBasis(const Pencil& pencil, double shift, Eigen::Index most)
+        : mass_(pencil.mass), inverse_(pencil.stiffness - shift * pencil.mass), shift_(shift),
+          basis_(mass_.rows(), most + block_size),
+          projected_(Eigen::MatrixXd::Zero(most + block_size, most + block_size))
+    {
+        if (is_ready()) append(start_block(mass_.rows(), 0));
+    }
+
+    bool is_ready() const { return inverse_.info() == Eigen::Success; }
+    Eigen::Index size() const { return size_; }
+    Eigen::Index room() const { return basis_.cols() - block_size - size_; }
+
+    /// Adds a block.
+    void grow()
+    {
+        stop_if_interrupted();
+        const Eigen::Index begin = size_ - block_size;
+        const Eigen::MatrixXd load = mass_ * basis_.middleCols(begin, block_size);
+        Eigen::MatrixXd next(load.rows(), block_size);
+        for (Eigen::Index k = 0; k < block_size; ++k) next.col(k) = inverse_.solve(load.col(k));
+        append(std::move(next));
+    }
+
+    /// What is found so far from `low` to `high`: the last block is only the rest of the others.
+    EigenvalueBand found(double low, double high) const
+    {
+        const Eigen::Index inner = size_ - block_size;
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(projected_.topLeftCorner(inner, inner));
+        const Eigen::MatrixXd rest = projected_.block(inner, inner - block_size, block_size, block_size) *
+                                     ritz.eigenvectors().bottomRows(block_size);
+        std::vector<std::pair<double, Eigen::Index>> good;
+        for (Eigen::Index i = 0; i < inner; ++i) {
+            const double of_inverse = ritz.eigenvalues()[i], eigenvalue = shift_ + 1 / of_inverse;
+            if (eigenvalue >= low && eigenvalue < high && rest.col(i).norm() <= small_residual * std::abs(of_inverse))
+                good.emplace_back(eigenvalue, i);
+        }
+        std::ranges::sort(good);
+        const auto count = static_cast<Eigen::Index>(good.size());
+        EigenvalueBand band{Eigen::VectorXd(count), {}};
+        Eigen::MatrixXd chosen(inner, count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            band.eigenvalues[k] = good[static_cast<std::size_t>(k)].first;
+            chosen.col(k) = ritz.eigenvectors().col(good[static_cast<std::size_t>(k)].second);
+        }
+        band.vectors = basis_.leftCols(inner) * chosen;
+        return band;
+    }
+
+private:
+    /// Makes a block orthonormal to the basis and in itself, twice, and adds it. What it was made of goes into the
+    /// projection of the inverse.
+    void append(Eigen::MatrixXd block)
+    {
+        Eigen::MatrixXd of_basis = Eigen::MatrixXd::Zero(size_, block_size),
+                        of_itself = Eigen::MatrixXd::Identity(block_size, block_size);
+        for (int pass = 0; pass < 2; ++pass) {
+            const Eigen::MatrixXd shared = basis_.leftCols(size_).transpose() * (mass_ * block);
+            block.noalias() -= basis_.leftCols(size_) * shared;
+            of_basis += shared * of_itself;
+            const Eigen::LLT<Eigen::MatrixXd> root(block.transpose() * (mass_ * block));
+            const Eigen::MatrixXd upper = root.matrixU();
+            if (root.info() != Eigen::Success || !(upper.diagonal().minCoeff() > 0)) { // nothing new is left
+                block = start_block(mass_.rows(), size_);
+                of_itself.setZero();
+                continue;
+            }
+            root.matrixU().solveInPlace<Eigen::OnTheRight>(block);
+            of_itself = upper * of_itself;
+        }
+        basis_.middleCols(size_, block_size) = block;
+        if (size_ > 0) {
+            const Eigen::Index begin = size_ - block_size;
+            projected_.block(begin, begin, block_size, block_size) = of_basis.bottomRows(block_size);
+            projected_.block(size_, begin, block_size, block_size) = of_itself;
+        }
+        size_ += block_size;
+    }
+
+    const SparseMatrix& mass_;
+    Factor inverse_;
+    double shift_;
+    Eigen::MatrixXd basis_;     ///< its first columns
+    Eigen::MatrixXd projected_; ///< the lower half; the upper one is its mirror image
+    Eigen::Index size_ = 0;
+};
+
+}
+
+std::size_t eigenvalues_below(const Pencil& pencil, double value)
+{
+    stop_if_interrupted();
+    const Factor factor(pencil.stiffness - value * pencil.mass);
+    if (factor.info() != Eigen::Success)
+        throw InputError(fmt::format("the mesh's eigenfunctions below the eigenvalue {:.6g} cannot be counted", value));
+    return static_cast<std::size_t>((factor.vectorD().array() < 0).count());
+}
+
+EigenvalueBand eigenvalues_between(const Pencil& pencil, double low, double high, std::size_t count)
+{
+    const auto wanted = static_cast<Eigen::Index>(count);
+    const Eigen::Index most = std::min(pencil.mass.rows() - 2 * block_size, 6 * wanted + 20 * block_size);
+    std::size_t best = 0;
+    for (const double part : shifts) {
+        LanczosBasis basis(pencil, low + part * (high - low), most);
+        for (Eigen::Index next = 3 * wanted + 2 * block_size; basis.is_ready() && basis.room() >= 0;
+             next = basis.size() + std::max<Eigen::Index>(2 * block_size, wanted / 4)) {
+            while (basis.size() < next && basis.room() >= 0) basis.grow();
+            EigenvalueBand band = basis.found(low, high);
+            if (band.eigenvalues.size() == wanted) return band;
+            best = std::max(best, static_cast<std::size_t>(band.eigenvalues.size()));
+        }
+    }
+    throw InputError(
+        fmt::format("of {} eigenfunctions with eigenvalues from {:.6g} to {:.6g} only {} could be found: the "
+                    "mesh may have triangles far thinner than others",
+                    count, low, high, best));
+}
+
+EigenvalueBand eigenvalues_of_small(const Pencil& pencil, double low, double high)
+{
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> all{Eigen::MatrixXd(pencil.stiffness),
+                                                                        Eigen::MatrixXd(pencil.mass)};
+    const auto below = [&](double value) { return (all.eigenvalues().array() < value).count(); };
+    const Eigen::Index begin = below(low), count = below(high) - begin;
+    return {all.eigenvalues().segment(begin, count), all.eigenvectors().middleCols(begin, count)};
+}
+
+}

@@ -1,0 +1,159 @@
+#include "analysis/surfaces/mesh_eigenfunctions.hpp"
+
+#include "analysis/surfaces/eigenvalue_band.hpp"
+#include "analysis/surfaces/refined_mesh.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double, int>>;
+
+/// Meshes of so many vertices are small: all eigenvectors take little time.
+constexpr Eigen::Index few_vertices = 300;
+
+/// Eigenfunctions that are found together, by Weyl's law.
+constexpr double of_a_band = 60;
+
+/// Eigenvalues below this part of Weyl's first one are those of constant functions.
+constexpr double nearly_none = 1e-6;
+
+SparseMatrix matrix_of(const Triplets& entries, std::size_t vertices)
+{
+    const auto size = static_cast<Eigen::Index>(vertices);
+    SparseMatrix matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+/// Linear elements. The stiffness of two corners is the product of the edges that face them, over four areas; that is
+/// the cotangent of the third angle.
+Pencil pencil_of(const TriangleMesh& mesh)
+{
+    Triplets stiffness, mass;
+    for (const MeshTriangle& t : mesh.triangles) {
+        const double area = area_of(mesh, t);
+        std::array<MeshPoint, 3> facing;
+        for (std::size_t k = 0; k < 3; ++k)
+            facing[k] = difference(mesh.vertices[t[(k + 2) % 3]], mesh.vertices[t[(k + 1) % 3]]);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) {
+                const int row = static_cast<int>(t[i]), column = static_cast<int>(t[j]);
+                stiffness.emplace_back(row, column, dot(facing[i], facing[j]) / (4 * area));
+                // the full mass has a sixth and a twelfth of the area, the lumped one a third on the diagonal
+                mass.emplace_back(row, column, i == j ? area / 4 : area / 24);
+            }
+    }
+    return {matrix_of(stiffness, mesh.vertices.size()), matrix_of(mass, mesh.vertices.size())};
+}
+
+/// The integrals of the squares of functions that have 1 by the mean of the masses. All three have the same sums of
+/// rows, which are the lumped one.
+Eigen::VectorXd squares_of(const Eigen::MatrixXd& vectors, const Eigen::VectorXd& lumped)
+{
+    return 2 - (vectors.array().square().colwise() * lumped.array()).colwise().sum().transpose();
+}
+
+/// What a set of points adds up to at each vertex, scaled such that its product with an eigenfunction has the power for
+/// its square.
+Eigen::VectorXd load_of(const TriangleMesh& mesh, const std::vector<MeshPosition>& set, double area)
+{
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.vertices.size()));
+    for (const MeshPosition& position : set)
+        for (std::size_t k = 0; k < 3; ++k)
+            load[static_cast<Eigen::Index>(mesh.triangles[position.triangle][k])] += position.shares[k];
+    return load * std::sqrt(area / static_cast<double>(set.size()));
+}
+
+/// The work on a mesh.
+class MeshSpectrum
+{
+public:
+    MeshSpectrum(const TriangleMesh& mesh, double highest, const std::vector<std::vector<MeshPosition>>& sets)
+        : pencil_(pencil_of(mesh)), lumped_(pencil_.mass * Eigen::VectorXd::Ones(pencil_.mass.cols())),
+          loads_(pencil_.mass.rows(), static_cast<Eigen::Index>(sets.size()))
+    {
+        const double area = lumped_.sum(), low = nearly_none * eigenvalue_of(frequency_of_eigenfunctions(1, area));
+        for (std::size_t s = 0; s < sets.size(); ++s)
+            loads_.col(static_cast<Eigen::Index>(s)) = load_of(mesh, sets[s], area);
+        const double eigenfunctions = eigenfunctions_up_to(frequency_of(highest), area);
+        const auto bands =
+            is_small() ? 1 : std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(eigenfunctions / of_a_band)));
+        for (std::size_t k = 0; k <= bands; ++k)
+            borders_.push_back(low + (highest - low) * static_cast<double>(k) / static_cast<double>(bands));
+    }
+
+    EigenfunctionPowers powers(const EigenfunctionProgress& on_progress) const
+    {
+        std::vector<EigenfunctionPowers> of_bands(borders_.size() - 1);
+        std::vector<std::size_t> below(borders_.size());
+        if (!is_small())
+            tbb::parallel_for(std::size_t{0}, below.size(),
+                              [&](std::size_t k) { below[k] = eigenvalues_below(pencil_, borders_[k]); });
+        std::mutex telling;
+        std::size_t done = 0;
+        tbb::parallel_for(std::size_t{0}, of_bands.size(), [&](std::size_t k) {
+            of_bands[k] = powers_in(borders_[k], borders_[k + 1], below[k + 1] - below[k]);
+            const std::lock_guard lock(telling);
+            done += of_bands[k].eigenvalues.size();
+            if (on_progress) on_progress(done, is_small() ? done : below.back() - below.front());
+        });
+        EigenfunctionPowers all;
+        all.powers.resize(static_cast<std::size_t>(loads_.cols()));
+        for (const EigenfunctionPowers& band : of_bands) {
+            all.eigenvalues.insert(all.eigenvalues.end(), band.eigenvalues.begin(), band.eigenvalues.end());
+            for (std::size_t s = 0; s < all.powers.size(); ++s)
+                all.powers[s].insert(all.powers[s].end(), band.powers[s].begin(), band.powers[s].end());
+        }
+        return all;
+    }
+
+private:
+    bool is_small() const { return pencil_.mass.rows() <= few_vertices; }
+
+    EigenfunctionPowers powers_in(double low, double high, std::size_t count) const
+    {
+        EigenfunctionPowers found;
+        found.powers.resize(static_cast<std::size_t>(loads_.cols()));
+        if (count == 0 && !is_small()) return found;
+        const EigenvalueBand band =
+            is_small() ? eigenvalues_of_small(pencil_, low, high) : eigenvalues_between(pencil_, low, high, count);
+        found.eigenvalues.assign(band.eigenvalues.begin(), band.eigenvalues.end());
+        const Eigen::VectorXd squares = squares_of(band.vectors, lumped_);
+        for (Eigen::Index s = 0; s < loads_.cols(); ++s) {
+            const Eigen::VectorXd sums = band.vectors.transpose() * loads_.col(s);
+            const Eigen::VectorXd of_set = sums.array().square() / squares.array();
+            found.powers[static_cast<std::size_t>(s)].assign(of_set.begin(), of_set.end());
+        }
+        return found;
+    }
+
+    Pencil pencil_;
+    Eigen::VectorXd lumped_;
+    Eigen::MatrixXd loads_; ///< a column each set
+    std::vector<double> borders_;
+};
+
+}
+
+EigenfunctionPowers eigenfunction_powers(const TriangleMesh& mesh, double highest,
+                                         const std::vector<std::vector<MeshPosition>>& sets,
+                                         const EigenfunctionProgress& on_progress)
+{
+    return MeshSpectrum(mesh, highest, sets).powers(on_progress);
+}
+
+double eigenfunctions_up_to(double frequency, double area) { return std::numbers::pi * area * frequency * frequency; }
+
+double frequency_of_eigenfunctions(double count, double area) { return std::sqrt(count / (std::numbers::pi * area)); }
+
+double eigenvalue_of(double frequency) { return 4 * std::numbers::pi * std::numbers::pi * frequency * frequency; }
+
+double frequency_of(double eigenvalue) { return std::sqrt(eigenvalue) / (2 * std::numbers::pi); }
+
+}

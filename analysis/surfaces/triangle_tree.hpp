@@ -1,0 +1,45 @@
+// The triangle of a mesh that is nearest to a place, by a tree of boxes.
+#pragma once
+
+#include "base/surfaces/triangle_mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// A place on a mesh.
+struct MeshPosition
+{
+    std::uint32_t triangle = 0;
+    std::array<double, 3> shares{}; ///< of its corners, from 0 to 1, with the sum 1
+};
+
+MeshPoint place_of(const TriangleMesh& mesh, const MeshPosition& position);
+
+class TriangleTree
+{
+public:
+    /// The mesh has a triangle, and must outlive the tree.
+    explicit TriangleTree(const TriangleMesh& mesh);
+
+    /// The position nearest to a place, the first one of several in the tree's order.
+    MeshPosition nearest(const MeshPoint& place) const;
+
+private:
+    struct Node
+    {
+        MeshPoint low, high;
+        std::uint32_t begin, end; ///< of the triangles in order_
+        std::uint32_t right;      ///< the second half; the first one is the next node. 0: a leaf
+    };
+
+    std::uint32_t add_node(std::uint32_t begin, std::uint32_t end);
+
+    const TriangleMesh& mesh_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+}

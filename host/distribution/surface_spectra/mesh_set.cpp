@@ -1,0 +1,224 @@
+#include "host/distribution/surface_spectra/mesh_set.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/sampling/surfaces/surface_elimination.hpp"
+#include "results/series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+/// Points may be off the mesh by this part of the root of the area for each of them.
+constexpr double off_mesh = 0.1;
+
+/// Spectra reach no farther than this, in roots of points for each area: past the first peak of Poisson disk sets.
+constexpr double farthest_reach = 1.6;
+
+/// Lattices have their first peaks below this frequency: those of squares at 1, those of triangles at 1.07.
+constexpr double reach_of_lattices = 1.2;
+
+/// Curves have about so many rings for each root of points for the area.
+constexpr double rings_of_curve = 40;
+
+TriangleMesh triangles_of(const FixedSurface& surface)
+{
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    for (const SurfaceTriangle& t : surface.triangles) {
+        MeshTriangle& triangle = mesh.triangles.emplace_back();
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::array<int, 3> corner{t.corners[3 * c], t.corners[3 * c + 1], t.corners[3 * c + 2]};
+            const auto [found, is_new] = numbers.try_emplace(corner, static_cast<std::uint32_t>(mesh.vertices.size()));
+            triangle[c] = found->second;
+            if (!is_new) continue;
+            MeshPoint& place = mesh.vertices.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) place[k] = surface.origin[k] + corner[k] * surface.unit;
+        }
+    }
+    return mesh;
+}
+
+SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position)
+{
+    const auto share = [&](std::size_t corner) {
+        return static_cast<std::uint32_t>(std::ldexp(position.shares[corner], contract::surface::BARYCENTRIC_BITS));
+    };
+    SurfacePoint point{};
+    point.triangle = position.triangle;
+    point.shares[0] = share(1);
+    point.shares[1] = share(2);
+    std::ranges::copy(place_on(surface.triangles[position.triangle], share(1), share(2)), point.place);
+    return point;
+}
+
+MeshPoint mesh_point(std::span<const double> place) { return {place[0], place[1], place[2]}; }
+
+PointSet points_in_space(const std::filesystem::path& file)
+{
+    const std::vector<PointSet> sets = read_own_points(file, any_coordinates);
+    const std::string name = file.string();
+    if (sets.size() != 1)
+        throw InputError(
+            fmt::format("{}: has {} sets; points on meshes are measured one set at a time", name, sets.size()));
+    if (sets.front().dimension != 3) throw InputError(name + ": points on a mesh have three coordinates, x, y and z");
+    if (sets.front().size() < 2) throw InputError(name + ": has one point; a spectrum needs at least two");
+    return sets.front();
+}
+
+/// What of sets is located on the mesh whose triangles are small.
+std::vector<MeshPosition> positions_of(const TriangleTree& tree, const PointSet& places)
+{
+    std::vector<MeshPosition> positions;
+    for (std::size_t i = 0; i < places.size(); ++i) positions.push_back(tree.nearest(mesh_point(places[i])));
+    return positions;
+}
+
+/// The answer by the rule of the plane, whose measures these are.
+BlueNoiseVerdict verdict_of(const MeshSetMeasures& set, std::size_t points, bool reaches_lattices)
+{
+    Series series;
+    series.points = points;
+    series.realizations = 1;
+    series.spectrum_size = reaches_lattices ? size_asked_for(points, 2) : 1;
+    auto& numbers = series.measures.numbers;
+    numbers["mean_nearest_distance"] = {set.nearest_ratio, {}};
+    if (set.low_frequency_mean) numbers["low_frequency_mean"] = {*set.low_frequency_mean, {}};
+    if (set.effective_nyquist) numbers["effective_nyquist"] = {*set.effective_nyquist, {}};
+    if (set.above_chance) numbers["anisotropy_above_chance"] = {*set.above_chance, {}};
+    if (reaches_lattices) series.measures.peak_anisotropy = peak_anisotropy(set.rings);
+    return *blue_noise_verdict(series, 2);
+}
+
+/// The measures of a set whose powers are known.
+class MeshSetMeasurement
+{
+public:
+    MeshSetMeasurement(const FixedSurface& surface, const TriangleMesh& mesh, const EigenfunctionPowers& found,
+                       double highest, double normal_angle)
+        : surface_(surface), mesh_(mesh), found_(found), highest_(highest), normal_angle_(normal_angle)
+    {}
+
+    MeshSetMeasures measure(const std::vector<SurfacePoint>& points, const std::vector<MeshPosition>& positions,
+                            std::size_t number) const
+    {
+        MeshSetMeasures set;
+        set.rings = eigenfunction_rings(found_.eigenvalues, found_.powers[number], surface_.area, highest_);
+        const SurfaceDistances distances =
+            surface_distances(surface_, points, least_cosine(normal_angle_), surface_.area);
+        const auto count = static_cast<double>(points.size());
+        const double packed = std::sqrt(2 / std::numbers::sqrt3 * surface_.area / count);
+        set.least = distances.least;
+        set.mean_nearest = distances.mean_nearest;
+        set.relative_radius = distances.least / packed;
+        set.nearest_ratio = distances.mean_nearest / packed;
+        set.counts = counts_over_parts(mesh_, positions);
+        const double reach = frequency_of(highest_) * std::sqrt(surface_.area / count);
+        const FrequencyRange low = low_frequency_range(points.size(), 2);
+        if (!set.rings.empty() && reach > low_frequency_end) set.low_frequency_mean = mean_power_in(set.rings, low);
+        set.effective_nyquist = effective_nyquist_frequency(set.rings, points.size(), 2);
+        const bool reaches_lattices = reach >= reach_of_lattices;
+        if (reaches_lattices) set.above_chance = anisotropy_above_chance_db(set.rings, 1);
+        set.verdict = verdict_of(set, points.size(), reaches_lattices);
+        return set;
+    }
+
+private:
+    const FixedSurface& surface_;
+    const TriangleMesh& mesh_;
+    const EigenfunctionPowers& found_;
+    double highest_, normal_angle_;
+};
+
+}
+
+std::shared_ptr<const SurfaceMesh> surface_of(const MeshSetSettings& settings)
+{
+    MeshPointSettings of_mesh;
+    of_mesh.mesh = settings.mesh;
+    return surface_mesh(of_mesh);
+}
+
+std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& settings)
+{
+    if (settings.read) return settings.read;
+    MeshWithPoints read;
+    read.surface = settings.surface ? settings.surface : surface_of(settings);
+    const FixedSurface& surface = read.surface->surface;
+    read.mesh = triangles_of(surface);
+    const PointSet places = points_in_space(settings.set);
+    read.tolerance =
+        settings.tolerance.value_or(off_mesh * std::sqrt(surface.area / static_cast<double>(places.size())));
+    const TriangleTree tree(read.mesh);
+    std::size_t off = 0, first = 0;
+    double first_off = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const MeshPosition on = tree.nearest(mesh_point(places[i]));
+        const MeshPoint away = difference(place_of(read.mesh, on), mesh_point(places[i]));
+        const double distance = std::sqrt(dot(away, away));
+        if (distance > read.tolerance && off++ == 0) first = i, first_off = distance;
+        read.farthest = std::max(read.farthest, distance);
+        read.points.push_back(surface_point(surface, on));
+    }
+    if (off > 0)
+        throw InputError(
+            fmt::format("{}: {} of {} points {} farther off the mesh than the tolerance, {:.4g}: the first "
+                        "is point {}, ({:.6g}, {:.6g}, {:.6g}), which is {:.4g} off",
+                        settings.set.string(), off, places.size(), off == 1 ? "is" : "are", read.tolerance, first + 1,
+                        places[first][0], places[first][1], places[first][2], first_off));
+    return std::make_shared<const MeshWithPoints>(std::move(read));
+}
+
+MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings& settings, std::uint64_t seed,
+                             const std::function<void(const std::string& what)>& on_step)
+{
+    const FixedSurface& surface = points.surface->surface;
+    const std::size_t count = points.points.size();
+    const double density = std::sqrt(static_cast<double>(count) / surface.area);
+    MeshSpectra spectra;
+    spectra.area = surface.area;
+    spectra.shape = shape_of(points.mesh);
+    spectra.triangles = points.mesh.triangles.size();
+    spectra.reach =
+        std::min(farthest_reach, frequency_of_eigenfunctions(settings.eigenfunctions, surface.area) / density);
+    const double highest = eigenvalue_of(spectra.reach * density);
+    const TriangleMesh mesh = with_edges_up_to(points.mesh, longest_edge_in_wavelengths / frequency_of(highest));
+    spectra.elements = mesh.triangles.size();
+
+    if (on_step) on_step("darts on the mesh, to compare with");
+    MeshPointSettings of_darts;
+    of_darts.read = points.surface;
+    of_darts.points = count;
+    of_darts.normal_angle = settings.normal_angle;
+    const SurfaceSet darts = make_surface_set(of_darts, seed, {.engine = Engine::reference, .device = {}});
+    const auto random = surface_candidates(surface, count, stream_key(seed, Purpose::surface_candidates, 1));
+    const TriangleTree tree(mesh);
+    std::vector<std::vector<MeshPosition>> sets;
+    for (const auto& of : {points.points, random, darts.points})
+        sets.push_back(positions_of(tree, points_of(surface, of)));
+    const EigenfunctionPowers found = eigenfunction_powers(mesh, highest, sets, [&](std::size_t done, std::size_t all) {
+        if (on_step) on_step(fmt::format("{} of {} eigenfunctions of {} vertices", done, all, mesh.vertices.size()));
+    });
+    spectra.eigenfunctions = found.eigenvalues.size();
+    const MeshSetMeasurement measurement(surface, mesh, found, highest, settings.normal_angle);
+    spectra.set = measurement.measure(points.points, sets[0], 0);
+    spectra.random = measurement.measure(random, sets[1], 1);
+    spectra.darts = measurement.measure(darts.points, sets[2], 2);
+    const double width = std::max(1.0, std::round(std::sqrt(static_cast<double>(count)) / rings_of_curve));
+    const auto curve = [&](std::size_t number) {
+        return eigenfunction_rings(found.eigenvalues, found.powers[number], surface.area, highest, width);
+    };
+    spectra.set_curve = curve(0);
+    spectra.random_curve = curve(1);
+    spectra.darts_curve = curve(2);
+    return spectra;
+}
+
+}

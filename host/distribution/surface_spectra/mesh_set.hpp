@@ -1,0 +1,82 @@
+// Measures points on a mesh, made here or elsewhere: their spectrum by the mesh's eigenfunctions, their distances, and
+// whether they are blue noise.
+#pragma once
+
+#include "analysis/surfaces/mesh_eigenfunctions.hpp"
+#include "analysis/surfaces/surface_rings.hpp"
+#include "host/distribution/surfaces/surface_set.hpp"
+#include "host/kinds/kind.hpp"
+#include "results/blue_noise.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The keys of kind = "mesh-set".
+struct MeshSetSettings
+{
+    std::filesystem::path set;
+    std::filesystem::path mesh;
+    std::uint32_t eigenfunctions = 5000;
+    double normal_angle = 120;
+    std::optional<double> tolerance;
+    std::shared_ptr<const SurfaceMesh> surface{};        ///< the mesh, where it was read already
+    std::shared_ptr<const struct MeshWithPoints> read{}; ///< and the points
+};
+
+/// A mesh whose triangles share their corners, and points that lie on it.
+struct MeshWithPoints
+{
+    std::shared_ptr<const SurfaceMesh> surface;
+    TriangleMesh mesh; ///< the triangles of the surface
+    std::vector<SurfacePoint> points;
+    double tolerance = 0; ///< up to which points may be off the mesh, in its units
+    double farthest = 0;  ///< that a point was off
+};
+
+/// Reads the mesh. Throws InputError.
+std::shared_ptr<const SurfaceMesh> surface_of(const MeshSetSettings& settings);
+
+/// Reads both, unless the settings have them. Throws InputError: fewer than two points, or points farther off the mesh
+/// than the tolerance, a tenth of the root of the area for each point unless it is given.
+std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& settings);
+
+/// What is measured of a set.
+struct MeshSetMeasures
+{
+    std::vector<RadialBin> rings; ///< one wide
+    double least = 0;             ///< distance of points whose normals are near enough, in units of the mesh
+    double mean_nearest = 0;
+    double relative_radius = 0;
+    double nearest_ratio = 0; ///< mean nearest distance over that of the densest packing in the plane
+    CountsOverParts counts;
+    std::optional<double> low_frequency_mean, effective_nyquist, above_chance;
+    BlueNoiseVerdict verdict;
+};
+
+struct MeshSpectra
+{
+    double area = 0;                ///< in squares of the mesh's units
+    double reach = 0;               ///< the highest frequency, in roots of points for each area
+    std::size_t eigenfunctions = 0; ///< that were found
+    MeshShape shape;                ///< of the mesh
+    std::size_t triangles = 0;      ///< of the mesh
+    std::size_t elements = 0;       ///< triangles after division
+    MeshSetMeasures set, random, darts;
+    std::vector<RadialBin> set_curve, random_curve, darts_curve; ///< rings as wide as curves show them
+};
+
+/// Measures the points, as many random ones, and as many of dart throwing.
+MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings& settings, std::uint64_t seed,
+                             const std::function<void(const std::string& what)>& on_step);
+
+/// Returns kind = "mesh-set", which measures a file of points.
+Kind mesh_set_kind();
+
+}

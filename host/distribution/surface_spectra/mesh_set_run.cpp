@@ -1,0 +1,190 @@
+// kind = "mesh-set" measures points on a mesh, wherever they come from.
+#include "base/files/whole_file.hpp"
+#include "base/images/png_file.hpp"
+#include "base/text/noun.hpp"
+#include "host/distribution/surface_spectra/mesh_set.hpp"
+#include "host/distribution/surfaces/surface_view.hpp"
+#include "host/kinds/kinds.hpp"
+#include "results/curve_tables.hpp"
+#include "results/pictures/curve_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace poissonlab {
+namespace {
+
+/// Chance that points spread over the surface are called uneven.
+constexpr double uneven = 1e-3;
+
+void mesh_set_keys(Keys& keys, MeshSetSettings& s)
+{
+    keys.file("set", s.set, "the points: a file of points with three coordinates, in the mesh's units").required();
+    keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
+        .required();
+    keys.integer(
+        "eigenfunctions", s.eigenfunctions, 10, 200'000,
+        "the number of the mesh's eigenfunctions, nearly; spectra reach no farther than 1.6 times the root of the "
+        "points for each area");
+    keys.number("normal_angle", s.normal_angle, {1, 180},
+                "the largest angle between normals of points whose distance counts; 180: all do")
+        .unit("degrees");
+    keys.number("tolerance", s.tolerance, {0, 1e100}, "the largest distance of a point from the mesh")
+        .unit("units of the mesh")
+        .otherwise("a tenth of the root of the area for each point");
+    if (!keys.is_read()) return;
+    keys.check("mesh", [&] { s.surface = surface_of(s); });
+    keys.check("set", [&] { s.read = read_mesh_set(s); });
+    for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+}
+
+std::string mesh_set_label(const MeshSetSettings& s)
+{
+    return fmt::format("{} on {}", s.set.stem().string(), name_of_input(s.mesh.string()));
+}
+
+std::vector<std::string> facts_of(const MeshWithPoints& points, const MeshSpectra& spectra)
+{
+    std::vector<std::string> facts{
+        spectra.set.verdict.words(), fmt::format("{} points", points.points.size()),
+        fmt::format("{} triangles", spectra.triangles),
+        fmt::format("{} eigenfunctions, up to {:.3g} √(N / area)", spectra.eigenfunctions, spectra.reach)};
+    if (spectra.set.counts.parts > 0 && spectra.set.counts.p_value < uneven)
+        facts.push_back(
+            fmt::format("The density varies more than that of random points: over {} parts of equal area, p "
+                        "= {:.2g}",
+                        spectra.set.counts.parts, spectra.set.counts.p_value));
+    if (spectra.elements > spectra.triangles)
+        facts.push_back(fmt::format("Triangles longer than {} of the shortest wavelength were divided into {}",
+                                    longest_edge_in_wavelengths, spectra.elements));
+    for (const std::string& note : points.surface->notes()) facts.push_back(note);
+    const MeshShape& shape = spectra.shape;
+    if (shape.open_edges > 0) facts.emplace_back("The surface is open: eigenfunctions are level across its edges");
+    if (shape.parts > 1)
+        facts.push_back(
+            fmt::format("The mesh has {} parts, each with eigenfunctions of its own: whether they have as many "
+                        "points as their areas ask for shows in the counts alone",
+                        shape.parts));
+    if (shape.branching_edges > 0)
+        facts.push_back(
+            fmt::format("The surface branches at {} {} of more than two triangles, and eigenfunctions go on "
+                        "into each of them",
+                        shape.branching_edges, noun(shape.branching_edges, "edge")));
+    return facts;
+}
+
+DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& spectra)
+{
+    const MeshSetMeasures& set = spectra.set;
+    DistributionNumbers numbers{
+        {"points", "Points", static_cast<double>(points.points.size()), "on the mesh"},
+        {"area", "Area", spectra.area, "of the mesh, in squares of its units"},
+        {"off_mesh", "Largest distance from the mesh", points.farthest,
+         fmt::format("before points were put on it, in its units; at most {:.4g} is accepted", points.tolerance)},
+        {"eigenfunctions", "Eigenfunctions", static_cast<double>(spectra.eigenfunctions),
+         "eigenfunctions of the mesh's Laplacian, by which the spectrum is measured"},
+        {"spectrum_reach", "End of the spectrum", spectra.reach, "in units of the root of N / area"},
+        {"least_distance", "Least distance", set.least,
+         "of two points whose normals are near enough, straight through space, in units of the mesh"},
+        {"mean_nearest", "Mean nearest distance", set.mean_nearest, "straight through space, in units of the mesh"}};
+    const auto add = [&](const char* key, const char* title, const std::optional<double>& value, const char* meaning) {
+        if (value && std::isfinite(*value)) numbers.push_back({key, title, *value, meaning, {}, true});
+    };
+    add("relative_radius", "Relative radius", set.relative_radius, "");
+    add("mean_nearest_distance", "Mean nearest distance, relative", set.nearest_ratio, "");
+    add("low_frequency_mean", "Mean power at low frequencies", set.low_frequency_mean, "");
+    add("effective_nyquist", "Effective Nyquist frequency", set.effective_nyquist, "");
+    add("anisotropy_above_chance", "Peaks above chance", set.above_chance, "");
+    if (set.counts.parts > 0) add("counts_p_value", "Evenness of counts", set.counts.p_value, "");
+    return numbers;
+}
+
+/// The set beside random points and darts.
+DistributionTable comparison_of(const MeshSpectra& spectra)
+{
+    DistributionTable table{"Beside other points on this mesh", {"", "points", "random points", "dart throwing"}, {}};
+    const auto add = [&](const std::string& name,
+                         const std::function<std::optional<double>(const MeshSetMeasures&)>& of) {
+        const auto cell = [&](const MeshSetMeasures& set) {
+            const auto value = of(set);
+            return value && std::isfinite(*value) ? fmt::format("{:.3g}", *value) : std::string("–");
+        };
+        table.rows.push_back({name, cell(spectra.set), cell(spectra.random), cell(spectra.darts)});
+    };
+    add("Relative radius: least distance, of that of the densest packing in a plane of the same area",
+        [](const MeshSetMeasures& set) { return set.relative_radius; });
+    add("Mean nearest distance, of the same", [](const MeshSetMeasures& set) { return set.nearest_ratio; });
+    add("Mean power at frequencies up to √(N / area) / 4: random points have 1",
+        [](const MeshSetMeasures& set) { return set.low_frequency_mean; });
+    add("Effective Nyquist frequency, of √(N / area) / 2",
+        [](const MeshSetMeasures& set) { return set.effective_nyquist; });
+    add("Peaks above chance, dB: 0 where no ring stands out",
+        [](const MeshSetMeasures& set) { return set.above_chance; });
+    if (const std::size_t parts = spectra.set.counts.parts; parts > 0)
+        add(fmt::format("Counts over {} parts of equal area: the chance that those of random points vary as much",
+                        parts),
+            [](const MeshSetMeasures& set) { return set.counts.p_value; });
+    table.rows.push_back(
+        {"Blue noise", spectra.set.verdict.answer, spectra.random.verdict.answer, spectra.darts.verdict.answer});
+    return table;
+}
+
+CurveChart chart_of(const MeshSpectra& spectra, std::size_t points, const ChartAxis& y, double level,
+                    double RadialBin::*value)
+{
+    const double unit = 1 / std::sqrt(static_cast<double>(points));
+    CurveChart chart{{"frequency / √(N / area)", 0, std::max(0.1, spectra.reach), 0.25}, y, level, {}};
+    const auto add = [&](const char* name, const char* color, const std::vector<RadialBin>& rings) {
+        ChartCurve& curve = chart.curves.emplace_back(ChartCurve{name, color, {}});
+        for (const RadialBin& ring : rings)
+            if (ring.*value > least_anisotropy_db) curve.places.push_back({ring.frequency * unit, ring.*value});
+    };
+    add("random points", "#8a8f98", spectra.random_curve);
+    add("dart throwing", "#c8553d", spectra.darts_curve);
+    add("points", "#2c728e", spectra.set_curve);
+    return chart;
+}
+
+DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                   DistributionFiles& files)
+{
+    const auto read = read_mesh_set(settings);
+    const MeshWithPoints& points = *read;
+    const MeshSpectra spectra = measure_mesh_set(points, settings, seed, place.on_step);
+    DistributionResult result;
+    result.facts = facts_of(points, spectra);
+    result.numbers = numbers_of(points, spectra);
+    result.tables = {comparison_of(spectra)};
+    const std::size_t count = points.points.size();
+    files.add_curves(
+        "power", chart_of(spectra, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
+        "Radially averaged power. The mean power of the mesh's eigenfunctions in rings of equal frequency; "
+        "random points have 1, and blue noise has little on the left.",
+        result);
+    files.add_curves(
+        "anisotropy", chart_of(spectra, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
+        "Anisotropy. How the power of the eigenfunctions in a ring varies: chance has 0 dB, peaks of a lattice "
+        "rise above it.",
+        result);
+    const FixedSurface& surface = points.surface->surface;
+    const SurfaceDots dots{std::isfinite(spectra.set.mean_nearest) ? spectra.set.mean_nearest : 0,
+                           surface.open_edges == 0};
+    write_png(files.add("points.png"), surface_view(surface, points.points, dots));
+    result.pictures.push_back({"points.png", "The points on the mesh, from the front above and from behind above."});
+    write_whole_file(files.add("radial.csv", result), radial_csv(spectra.set.rings));
+    return result;
+}
+
+}
+
+Kind mesh_set_kind()
+{
+    return make_kind<MeshSetSettings>({"distribution", "mesh-set", "", "Points on a mesh, measured",
+                                       "Measure points on a mesh, made here or elsewhere: are they blue noise?", false},
+                                      mesh_set_keys, mesh_set_label, measure_on_mesh);
+}
+
+}
