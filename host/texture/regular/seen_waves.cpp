@@ -150,8 +150,14 @@ PartWaves waves_of_part(const LightMap& level, double part)
     found.regular = find_regular_waves(map);
     found.times = strongest_wave(map).times;
     if (found.regular.strongest.empty() || found.regular.is_comb) {
-        slope = found_slope(light, part, comb_deviations(straight) + least_slope_deviations, comb_deviations);
-        found.regular = find_regular_waves(from_above(light, slope, part));
+        const Slope of_comb =
+            found_slope(light, part, comb_deviations(straight) + least_slope_deviations, comb_deviations);
+        RegularWaves regular = find_regular_waves(from_above(light, of_comb, part));
+        // Courses of bricks that are seen from the side stand out from there only: they keep the slope of their share.
+        if (!regular.strongest.empty()) {
+            slope = of_comb;
+            found.regular = std::move(regular);
+        }
     }
     if (!found.regular.strongest.empty()) found.times = found.regular.strongest[0].times;
     const double pixels = searched_side / (2 * slope.reach() * part);
