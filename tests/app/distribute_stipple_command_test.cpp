@@ -174,8 +174,8 @@ TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
         return run("stipple", words).out;
     };
     EXPECT_THAT(said({"--pen", "0.5mm"}),
-                HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and leave 2.5 % of the "
-                          "ink: circles fill more of it, and 8149 dots would be as wide as the pen"));
+                HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and draw 2.5 % of the "
+                          "ink: circles draw more of it, and with 8149 dots each dot would be as wide as the pen"));
     EXPECT_THAT(said({}), HasSubstr("dots are 3.19 mm in diameter, as wide as the pen has to be"));
     EXPECT_THAT(said({"--pen", "3.19mm"}), Not(HasSubstr("strokes of the pen")));
 }

@@ -173,12 +173,12 @@ void check_count(const ClassWork& work)
         for (std::size_t i = 0; i < work.asked.classes(); ++i)
             points += work.request.region->area() / std::pow(work.asked.at(i, i), 2);
         if (points > most_saturated_in_region)
-            throw InputError(fmt::format("these are some {:.2g} points in the region; at most {}", points,
-                                         most_saturated_in_region));
+            throw InputError(fmt::format("there would be some {:.2g} points in the region; at most {} are possible",
+                                         points, most_saturated_in_region));
         return;
     }
     if (const std::size_t most = most_class_points(work.request); most > 2 * static_cast<std::size_t>(max_points))
-        throw InputError(fmt::format("these are {} points; at most {}", most / 2, max_points));
+        throw InputError(fmt::format("there would be {} points; at most {} are possible", most / 2, max_points));
 }
 
 /// Full classes have fewer points than were asked for.

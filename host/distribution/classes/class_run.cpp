@@ -67,7 +67,7 @@ void class_keys(Keys& keys, ClassSettings& s)
     class_list(keys, "distances", s.distances, lengths,
                fmt::format("a number from {:g} to {:g}", lengths.low, lengths.high),
                "the least distance of points of the same class")
-        .unit("sides of the torus, or units of the region")
+        .unit("sides of the torus; with region, in its units and up to 1e12")
         .otherwise("those of relative_radius");
     class_matrix(keys, "matrix", s.matrix, lengths).excludes("distances").otherwise("that of Wei 2010, from distances");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
