@@ -37,7 +37,7 @@ bool has_tiles(const Keys& keys)
 
 void check_darts(const ClassSettings& s) { class_work(s, 0); }
 
-/// Reads the keys of a region, and refuses those of the torus beside it.
+/// Reads the keys of a region. With a region, keys of the torus are refused.
 void place_keys(Keys& keys, ClassSettings& s)
 {
     keys.region("region", s.place.region, "the region that points lie in: a file, a formula, or a shape")
@@ -60,7 +60,7 @@ void place_keys(Keys& keys, ClassSettings& s)
 void class_keys(Keys& keys, ClassSettings& s)
 {
     place_keys(keys, s);
-    // Distances are lengths of any size in regions, and parts of the torus else.
+    // In regions distances are lengths of any size, and otherwise parts of the torus.
     const Interval lengths = s.has_region() ? Interval{1e-12, 1e12} : Interval{1e-6, 1};
     class_counts(keys, "points", s.points, max_points, "how many points there are")
         .otherwise("as many as there is room for");

@@ -118,7 +118,8 @@ DistributionTable comparison_of(const MeshSpectra& spectra)
     };
     add("Relative radius: the least distance over that of the densest packing in a plane of the same area",
         [](const MeshSetMeasures& set) { return set.relative_radius; });
-    add("Mean nearest distance, over the same distance", [](const MeshSetMeasures& set) { return set.nearest_ratio; });
+    add("Mean nearest distance, over that of the densest packing",
+        [](const MeshSetMeasures& set) { return set.nearest_ratio; });
     add("Mean power at frequencies up to √(N / area) / 4: random points have 1",
         [](const MeshSetMeasures& set) { return set.low_frequency_mean; });
     add("Effective Nyquist frequency, in units of √(N / area) / 2",
