@@ -163,8 +163,8 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
                                    "mm in diameter, which a pen of up to that width draws"));
 }
 
-/// Short strokes are as wide as the pen. A quarter of 80 x 80 mm in 200 dots: each has 8 square millimetres, and a pen
-/// of 0.5 mm draws pi / 16 of them.
+/// Short strokes are as wide as the pen. 200 dots have a quarter of 80 x 80 mm, 8 square millimetres each, of which a
+/// pen of 0.5 mm draws pi / 16.
 TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
 {
     const auto said = [&](const std::vector<std::string>& pen) {

@@ -217,7 +217,7 @@ TEST(SurfaceFiles, HaveNormalsInTables)
     }
 }
 
-/// Read by the rules of glTF 2.0, sections 3.6 and 4.4: accessors lead to views of the one buffer.
+/// The file is read by the rules of glTF 2.0, sections 3.6 and 4.4: accessors lead to views of the one buffer.
 TEST(SurfaceFiles, HavePointsAndNormalsInGltf)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(8));
