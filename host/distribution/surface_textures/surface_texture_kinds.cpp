@@ -71,7 +71,8 @@ DistributionResult result_of(const DressedSurface& dressed, DistributionFiles& f
     result.facts = dressed.facts;
     result.numbers = dressed.numbers;
     write_dressed(files.add("surface.png"), dressed, default_quad_picture_pixels);
-    result.pictures.push_back({"surface.png", "The surface in the sun: left from the front above, right from behind above."});
+    result.pictures.push_back(
+        {"surface.png", "The surface in the sun: left from the front above, right from behind above."});
     write_png(files.add("atlas.png"), dressed.atlas.color);
     result.pictures.push_back({"atlas.png", "The pictures that its quads show, with gutters."});
     write_dressed(files.add("surface.glb", result), dressed, 0);
