@@ -8,13 +8,13 @@ set(lab_host_modules
   surface_spectra)
 set(lab_command_modules
   results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
-# Those that work asks for, and no word: files of HDF5, points in other files than text, processes of MPI, the sequential
-# twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
+# These modules are built when work needs them, because no command and no key names them: files of HDF5, points in files
+# other than text, processes of MPI, the sequential twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
 set(lab_wordless_modules particles point_formats processes reference space tile_measures zone_plate)
 set(lab_all_modules ${lab_host_modules} ${lab_command_modules} ${lab_wordless_modules})
 list(REMOVE_DUPLICATES lab_all_modules)
 
-# Modules that another one stands on, which may stand on others.
+# lab_needs_of_NAME has the modules that NAME stands on, which may stand on others.
 set(lab_needs_of_methods reference)
 set(lab_needs_of_particles point_formats)
 set(lab_needs_of_tiles point_formats reference tile_measures)

@@ -15,17 +15,18 @@ namespace {
 
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-/// Columns of a block: no group of symmetries of space has more equal eigenvalues by itself than the five of the
-/// icosahedron.
+/// A block has this many columns: no finite group of symmetries of space forces more eigenvalues to be equal than the
+/// five of the icosahedron.
 constexpr Eigen::Index block_size = 5;
 
-/// What is left of an eigenvalue of the inverse when it counts as found, as a share.
+/// An eigenvalue counts as found if its residual is at most this share of the eigenvalue of the inverse.
 constexpr double small_residual = 1e-9;
 
-/// Where in the band shifts are tried.
+/// Shifts are tried at these parts of the band, one after another.
 constexpr double shifts[] = {0.5, 0.47, 0.55};
 
-/// Columns that have something of every eigenvector: a sequence whose steps grow, so that it follows no order of nodes.
+/// Returns columns that are orthogonal to no eigenvector: the steps of their sequence grow, so that it follows no order
+/// of nodes.
 Eigen::MatrixXd start_block(Eigen::Index rows, Eigen::Index first)
 {
     Eigen::MatrixXd block(rows, block_size);
@@ -65,7 +66,7 @@ public:
         append(std::move(next));
     }
 
-    /// What is found so far from `low` to `high`: the last block is only the rest of the others.
+    /// Returns the eigenvectors found so far from `low` to `high`. The last block serves to measure residuals only.
     EigenvalueBand found(double low, double high) const
     {
         const Eigen::Index inner = size_ - block_size;
@@ -91,7 +92,7 @@ public:
     }
 
 private:
-    /// Makes a block orthonormal to the basis and in itself, twice, and adds it. What it was made of goes into the
+    /// Makes a block orthonormal, in itself and to the basis, in two passes, and adds it. The coefficients go into the
     /// projection of the inverse.
     void append(Eigen::MatrixXd block)
     {

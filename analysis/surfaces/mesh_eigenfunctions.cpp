@@ -14,10 +14,10 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
-/// Meshes of so many vertices are small: all eigenvectors take little time.
+/// Meshes of up to this number of vertices are small: all of their eigenvectors take little time.
 constexpr Eigen::Index few_vertices = 300;
 
-/// Eigenfunctions that are found together, by Weyl's law.
+/// A band has about this number of eigenfunctions, by Weyl's law.
 constexpr double of_a_band = 60;
 
 /// Eigenvalues below this part of Weyl's first one are those of constant functions.
@@ -31,8 +31,8 @@ SparseMatrix matrix_of(const Triplets& entries, std::size_t vertices)
     return matrix;
 }
 
-/// Linear elements. The stiffness of two corners is the product of the edges that face them, over four areas; that is
-/// the cotangent of the third angle.
+/// Returns the matrices of linear elements. The stiffness of two corners is the dot product of the edges opposite to
+/// them over four times the area, which is half the negative cotangent of the third angle.
 Pencil pencil_of(const TriangleMesh& mesh)
 {
     Triplets stiffness, mass;
@@ -52,15 +52,15 @@ Pencil pencil_of(const TriangleMesh& mesh)
     return {matrix_of(stiffness, mesh.vertices.size()), matrix_of(mass, mesh.vertices.size())};
 }
 
-/// The integrals of the squares of functions that have 1 by the mean of the masses. All three have the same sums of
-/// rows, which are the lumped one.
+/// Returns the integrals of the squares of functions whose norm is 1 by the mean of the two masses. The rows of all
+/// three masses have the same sums, which are the lumped mass.
 Eigen::VectorXd squares_of(const Eigen::MatrixXd& vectors, const Eigen::VectorXd& lumped)
 {
     return 2 - (vectors.array().square().colwise() * lumped.array()).colwise().sum().transpose();
 }
 
-/// What a set of points adds up to at each vertex, scaled such that its product with an eigenfunction has the power for
-/// its square.
+/// Returns the load of a set of points at each vertex, scaled such that the square of its product with an eigenfunction
+/// is the power.
 Eigen::VectorXd load_of(const TriangleMesh& mesh, const std::vector<MeshPosition>& set, double area)
 {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.vertices.size()));
@@ -70,7 +70,7 @@ Eigen::VectorXd load_of(const TriangleMesh& mesh, const std::vector<MeshPosition
     return load * std::sqrt(area / static_cast<double>(set.size()));
 }
 
-/// The work on a mesh.
+/// Finds the powers of sets on one mesh, band by band.
 class MeshSpectrum
 {
 public:

@@ -1,12 +1,12 @@
 // The power spectrum of points on a surface.
 //
-// The power is that in the eigenfunctions of the Laplacian, as cosines and sines are those of the torus (Bowers,
-// Wang, Wei, Maletz, Parallel Poisson disk sampling with spectrum analysis on surfaces, ACM Transactions on Graphics
-// 29(6), 2010). They are found among functions that are linear on each triangle, in bands of eigenvalues (Vallet, Levy,
-// Spectral geometry processing with manifold harmonics, Computer Graphics Forum 27(2), 2008); open borders have
-// Neumann's condition. The mass is the mean of the full and of the lumped one, whose errors are opposite: on
-// equilateral triangles of side h an eigenvalue k^2 is wrong by the fourth power of kh only, and by 1 + (kh)^2 / 16 and
-// 1 - (kh)^2 / 16 with either.
+// It is the power in the eigenfunctions of the Laplacian, which take the place of the torus's cosines and sines
+// (Bowers, Wang, Wei, Maletz, Parallel Poisson disk sampling with spectrum analysis on surfaces, ACM Transactions on
+// Graphics 29(6), 2010). They are found among functions that are linear on each triangle, in bands of eigenvalues
+// (Vallet, Levy, Spectral geometry processing with manifold harmonics, Computer Graphics Forum 27(2), 2008); open
+// borders have Neumann's condition. The mass is the mean of the consistent and of the lumped one, whose errors are
+// opposite: on equilateral triangles of side h they change an eigenvalue k^2 by the factors 1 + (kh)^2 / 16 and 1 -
+// (kh)^2 / 16, and their mean leaves an error of the order (kh)^4.
 #pragma once
 
 #include "analysis/surfaces/triangle_tree.hpp"
@@ -17,16 +17,16 @@
 
 namespace poissonlab {
 
-/// Edges may be this part of the shortest wavelength.
+/// Edges may have at most this part of the shortest wavelength.
 inline constexpr double longest_edge_in_wavelengths = 0.3;
 
 struct EigenfunctionPowers
 {
     std::vector<double> eigenvalues;         ///< ascending, those of constant functions left out; in the mesh's units
-    std::vector<std::vector<double>> powers; ///< of each set: of each eigenfunction; random points have 1 on average
+    std::vector<std::vector<double>> powers; ///< powers[set][eigenfunction]; random points have 1 on average
 };
 
-/// Is told how many of the eigenfunctions were found.
+/// This function is called with the number of eigenfunctions found so far.
 using EigenfunctionProgress = std::function<void(std::size_t found, std::size_t all)>;
 
 /// Finds all eigenfunctions with eigenvalues up to `highest`. The power of N points x_i in an eigenfunction phi, whose
@@ -36,13 +36,14 @@ EigenfunctionPowers eigenfunction_powers(const TriangleMesh& mesh, double highes
                                          const std::vector<std::vector<MeshPosition>>& sets,
                                          const EigenfunctionProgress& on_progress = {});
 
-/// How many eigenfunctions there are up to a frequency (cycles per unit length) on this area, nearly: Weyl's law.
+/// Returns the approximate number of eigenfunctions up to a frequency (cycles per unit length) on this area, by Weyl's
+/// law.
 double eigenfunctions_up_to(double frequency, double area);
 
-/// The frequency up to which there are so many, nearly.
+/// Returns the frequency up to which there are about `count` eigenfunctions.
 double frequency_of_eigenfunctions(double count, double area);
 
-/// 4 pi^2 frequency^2
+/// Returns 4 pi^2 frequency^2.
 double eigenvalue_of(double frequency);
 double frequency_of(double eigenvalue);
 

@@ -20,7 +20,7 @@ double squared_length(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b
     return dot(edge, edge);
 }
 
-/// The middles of all edges longer than a limit, which become vertices of the mesh.
+/// Adds the middles of all edges longer than a limit to the mesh's vertices, and returns their numbers.
 std::map<MeshEdge, std::uint32_t> middles_of_long_edges(TriangleMesh& mesh, double longest)
 {
     std::map<MeshEdge, std::uint32_t> middles;
@@ -36,11 +36,11 @@ std::map<MeshEdge, std::uint32_t> middles_of_long_edges(TriangleMesh& mesh, doub
     return middles;
 }
 
-/// Adds the parts of a triangle; middles[k] is that of the edge from corner k to the next one, or no_middle.
+/// Adds the parts of a triangle. middles[k] is the middle of the edge from corner k to the next one, or no_middle.
 void add_parts(TriangleMesh& mesh, MeshTriangle t, MeshTriangle middles, std::vector<MeshTriangle>& parts)
 {
     const auto halved = 3 - std::ranges::count(middles, no_middle);
-    // Turned such that the first edge is halved, and of two the second one, too.
+    // The corners are rotated until the first edge is a halved one, and, if two are halved, the second edge as well.
     const auto is_turned = [&] { return middles[0] != no_middle && (halved == 1 || middles[1] != no_middle); };
     for (int turn = 0; turn < 3 && !is_turned(); ++turn) {
         std::ranges::rotate(t, t.begin() + 1);

@@ -19,7 +19,7 @@ struct MeshShape
     std::size_t branching_edges = 0; ///< with more than two
 };
 
-/// Corners count as one where their numbers are the same.
+/// Counts parts and edges. Triangles share a corner only if its number is the same in both.
 MeshShape shape_of(const TriangleMesh& mesh);
 
 double area_of(const TriangleMesh& mesh, const MeshTriangle& triangle);

@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// The ring of the eigenfunctions from `begin` to `end`.
+/// Returns the ring of eigenfunctions that have these powers.
 RadialBin ring_of(double frequency, std::span<const double> powers)
 {
     const auto count = static_cast<double>(powers.size());
@@ -29,7 +29,7 @@ RadialBin ring_of(double frequency, std::span<const double> powers)
     return ring;
 }
 
-/// Triangles with their areas and the points on them, halved again and again.
+/// Halves the triangles of a mesh again and again, by area, and counts the points on the parts.
 class SurfaceHalves
 {
 public:
@@ -42,7 +42,7 @@ public:
         expected_ = static_cast<double>(points.size()) / std::accumulate(areas_.begin(), areas_.end(), 0.0);
     }
 
-    /// The sum of (count - expected)^2 / expected over so many parts.
+    /// Returns the sum of (count - expected)^2 / expected over `parts` parts.
     double chi_square(std::size_t parts) { return chi_square(order_, parts); }
 
 private:

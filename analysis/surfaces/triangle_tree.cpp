@@ -19,7 +19,7 @@ double squared_to_box(const MeshPoint& place, const MeshPoint& low, const MeshPo
     return squared;
 }
 
-/// The shares of the corners of the segment's point nearest to `place`.
+/// Returns the shares of a segment's two ends in its point that is nearest to `place`.
 std::array<double, 2> shares_of_segment(const MeshPoint& place, const MeshPoint& a, const MeshPoint& b)
 {
     const MeshPoint edge = difference(b, a);
@@ -33,7 +33,8 @@ double squared_off(const TriangleMesh& mesh, const MeshPosition& position, const
     return dot(off, off);
 }
 
-/// The nearest position on one triangle: below the place where that is within, else on the nearest edge.
+/// Returns the nearest position on one triangle: the foot of the perpendicular if it lies in the triangle, else a point
+/// of the nearest edge.
 MeshPosition nearest_on(const TriangleMesh& mesh, std::uint32_t triangle, const MeshPoint& place)
 {
     const auto& t = mesh.triangles[triangle];

@@ -1,4 +1,4 @@
-// The triangle of a mesh that is nearest to a place, by a tree of boxes.
+// Finds the triangle of a mesh that is nearest to a place, by a tree of boxes.
 #pragma once
 
 #include "base/surfaces/triangle_mesh.hpp"
@@ -21,10 +21,10 @@ MeshPoint place_of(const TriangleMesh& mesh, const MeshPosition& position);
 class TriangleTree
 {
 public:
-    /// The mesh has a triangle, and must outlive the tree.
+    /// The mesh must have at least one triangle, and must outlive the tree.
     explicit TriangleTree(const TriangleMesh& mesh);
 
-    /// The position nearest to a place, the first one of several in the tree's order.
+    /// Returns the position nearest to a place; if several are, the first one in the tree's order.
     MeshPosition nearest(const MeshPoint& place) const;
 
 private:

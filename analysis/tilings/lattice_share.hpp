@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// Throws MissingModule where this program was built without measures of tiled sets. Long work on such sets calls this
+/// Throws MissingModule if this program was built without measures of tiled sets. Long work on such sets calls this
 /// function first.
 void need_tile_measures();
 

@@ -35,7 +35,8 @@ struct LinearPicture
     }
 };
 
-/// Pictures that alpha covers may have this many pixels: integer weights of all of them have a sum below 2^63.
+/// Pictures whose pixels count by their alpha may have at most this number of pixels, so that the sum of their integer
+/// weights stays below 2^63.
 inline constexpr std::size_t most_pixels = std::size_t{1} << 23;
 
 /// How much of a pixel is covered, 0 to 1: its alpha, or 1 where the picture has none.

@@ -65,7 +65,7 @@ std::string unit_words(std::string_view text, const std::function<bool(double)>&
     const bool is_part = unit == "%";
     if (is_part) value /= 100;
     if (!is_allowed(value)) return "; this number takes no unit";
-    return fmt::format("; this number takes no unit: write {:.15g}{}", value, is_part ? "" : ", in that of the manual");
+    return fmt::format("; this number takes no unit: write {:.15g}{}", value, is_part ? "" : ", in the manual's unit");
 }
 
 }

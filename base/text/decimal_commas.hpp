@@ -20,8 +20,9 @@ bool mixes_separators(std::string_view text, std::size_t count, std::size_t grou
 /// unit_words(); empty where it has neither.
 std::string decimal_comma_words(std::string_view text);
 
-/// The end of a message about a text that is a number with a unit, `; this number takes no unit: write 4` of "4m" and
-/// `write 0.04` of "4%", without the number where `is_allowed` is false of it; empty for others.
+/// The end of a message about a text that is a number with a unit: `; this number takes no unit: write 4, in the
+/// manual's unit` for "4m", and `write 0.04` for "4%". It leaves out the number if `is_allowed` is false for it, and is
+/// empty for other texts.
 std::string unit_words(
     std::string_view text, const std::function<bool(double)>& is_allowed = [](double) { return true; });
 

@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// Throws MissingModule where this program was built without the zone plate. Long work that will sample it calls this
+/// Throws MissingModule if this program was built without the zone plate. Long work that will sample it calls this
 /// function first.
 void need_zone_plate();
 

@@ -12,12 +12,12 @@ namespace {
 
 constexpr auto module_of_formats = "point_formats";
 
-/// The program starts again once it has the module, and what a pipe has held is gone by then.
+/// The program starts again once it has the module, and the content of a pipe is gone by then.
 [[noreturn]] void need_point_formats(const PointFileContent& file)
 {
     if (is_no_lasting_file(file.name))
-        throw InputError::at({file.name}, "holds points in a format whose module is not built yet: must be a file the "
-                                          "first time, which builds it");
+        throw InputError::at({file.name}, "holds points in a format whose module is not built yet: give the points as "
+                                          "a file once, and the module is built");
     throw MissingModule(module_of_formats);
 }
 

@@ -24,7 +24,7 @@ const PlaneCurve& puzzle_curve(char letter)
     return letter == 'b' ? second : straight;
 }
 
-/// A curve like an S, which fits itself.
+/// Returns a curve like an S, which fits itself.
 const PlaneCurve& bent_curve()
 {
     static const PlaneCurve curve = [] {
@@ -106,7 +106,7 @@ std::vector<MarkPoint> PolygonPainter::outline(const PlacedTile& tile) const
     std::vector<MarkPoint> outline;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const char letter = vertices[i].letter, small = small_letter(letter);
-        const bool is_backwards = letter != small; // a capital letter's edge is walked along the other way
+        const bool is_backwards = letter != small; // an edge with a capital letter has the opposite direction
         const MarkPoint &from = vertices[i].place, &to = vertices[(i + 1) % vertices.size()].place;
         const MarkPoint &a = is_backwards ? to : from, &b = is_backwards ? from : to;
         const double side = tile.motion.is_mirrored ? -1 : 1;

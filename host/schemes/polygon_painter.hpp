@@ -62,7 +62,7 @@ double picture_unit(const PolygonTiling& tiling, double scale);
 /// The low and high corner of a box around tiles, in units of their view.
 std::array<MarkPoint, 2> box_around(const PolygonPainter& painter, std::span<const PlacedTile> tiles);
 
-/// A box that holds a point as well.
+/// Returns the smallest box that holds a box and a point.
 std::array<MarkPoint, 2> box_with(std::array<MarkPoint, 2> box, const MarkPoint& point);
 
 /// Pixels of a unit in a picture of this width.

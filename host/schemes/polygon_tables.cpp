@@ -49,7 +49,7 @@ DistributionTable figure_table(const PatchSurvey& survey)
 std::optional<WindowMiddle> window_middle(const PolygonTiling& tiling, const Substitution& substitution,
                                           const SubstitutionSettings& settings)
 {
-    constexpr double largest = 0x1p58; // as integers of places
+    constexpr double largest = 0x1p58; // the integers of a place stay below this
     TileAddress address(static_cast<std::size_t>(settings.depth) + 1);
     std::ranges::copy(settings.address, address.begin());
     const TileMotion tile = substitution.tile_at(address).motion;

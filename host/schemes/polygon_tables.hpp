@@ -33,7 +33,8 @@ struct WindowMiddle
     double scale = 1;
 };
 
-/// Nothing: no tile lies at the place. Throws InputError for an address that is none.
+/// Finds the middle of a window, or returns nothing if no tile lies at the place. Throws InputError for an address that
+/// does not lead to a tile.
 std::optional<WindowMiddle> window_middle(const PolygonTiling& tiling, const Substitution& substitution,
                                           const SubstitutionSettings& settings);
 

@@ -67,8 +67,8 @@ std::string light_note(const LightRange& range, const std::string& file)
     return words.empty() ? "" : fmt::format("{}: {} where tiles are chosen and cut", printable(file), words);
 }
 
-/// Throws InputError for pictures with long sides, and where `copies` of so many bytes a channel need more memory than
-/// there is.
+/// Throws InputError if a side is too long, or if `copies` bytes for each number of the picture are more than the
+/// memory that there is.
 void check_room(const std::string& file, const PictureHeader& header, std::uint64_t copies)
 {
     if (header.width > most_exemplar_pixels || header.height > most_exemplar_pixels)
@@ -85,7 +85,7 @@ void check_room(const std::string& file, const PictureHeader& header, std::uint6
 
 bool is_alpha(const std::string& channel) { return channel == "A" || channel.ends_with(".A"); }
 
-/// The numbers of a file that become themselves again after they became light: 8 bits, grey or three colours, no alpha.
+/// True for files whose numbers survive the conversion to light and back: 8 bits, grey or three colours, no alpha.
 std::optional<PngPixels> opaque_bytes(const std::filesystem::path& file, const PictureHeader& header)
 {
     if (header.type != SampleType::byte || (header.channels != 1 && header.channels != 3)) return {};

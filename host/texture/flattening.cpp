@@ -131,8 +131,8 @@ void flatten_channel(std::uint8_t* bytes, std::size_t stride, int width, int hei
     }
 }
 
-/// Light is measured by means over boxes of pixels, of which there are about so many, and in a tile at least so many
-/// along each side.
+/// Light is measured by means over boxes of pixels. The first number is that of all boxes, approximately; the second is
+/// the least number of boxes along each side of a tile.
 constexpr std::size_t most_boxes = std::size_t{1} << 20;
 constexpr int least_boxes_a_tile = 16;
 
@@ -161,7 +161,7 @@ double largest_mean(int degrees)
     return root * root * root;
 }
 
-/// The variance of the sums over channels. Sums of whole numbers are exact.
+/// Returns the variance of the sums over channels. Sums of whole numbers are exact.
 double variance_of_sums(const PngPixels& picture)
 {
     std::int64_t sum = 0, squares = 0;
@@ -174,8 +174,9 @@ double variance_of_sums(const PngPixels& picture)
     return static_cast<double>(squares) / pixels - mean * mean;
 }
 
-/// feature_side() of a picture without slow light, by means over boxes of `reduced.factor` pixels. Flattening changes
-/// nothing within boxes but the slope of slow light: the picture's variance there is added to that of the means.
+/// Returns feature_side() of a picture without slow light, from means over boxes of `reduced.factor` pixels. Within
+/// boxes, flattening changes only the slope of slow light, so that the picture's variance there is added to that of the
+/// means.
 double flat_feature_side(const PngPixels& picture, const ReducedPicture& reduced, double size)
 {
     const PngPixels& small = reduced.pixels;

@@ -27,8 +27,8 @@ inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of ot
 inline constexpr int most_texture_candidates = 256;
 inline constexpr int most_texture_attempts = 100'000;
 inline constexpr int most_joint_rounds = 1000;
-/// Larger sets are not chosen together unless it is asked for. 81 tiles of 64 x 64 pixels take 9 to 20 seconds of
-/// processor time, and as many of 128 x 128 five times as long.
+/// Larger sets are chosen together only on request. 81 tiles of 64 x 64 pixels take 9 to 20 seconds of processor time,
+/// and 81 tiles of 128 x 128 pixels take five times as long.
 inline constexpr std::size_t most_tiles_together = 256;
 inline constexpr std::size_t most_pixels_together = std::size_t{1} << 21;
 

@@ -394,7 +394,7 @@ def box_options(ranges, periodic, options):
 
 
 def is_of_squares(options):
-    """Whether measures are asked for that sets in regions do not have."""
+    """Returns true if options request measures that sets in regions do not have."""
     return any(options.get(key) is not None for key in ("window", "tiles", "zone_plate"))
 
 

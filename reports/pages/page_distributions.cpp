@@ -15,10 +15,10 @@ namespace {
 
 constexpr int distribution_digits = 4;
 
-/// Distributions of one picture each make one figure if there are at least so many.
+/// Distributions that have one picture each make one figure if there are at least this many.
 constexpr std::size_t least_in_figure = 3;
 
-/// Sections of so many distributions begin with small pictures that link to them.
+/// Where at least this many distributions have sections, small pictures that link to them come first.
 constexpr std::size_t least_with_overview = 4;
 
 PageData picture_data(const ReportDistribution& distribution, const DistributionPicture& picture,

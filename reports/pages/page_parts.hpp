@@ -71,8 +71,8 @@ enum class PageNumbers
 PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
                               const std::filesystem::path& page_folder, PageNumbers numbers = PageNumbers::shown);
 
-/// Sets `packings`, `distributions` and `schemes` of a run, and whether there are any. Those of one picture each are
-/// one figure with one table, if they are several; others have a section each.
+/// Sets `packings`, `distributions` and `schemes` of a run, and if there are any. Several of them that have one picture
+/// each share a figure and a table; others have a section each.
 void set_distributions(PageData& page, const ReportRun& run, const std::filesystem::path& page_folder);
 
 /// The textures of a run by their exemplars, each with a table of the measures of its textures where there are several.

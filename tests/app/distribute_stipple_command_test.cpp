@@ -163,8 +163,8 @@ TEST_F(DistributeStipple, LeavesWhatIsTransparentWhite)
                                    "mm in diameter, which a pen of up to that width draws"));
 }
 
-/// Short strokes are as wide as the pen. A quarter of 80 x 80 mm in 200 dots: each has 8 square millimetres, and a pen
-/// of 0.5 mm draws pi / 16 of them.
+/// Short strokes are as wide as the pen. 200 dots have a quarter of 80 x 80 mm, 8 square millimetres each, of which a
+/// pen of 0.5 mm draws pi / 16.
 TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
 {
     const auto said = [&](const std::vector<std::string>& pen) {
@@ -174,8 +174,8 @@ TEST_F(DistributeStipple, SaysHowLittleInkShortStrokesOfAThinPenLeave)
         return run("stipple", words).out;
     };
     EXPECT_THAT(said({"--pen", "0.5mm"}),
-                HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and leave 2.5 % of the "
-                          "ink: circles fill more of it, and 8149 dots would be as wide as the pen"));
+                HasSubstr("dots are 3.19 mm in diameter, but strokes of the pen are 0.5 mm wide and draw 2.5 % of the "
+                          "ink: circles draw more of it, and with 8149 dots each dot would be as wide as the pen"));
     EXPECT_THAT(said({}), HasSubstr("dots are 3.19 mm in diameter, as wide as the pen has to be"));
     EXPECT_THAT(said({"--pen", "3.19mm"}), Not(HasSubstr("strokes of the pen")));
 }

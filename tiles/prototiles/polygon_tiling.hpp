@@ -80,12 +80,12 @@ struct PolygonTiling
     RootRing ring;
     std::vector<Prototile> prototiles;
 
-    /// Lengths of edges along even and odd powers of z. Incidences and angles of tiles with such edges do not depend on
-    /// them, so that all places may stay those of edges of one length.
+    /// The lengths of edges along even and along odd powers of z. Incidences and angles of tiles do not depend on these
+    /// lengths, so that all places are stored as if edges had length 1.
     std::array<double, 2> lengths{1, 1};
 
-    /// Of a substitution: a tile as many times as large, and the parts of that larger tile, for each prototile. Tiles
-    /// without parts vanish when they are divided: what they cover belongs to the parts of others.
+    /// A substitution enlarges a tile by this map, and divides it into the parts of its prototile. Tiles without parts
+    /// vanish when they are divided, because the place that they cover belongs to the parts of others.
     RingMap magnification;
     std::vector<std::vector<PlacedTile>> parts; ///< empty: the tiling is periodic
     std::vector<StartPatch> starts;             ///< the prototiles, and others
@@ -101,10 +101,10 @@ RingPlace moved(const RootRing& ring, const TileMotion& motion, const RingPlace&
 /// The corners of a tile, counterclockwise.
 std::vector<RingPlace> corners_of(const PolygonTiling& tiling, const PlacedTile& tile);
 
-/// x and y of a place, with the lengths of the tiling's edges.
+/// Returns x and y of a place, with the lengths of the tiling's edges.
 std::array<double, 2> point_of(const PolygonTiling& tiling, const RingPlace& place);
 
-/// A place at most an edge away from a point.
+/// Returns a place that is at most an edge away from a point.
 RingPlace place_near(const PolygonTiling& tiling, const std::array<double, 2>& point);
 
 /// The letter of the edge from corner `edge` of corners_of() to the next one; 0 where edges have no letters.
@@ -119,7 +119,7 @@ bool letters_fit(char one, char other);
 /// Four times the area, times i: an exact number of the ring, as areas themselves need not be.
 RingPlace quadruple_area(const RootRing& ring, const std::vector<RingPlace>& corners);
 
-/// The area of a prototile, with the lengths of the tiling's edges.
+/// Returns the area of a prototile, with the lengths of the tiling's edges.
 double area_of(const PolygonTiling& tiling, std::size_t prototile);
 
 /// How much longer lengths of a tile are than those of its prototile: the absolute value of its turn.

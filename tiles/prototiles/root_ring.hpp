@@ -36,13 +36,13 @@ struct RingPlaceHash
 class RootRing;
 
 /// A linear map of the ring that commutes with turns by twice the smallest angle: x + y z goes to x of_one + y of_root,
-/// where x and y have even powers of z only. Multiplication by m has m and z m.
+/// where x and y have even powers of z only. Multiplication by m maps 1 to m and z to z m.
 struct RingMap
 {
     RingPlace of_one{{1, 0, 0, 0}}, of_root{{0, 1, 0, 0}};
 };
 
-/// Throws InputError where an integer needs more than 64 bits.
+/// Returns the image of a place. Throws InputError if an integer needs more than 64 bits.
 RingPlace mapped(const RootRing& ring, const RingMap& map, const RingPlace& place);
 
 class RootRing
@@ -64,8 +64,8 @@ public:
 
     bool is_real(const RingPlace& a) const { return conjugate(a) == a; }
 
-    /// x and y. Only square roots go into it, so that all machines agree. `lengths` stretch the even and the odd powers
-    /// of z.
+    /// Returns x and y, which are computed by square roots alone, so that all machines agree. `lengths` are those of
+    /// the even and the odd powers of z.
     std::array<double, 2> value(const RingPlace& a, const std::array<double, 2>& lengths = {1, 1}) const;
 
     /// The absolute values in the plane and in the ring's other plane, where z is another root of unity. An integer of

@@ -23,7 +23,8 @@ TileShapeKey shape_key(const PolygonTiling& tiling, const PlacedTile& tile)
     return {tile.prototile, std::move(corners)};
 }
 
-/// True if a place lies in a tile or on its border. Differences are exact, and so near places do not round.
+/// True if a place lies in a tile or on its border. Differences of places are exact, so that near places are not
+/// rounded.
 bool lies_in(const PolygonTiling& tiling, const PlacedTile& tile, const RingPlace& place)
 {
     constexpr double rounding = 1e-9;
@@ -97,7 +98,8 @@ Substitution::Substitution(const PolygonTiling& tiling, std::size_t start)
     : tiling_(tiling), start_(tiling.starts.at(start)),
       mirrored_turn_(turn_of_magnification(tiling.ring, tiling.magnification).value())
 {
-    // Where this matters, all parts that have parts are alike. A multiplication has one map for both sorts of tiles.
+    // One value suffices. It matters only for maps that are no multiplication, where either all parts that have parts
+    // are mirrored or none is; a multiplication has one map for mirrored and other tiles.
     for (const auto& parts : tiling.parts)
         for (const PlacedTile& part : parts) flips_ |= part.motion.is_mirrored && !tiling.parts[part.prototile].empty();
     add_levels();
@@ -129,14 +131,15 @@ void Substitution::add_levels()
     }
 }
 
-/// A division, and then what the last level does: parts' places are enlarged by it, and they reach as far as it says.
+/// Returns the level after the last one: a division comes first, and the divisions of the last level follow. These
+/// enlarge the places of the parts and decide how far the parts reach.
 Substitution::Level Substitution::next_level() const
 {
     const RootRing& ring = tiling_.ring;
     const Level& last = levels_.back();
     Level next;
     for (const bool is_mirrored : {false, true}) {
-        // The map of mirrored tiles, as part_of() has it, between two mirrors and a turn.
+        // For mirrored tiles the map is between two mirrors, and a turn follows, as in part_of().
         const auto mirrored = [&](const RingPlace& place) { return is_mirrored ? ring.conjugate(place) : place; };
         const auto image = [&](const RingPlace& place) {
             const RingPlace there = mirrored(mapped(ring, tiling_.magnification, mirrored(place)));
@@ -171,7 +174,8 @@ double Substitution::inflation() const
     const RootRing& ring = tiling_.ring;
     if (is_multiplication(ring, tiling_.magnification))
         return ring.sizes(tiling_.magnification.of_one)[0] / scale_of(ring, tiling_.parts[0][0].motion);
-    // Two levels, as mirrored ones may alternate; the difference to the limit falls as the square of the inflation.
+    // Two levels are compared, because mirrored levels may alternate. The error falls by the square of the inflation
+    // with each level.
     if (levels_.size() < 3) return 0;
     const auto size = [&](const Level& level) { return sizes(level.maps[0].of_one)[0]; };
     return std::sqrt(size(levels_.back()) / size(levels_[levels_.size() - 3]));

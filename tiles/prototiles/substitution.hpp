@@ -6,8 +6,8 @@
 // places are exact. A tile is known by its address, the numbers of the parts that lead to it, and can be made from it
 // alone.
 //
-// Where the tiles of all levels have one shape up to a linear map that is no similarity, as clusters of hats have,
-// places are enlarged by that map. Smith, Myers, Kaplan and Goodman-Strauss, An aperiodic monotile, 2024 (arXiv
+// The shapes of some tiles, such as clusters of hats, differ from level to level by a linear map that is no similarity:
+// their places are enlarged by that map. Smith, Myers, Kaplan and Goodman-Strauss, An aperiodic monotile, 2024 (arXiv
 // 2303.10798), and A chiral aperiodic monotile, 2024 (arXiv 2305.17743); the return modules are those of Baake, Gaehler
 // and Sadun, Dynamics and topology of the Hat family of tilings (arXiv 2305.05639).
 #pragma once
@@ -44,7 +44,7 @@ public:
     /// The largest depth at which all places are certain to fit into 64-bit integers.
     int deepest() const { return static_cast<int>(levels_.size()) - 1; }
 
-    /// How many times longer lengths are than those of their parts, in the limit.
+    /// Returns the ratio of a tile's length to the length of its parts, in the limit of many levels.
     double inflation() const;
 
     /// The tile of an address, whose length is the depth and one. Throws InputError for a number that is no part.
@@ -58,16 +58,16 @@ public:
     /// that nearly do. The radius is in units of the prototiles.
     std::vector<AddressedTile> tiles_near(int depth, const RingPlace& middle, double radius, std::size_t most) const;
 
-    /// The tile that a place lies in; at edges, the first one of several. Nothing: none of them does.
+    /// Returns the tile that a place lies in, the first one of several at edges, or nothing if it lies in no tile.
     std::optional<AddressedTile> tile_around(int depth, const RingPlace& place) const;
 
 private:
-    /// What so many divisions make of a tile's place, and how far from there its descendants reach.
+    /// The map of places by a number of divisions, and how far from its place a tile's descendants reach.
     struct Level
     {
         std::array<RingMap, 2> maps; ///< of tiles that are not mirrored, and of those that are
-        /// For a tile of scale 1: in the plane with the lengths of edges, and in the ring's two planes, see
-        /// RootRing::sizes().
+        /// The reach of a tile of scale 1, in the plane with the lengths of edges and in the ring's two planes (see
+        /// RootRing::sizes()).
         std::array<double, 3> reach{};
     };
 
@@ -84,8 +84,8 @@ private:
     std::vector<Level> levels_;
 };
 
-/// The number that a magnification is over its conjugate, if the ring has it as a root of unity: real numbers have 1,
-/// and so have linear maps that are no multiplication.
+/// Returns the quotient of a magnification and its conjugate if it is a root of unity of the ring. It is 1 for real
+/// numbers and for linear maps that are no multiplication.
 std::optional<RingPlace> turn_of_magnification(const RootRing& ring, const RingMap& magnification);
 
 /// True if the map is a multiplication.

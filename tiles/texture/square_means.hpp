@@ -1,4 +1,4 @@
-// Means over squares of a picture, which vary less the larger the squares are.
+// Computes means over squares of a picture, which vary less the larger the squares are.
 //
 // For a random field, the variance of local averages begins to fall at the scale of fluctuation (VanMarcke, Random
 // Fields, 1983, chapter 5), which is the size of the picture's features. For larger squares it falls as one over the
@@ -14,24 +14,24 @@
 
 namespace poissonlab {
 
-/// The sum over the channels of each pixel.
+/// Returns the sum over the channels of each pixel.
 std::vector<double> channel_sums(const PngPixels& picture);
 
-/// Sums over all rectangles of numbers that lie row by row. The mean is subtracted first, so that sums stay small. What
-/// is computed is the same on any number of threads.
+/// Holds sums over all rectangles of numbers that lie row by row. The mean is subtracted first, so that sums stay
+/// small. Results are the same on any number of threads.
 class SquareMeans
 {
 public:
     SquareMeans(std::span<const double> values, int width);
 
-    /// The mean over columns and rows from the first to before the last.
+    /// Returns the mean over columns and rows, from the first up to but without the last.
     double mean(int left, int top, int right, int bottom) const;
 
-    /// The variance of the means over all squares of a side.
+    /// Returns the variance of the means over all squares of a side.
     double variance(int side) const;
 
-    /// The side of the squares, between whole numbers, whose means have the variance `least`: larger squares have
-    /// less. There is none if squares of half of the shorter side still have more.
+    /// Returns the interpolated side of squares whose means have the variance `least`; larger squares have less. There
+    /// is none if squares of half of the shorter side still have more.
     std::optional<double> side_of_variance(double least) const;
 
 private:
@@ -42,7 +42,7 @@ private:
 
     int width_, height_;
     double mean_;
-    std::vector<double> sums_; ///< of what is above and to the left, with a row and a column of zeros
+    std::vector<double> sums_; ///< over all numbers above and to the left, with a row and a column of zeros
 };
 
 }

@@ -35,7 +35,7 @@ double beyond_chance(double share, double squares, double pixels);
 /// and without any power.
 std::optional<double> recurrence(const PngPixels& tiling, int width, int height);
 
-/// The sum over channels of the variance of a picture's values.
+/// Returns the sum over channels of the variance of a picture's values.
 double variance_of_channels(const PngPixels& picture);
 
 /// The part of a picture's power, without its mean, at frequencies below one over `period` pixels, in any direction: of

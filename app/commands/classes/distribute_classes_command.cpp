@@ -26,9 +26,9 @@ class fits, which is proven. Distances are those of --distances, in sides of the
 many points, or of all pairs: --matrix, row after row. With --factor all distances are multiplied by it wherever a class
 has no room for its next point, until there is room for --points. With --tiles the points are those of a torus of
 tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
-With --region points lie in polygons with holes: GeoJSON, WKT, drawings, pictures, formulas, as of distribute darts.
-Distances are in its units, metres where it is in longitude and latitude; points are written as the file has its places.
---obstacles FILE are kept away from by --obstacle-distance.
+With --region points lie in polygons with holes, from GeoJSON, WKT, drawings, pictures or formulas, as with distribute darts.
+Distances are in the region's units, or in metres if it is in longitude and latitude; files have the region's coordinates.
+Points keep --obstacle-distance from --obstacles.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .geojson (features with the property class), .svg and .png (disks in
 colours). --spectra FILE.csv has the radially averaged power of each class and of all, and cross power of pairs: with --sets

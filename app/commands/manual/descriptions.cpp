@@ -1,4 +1,4 @@
-// What a program with all modules prints of samplers and kinds, from their own descriptions.
+// A program with all modules prints samplers and kinds from their own descriptions.
 #include "app/commands/core/stored_text.hpp"
 #include "app/commands/manual/described_values.hpp"
 #include "host/kinds/kind_help.hpp"

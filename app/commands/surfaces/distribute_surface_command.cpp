@@ -27,8 +27,8 @@ sides of a thin sheet are each even by themselves, and points of different sides
                                          its own faces, or with --quads cube or polycube squares that it is mapped to
 Relative radii are those of a plane of the same area. Distances are checked in whole numbers after the fact.
 --out, as often as you like: .ply (binary) and .csv, both with normals nx, ny, nz, .glb (glTF 2.0: points with normals),
-.png (left the view from the front, right from behind, --pixels wide together; z is up), and point files such as .npy and
-text.
+.png (two views with z up, from the front on the left and from behind on the right, --pixels wide together), and point files
+such as .npy and text.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
   poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";

@@ -63,7 +63,7 @@ MarkPicture picture_of_torus(const ClassedPoints& points, const ClassDistances& 
     return picture;
 }
 
-/// Large disks lie below small ones.
+/// Draws points of classes in their region. Large disks lie below small ones.
 MarkPicture picture_in_region(const ClassSet& set)
 {
     const ClassedPoints points = set.in_units();

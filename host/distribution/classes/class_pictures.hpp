@@ -13,8 +13,8 @@
 
 namespace poissonlab {
 
-/// Points as disks, a colour for each class, as large as its distances; of 3D points those of the lowest tenth. In a
-/// region, its outlines and obstacles as well.
+/// Draws points as disks, which have a colour for each class and are as large as its distances. In 3D only the lowest
+/// tenth is shown. In a region, outlines and obstacles are drawn as well.
 MarkPicture class_picture(const ClassSet& set);
 
 /// Classes that have points, by which spectra are listed.

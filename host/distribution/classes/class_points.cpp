@@ -105,7 +105,7 @@ void append_names(std::string& text, const std::vector<std::uint32_t>& used, con
         for (std::size_t j = 0; j < i; ++j) text += fmt::format(",cross_{}_{}{}", used[j], used[i], end);
 }
 
-/// The matrix that settings say, or imply where points lie in so large an area.
+/// Returns the matrix of the settings, or the one that follows from them for points in this area.
 ClassDistances asked_distances(const ClassSettings& settings, double area)
 {
     const std::size_t classes = settings.classes();
@@ -140,12 +140,13 @@ double largest_of(const ClassDistances& distances)
     return largest;
 }
 
-/// Finds the region on the torus, and what distances are there: longer by what rounding takes from them.
+/// Places the region on the torus, and converts distances to its units. They become longer by as much as rounding of
+/// coordinates may shorten them.
 void place_in_region(const ClassSettings& settings, ClassWork& work)
 {
     work.land = region_land(settings.place);
     work.asked = asked_distances(settings, area_of(work.land->rest));
-    DartSettings place = settings.place; // of the class that keeps the largest distance, to saturation
+    DartSettings place = settings.place; // as for a saturated set at the largest distance
     place.points.reset();
     place.min_distance = largest_of(work.asked);
     if (!place.obstacle_distance) place.obstacle_distance = 0;
@@ -161,11 +162,10 @@ void place_in_region(const ClassSettings& settings, ClassWork& work)
         }
 }
 
-/// Saturated sets in regions have at most so many points: the cells that they begin with take memory.
+/// Saturated sets in regions have at most this number of points, because the cells that they begin with take memory.
 constexpr double most_saturated_in_region = 1 << 24;
 
-/// Throws InputError where there would be more points than are made. Full classes have half as many points as a
-/// packing, nearly.
+/// Throws InputError if there would be too many points. Full classes have about half as many points as a packing.
 void check_count(const ClassWork& work)
 {
     if (work.request.region && work.request.points.empty()) {
@@ -173,12 +173,12 @@ void check_count(const ClassWork& work)
         for (std::size_t i = 0; i < work.asked.classes(); ++i)
             points += work.request.region->area() / std::pow(work.asked.at(i, i), 2);
         if (points > most_saturated_in_region)
-            throw InputError(fmt::format("these are some {:.2g} points in the region; at most {}", points,
-                                         most_saturated_in_region));
+            throw InputError(fmt::format("there would be some {:.2g} points in the region; at most {} are possible",
+                                         points, most_saturated_in_region));
         return;
     }
     if (const std::size_t most = most_class_points(work.request); most > 2 * static_cast<std::size_t>(max_points))
-        throw InputError(fmt::format("these are {} points; at most {}", most / 2, max_points));
+        throw InputError(fmt::format("there would be {} points; at most {} are possible", most / 2, max_points));
 }
 
 /// Full classes have fewer points than were asked for.

@@ -50,7 +50,7 @@ struct ClassSettings
 
 struct PoissonTileSet;
 
-/// What darts are thrown for.
+/// The distances, the region and the request that darts are thrown for.
 struct ClassWork
 {
     ClassDartRequest request;
@@ -59,20 +59,21 @@ struct ClassWork
     std::shared_ptr<const RegionLand> land{}; ///< of a region
 };
 
-/// Sets of other numbers have other random numbers. Throws InputError for what the torus, the region or memory has no
-/// room for.
+/// Prepares a set. Each `number` has random numbers of its own. Throws InputError if the torus, the region or the
+/// memory has no room for the set.
 ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number = 0);
 
 struct ClassSet
 {
     ClassWork work;
-    ClassedPoints points;                          ///< of the torus, in a corner of which a region lies
+    ClassedPoints points;                          ///< in coordinates of the torus, in a corner of which a region lies
     std::shared_ptr<const PoissonTileSet> tiles{}; ///< of a tiling
 
     /// The distances that classes keep, in sides of the torus or units of the region.
     ClassDistances kept() const { return work.asked.scaled(points.scale); }
 
-    /// The set in these units, and as files have it, in longitude and latitude where the region was mapped from there.
+    /// Return the set in these units, and in the coordinates of files, which are longitude and latitude if the region's
+    /// are.
     ClassedPoints in_units() const;
     ClassedPoints as_in_files() const;
     const PlaneRegion* region() const { return work.land ? &work.land->whole : nullptr; }

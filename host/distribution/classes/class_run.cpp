@@ -37,7 +37,7 @@ bool has_tiles(const Keys& keys)
 
 void check_darts(const ClassSettings& s) { class_work(s, 0); }
 
-/// Reads the keys of a region, and refuses those of the torus beside it.
+/// Reads the keys of a region. With a region, keys of the torus are refused.
 void place_keys(Keys& keys, ClassSettings& s)
 {
     keys.region("region", s.place.region, "the region that points lie in: a file, a formula, or a shape")
@@ -60,14 +60,14 @@ void place_keys(Keys& keys, ClassSettings& s)
 void class_keys(Keys& keys, ClassSettings& s)
 {
     place_keys(keys, s);
-    // Distances are lengths of any size in regions, and parts of the torus else.
+    // In regions distances are lengths of any size, and otherwise parts of the torus.
     const Interval lengths = s.has_region() ? Interval{1e-12, 1e12} : Interval{1e-6, 1};
     class_counts(keys, "points", s.points, max_points, "how many points there are")
         .otherwise("as many as there is room for");
     class_list(keys, "distances", s.distances, lengths,
                fmt::format("a number from {:g} to {:g}", lengths.low, lengths.high),
                "the least distance of points of the same class")
-        .unit("sides of the torus, or units of the region")
+        .unit("sides of the torus; with region, in its units and up to 1e12")
         .otherwise("those of relative_radius");
     class_matrix(keys, "matrix", s.matrix, lengths).excludes("distances").otherwise("that of Wei 2010, from distances");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},

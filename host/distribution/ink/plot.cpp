@@ -122,7 +122,7 @@ std::string group_begin(const Plot& plot, double mark_width)
                        rounded(plot.sheet.pen > 0 ? plot.sheet.pen : mark_width));
 }
 
-/// Which pen draws the dots. Short strokes are as wide as the pen, whatever the diameter of dots.
+/// Says which pen draws the dots. Short strokes are as wide as the pen, whatever the diameter of the dots.
 std::string pen_words(const Plot& plot)
 {
     const double wide = 2 * plot.marks.disks.front()[2], pen = plot.sheet.pen;
@@ -130,10 +130,9 @@ std::string pen_words(const Plot& plot)
     if (!(pen > 0)) return ", as wide as the pen has to be";
     if (pen > 0.95 * wide) return "";
     const double times = wide * wide / (pen * pen);
-    return fmt::format(
-        ", but strokes of the pen are {:.3g} mm wide and leave {:.2g} % of the ink: circles fill more of "
-        "it, and {:.0f} dots would be as wide as the pen",
-        pen, 100 / times, static_cast<double>(plot.marks.disks.size()) * times);
+    return fmt::format(", but strokes of the pen are {:.3g} mm wide and draw {:.2g} % of the ink: circles draw more of "
+                       "it, and with {:.0f} dots each dot would be as wide as the pen",
+                       pen, 100 / times, static_cast<double>(plot.marks.disks.size()) * times);
 }
 
 }

@@ -23,8 +23,8 @@ struct LandDots
     double radius = 0;
 };
 
-/// The region in a box with its outlines, dots, the first ones lowest, and obstacles, whose points are as large as the
-/// first dots.
+/// Draws the region in a box: its outlines, its dots, the first group lowest, and its obstacles, whose points are as
+/// large as the first dots.
 MarkPicture land_picture(const RegionLand& land, const RegionBox& box, const std::vector<LandDots>& dots);
 
 /// How near the nearest points are, over what they are to keep: the share of points, as a density.

@@ -16,16 +16,16 @@
 namespace poissonlab {
 namespace {
 
-/// Points may be off the mesh by this part of the root of the area for each of them.
+/// Points may be off the mesh by this part of the square root of the area per point.
 constexpr double off_mesh = 0.1;
 
-/// Spectra reach no farther than this, in roots of points for each area: past the first peak of Poisson disk sets.
+/// Spectra end here at the latest, in units of sqrt(N / area): beyond the first peak of Poisson disk sets.
 constexpr double farthest_reach = 1.6;
 
 /// Lattices have their first peaks below this frequency: those of squares at 1, those of triangles at 1.07.
 constexpr double reach_of_lattices = 1.2;
 
-/// Curves have about so many rings for each root of points for the area.
+/// Curves have about this number of rings for each unit sqrt(N / area).
 constexpr double rings_of_curve = 40;
 
 TriangleMesh triangles_of(const FixedSurface& surface)
@@ -73,7 +73,7 @@ PointSet points_in_space(const std::filesystem::path& file)
     return sets.front();
 }
 
-/// What of sets is located on the mesh whose triangles are small.
+/// Locates a set on the mesh whose triangles are small.
 std::vector<MeshPosition> positions_of(const TriangleTree& tree, const PointSet& places)
 {
     std::vector<MeshPosition> positions;
@@ -81,7 +81,7 @@ std::vector<MeshPosition> positions_of(const TriangleTree& tree, const PointSet&
     return positions;
 }
 
-/// The answer by the rule of the plane, whose measures these are.
+/// Answers by the rule of the plane, since the measures are those of the plane.
 BlueNoiseVerdict verdict_of(const MeshSetMeasures& set, std::size_t points, bool reaches_lattices)
 {
     Series series;
@@ -97,7 +97,7 @@ BlueNoiseVerdict verdict_of(const MeshSetMeasures& set, std::size_t points, bool
     return *blue_noise_verdict(series, 2);
 }
 
-/// The measures of a set whose powers are known.
+/// Measures a set whose powers are known.
 class MeshSetMeasurement
 {
 public:

@@ -1,5 +1,5 @@
-// Measures points on a mesh, made here or elsewhere: their spectrum by the mesh's eigenfunctions, their distances, and
-// whether they are blue noise.
+// Measures points on a mesh, made here or elsewhere: their spectrum by the mesh's eigenfunctions and their distances.
+// The measures decide if the points are blue noise.
 #pragma once
 
 #include "analysis/surfaces/mesh_eigenfunctions.hpp"
@@ -36,18 +36,18 @@ struct MeshWithPoints
     std::shared_ptr<const SurfaceMesh> surface;
     TriangleMesh mesh; ///< the triangles of the surface
     std::vector<SurfacePoint> points;
-    double tolerance = 0; ///< up to which points may be off the mesh, in its units
-    double farthest = 0;  ///< that a point was off
+    double tolerance = 0; ///< the largest distance from the mesh that is accepted, in its units
+    double farthest = 0;  ///< the largest distance of a point from the mesh
 };
 
 /// Reads the mesh. Throws InputError.
 std::shared_ptr<const SurfaceMesh> surface_of(const MeshSetSettings& settings);
 
-/// Reads both, unless the settings have them. Throws InputError: fewer than two points, or points farther off the mesh
-/// than the tolerance, a tenth of the root of the area for each point unless it is given.
+/// Reads both, unless the settings have them. Throws InputError if there are fewer than two points, or if a point is
+/// farther off the mesh than the tolerance, which is a tenth of the square root of the area per point by default.
 std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& settings);
 
-/// What is measured of a set.
+/// The measures of one set.
 struct MeshSetMeasures
 {
     std::vector<RadialBin> rings; ///< one wide
@@ -63,7 +63,7 @@ struct MeshSetMeasures
 struct MeshSpectra
 {
     double area = 0;                ///< in squares of the mesh's units
-    double reach = 0;               ///< the highest frequency, in roots of points for each area
+    double reach = 0;               ///< the highest frequency, in units of sqrt(N / area)
     std::size_t eigenfunctions = 0; ///< that were found
     MeshShape shape;                ///< of the mesh
     std::size_t triangles = 0;      ///< of the mesh
@@ -72,7 +72,7 @@ struct MeshSpectra
     std::vector<RadialBin> set_curve, random_curve, darts_curve; ///< rings as wide as curves show them
 };
 
-/// Measures the points, as many random ones, and as many of dart throwing.
+/// Measures the points, and as many random ones and as many by dart throwing to compare them with.
 MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings& settings, std::uint64_t seed,
                              const std::function<void(const std::string& what)>& on_step);
 

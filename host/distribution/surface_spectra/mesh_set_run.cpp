@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-/// Chance that points spread over the surface are called uneven.
+/// Densities are called uneven below this p-value.
 constexpr double uneven = 1e-3;
 
 void mesh_set_keys(Keys& keys, MeshSetSettings& s)
@@ -27,14 +27,14 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
         .required();
     keys.integer(
         "eigenfunctions", s.eigenfunctions, 10, 200'000,
-        "the number of the mesh's eigenfunctions, nearly; spectra reach no farther than 1.6 times the root of the "
-        "points for each area");
+        "the approximate number of eigenfunctions; the spectrum ends at 1.6 times the square root of the number of "
+        "points per area at the latest");
     keys.number("normal_angle", s.normal_angle, {1, 180},
-                "the largest angle between normals of points whose distance counts; 180: all do")
+                "the largest angle between the normals of two points whose distance counts (180 for all)")
         .unit("degrees");
     keys.number("tolerance", s.tolerance, {0, 1e100}, "the largest distance of a point from the mesh")
         .unit("units of the mesh")
-        .otherwise("a tenth of the root of the area for each point");
+        .otherwise("a tenth of the square root of the area per point");
     if (!keys.is_read()) return;
     keys.check("mesh", [&] { s.surface = surface_of(s); });
     keys.check("set", [&] { s.read = read_mesh_set(s); });
@@ -58,20 +58,21 @@ std::vector<std::string> facts_of(const MeshWithPoints& points, const MeshSpectr
                         "= {:.2g}",
                         spectra.set.counts.parts, spectra.set.counts.p_value));
     if (spectra.elements > spectra.triangles)
-        facts.push_back(fmt::format("Triangles longer than {} of the shortest wavelength were divided into {}",
-                                    longest_edge_in_wavelengths, spectra.elements));
+        facts.push_back(
+            fmt::format("Triangles with edges longer than {} of the shortest wavelength were divided: there are {} now",
+                        longest_edge_in_wavelengths, spectra.elements));
     for (const std::string& note : points.surface->notes()) facts.push_back(note);
     const MeshShape& shape = spectra.shape;
-    if (shape.open_edges > 0) facts.emplace_back("The surface is open: eigenfunctions are level across its edges");
+    if (shape.open_edges > 0) facts.emplace_back("The surface is open: eigenfunctions have no slope across its border");
     if (shape.parts > 1)
         facts.push_back(
-            fmt::format("The mesh has {} parts, each with eigenfunctions of its own: whether they have as many "
-                        "points as their areas ask for shows in the counts alone",
+            fmt::format("The mesh has {} parts, each with eigenfunctions of its own: only the counts show whether "
+                        "each part has its share of the points",
                         shape.parts));
     if (shape.branching_edges > 0)
         facts.push_back(
-            fmt::format("The surface branches at {} {} of more than two triangles, and eigenfunctions go on "
-                        "into each of them",
+            fmt::format("The surface branches at {} {} of more than two triangles; eigenfunctions continue into all "
+                        "triangles there",
                         shape.branching_edges, noun(shape.branching_edges, "edge")));
     return facts;
 }
@@ -86,7 +87,7 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
          fmt::format("before points were put on it, in its units; at most {:.4g} is accepted", points.tolerance)},
         {"eigenfunctions", "Eigenfunctions", static_cast<double>(spectra.eigenfunctions),
          "eigenfunctions of the mesh's Laplacian, by which the spectrum is measured"},
-        {"spectrum_reach", "End of the spectrum", spectra.reach, "in units of the root of N / area"},
+        {"spectrum_reach", "End of the spectrum", spectra.reach, "in units of √(N / area)"},
         {"least_distance", "Least distance", set.least,
          "of two points whose normals are near enough, straight through space, in units of the mesh"},
         {"mean_nearest", "Mean nearest distance", set.mean_nearest, "straight through space, in units of the mesh"}};
@@ -102,10 +103,11 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
     return numbers;
 }
 
-/// The set beside random points and darts.
+/// Compares the set with random points and darts.
 DistributionTable comparison_of(const MeshSpectra& spectra)
 {
-    DistributionTable table{"Beside other points on this mesh", {"", "points", "random points", "dart throwing"}, {}};
+    DistributionTable table{
+        "The points compared with others on this mesh", {"", "points", "random points", "dart throwing"}, {}};
     const auto add = [&](const std::string& name,
                          const std::function<std::optional<double>(const MeshSetMeasures&)>& of) {
         const auto cell = [&](const MeshSetMeasures& set) {
@@ -114,17 +116,18 @@ DistributionTable comparison_of(const MeshSpectra& spectra)
         };
         table.rows.push_back({name, cell(spectra.set), cell(spectra.random), cell(spectra.darts)});
     };
-    add("Relative radius: least distance, of that of the densest packing in a plane of the same area",
+    add("Relative radius: the least distance over that of the densest packing in a plane of the same area",
         [](const MeshSetMeasures& set) { return set.relative_radius; });
-    add("Mean nearest distance, of the same", [](const MeshSetMeasures& set) { return set.nearest_ratio; });
+    add("Mean nearest distance, over that of the densest packing",
+        [](const MeshSetMeasures& set) { return set.nearest_ratio; });
     add("Mean power at frequencies up to √(N / area) / 4: random points have 1",
         [](const MeshSetMeasures& set) { return set.low_frequency_mean; });
-    add("Effective Nyquist frequency, of √(N / area) / 2",
+    add("Effective Nyquist frequency, in units of √(N / area) / 2",
         [](const MeshSetMeasures& set) { return set.effective_nyquist; });
     add("Peaks above chance, dB: 0 where no ring stands out",
         [](const MeshSetMeasures& set) { return set.above_chance; });
     if (const std::size_t parts = spectra.set.counts.parts; parts > 0)
-        add(fmt::format("Counts over {} parts of equal area: the chance that those of random points vary as much",
+        add(fmt::format("Counts over {} parts of equal area: the probability that those of random points vary as much",
                         parts),
             [](const MeshSetMeasures& set) { return set.counts.p_value; });
     table.rows.push_back(
@@ -161,13 +164,13 @@ DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_
     const std::size_t count = points.points.size();
     files.add_curves(
         "power", chart_of(spectra, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
-        "Radially averaged power. The mean power of the mesh's eigenfunctions in rings of equal frequency; "
+        "Radially averaged power: the mean power of the mesh's eigenfunctions in rings of equal frequency; "
         "random points have 1, and blue noise has little on the left.",
         result);
     files.add_curves(
         "anisotropy", chart_of(spectra, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
-        "Anisotropy. How the power of the eigenfunctions in a ring varies: chance has 0 dB, peaks of a lattice "
-        "rise above it.",
+        "Anisotropy: the variance of the power of the eigenfunctions in a ring. Random points have 0 dB, and peaks of "
+        "a lattice rise above it.",
         result);
     const FixedSurface& surface = points.surface->surface;
     const SurfaceDots dots{std::isfinite(spectra.set.mean_nearest) ? spectra.set.mean_nearest : 0,
@@ -183,7 +186,8 @@ DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_
 Kind mesh_set_kind()
 {
     return make_kind<MeshSetSettings>({"distribution", "mesh-set", "", "Points on a mesh, measured",
-                                       "Measure points on a mesh, made here or elsewhere: are they blue noise?", false},
+                                       "Measure points on a mesh, made here or elsewhere, by the mesh's eigenfunctions",
+                                       false},
                                       mesh_set_keys, mesh_set_label, measure_on_mesh);
 }
 

@@ -185,7 +185,7 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
             fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}", distance, least));
     const bool is_filled = settings.method == SurfaceMethod::darts && !settings.points;
     if (const double count = saturated_count(surface.area, distance); is_filled && count > max_points)
-        throw InputError(fmt::format("these are some {:.3g} points; at most {}", count, max_points));
+        throw InputError(fmt::format("there would be some {:.3g} points; at most {} are possible", count, max_points));
     return std::min(distance, most);
 }
 

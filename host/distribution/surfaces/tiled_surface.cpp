@@ -110,7 +110,7 @@ void check_tiled_surface(const MeshPointSettings& settings, const SurfaceMesh& m
                                 : std::sqrt(static_cast<double>(*settings.points) / points_per_tile / area);
     texture_plane(mesh.mesh, mesh.surface, per_unit);
     if (const double count = area * per_unit * per_unit * points_per_tile; count > max_points)
-        throw InputError(fmt::format("these are some {:.3g} points; at most {}", count, max_points));
+        throw InputError(fmt::format("there would be some {:.3g} points; at most {} are possible", count, max_points));
 }
 
 SurfaceSet tiled_surface(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,

@@ -29,7 +29,7 @@ std::uint32_t level_of(double distance)
     return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(1 / distance)), 1.0, 30.0));
 }
 
-/// Cells of a level that are not outside of a region.
+/// Returns the cells of a level that are not outside of a region.
 OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level)
 {
     OpenCells open{1, {0, 0}};
@@ -50,7 +50,7 @@ OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level)
     return open;
 }
 
-/// At most four points that keep a distance lie in a square whose sides are no longer than it.
+/// A square whose sides are no longer than a distance holds at most four points that keep this distance.
 constexpr std::size_t most_points_of_cell = 4;
 
 std::size_t most_points_of(const ClassDartRequest& request, std::size_t i)
@@ -62,7 +62,8 @@ std::size_t most_points_of(const ClassDartRequest& request, std::size_t i)
     return std::min(most, most_points_of_cell * cells_in_region(*request.region, level_of(distance)).count(2));
 }
 
-/// The torus has the area of so many regions, or more: a grid of all of it has so many cells for each point.
+/// Returns how many times larger the torus is than the region, up to a limit: a grid of the whole torus has this number
+/// of cells for each point.
 double tori_for_region(const ClassDartRequest& request)
 {
     constexpr double most = 16;

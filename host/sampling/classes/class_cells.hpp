@@ -51,8 +51,8 @@ struct OpenCells
     std::size_t count(int dimension) const { return cells.size() / static_cast<std::size_t>(dimension); }
 };
 
-/// Where darts of a class fall at first: anywhere on the torus; in a region the cells above those of first_level()
-/// that are not outside of it.
+/// Returns the cells into which darts of a class fall at first: all of the torus or, in a region, the cells above those
+/// of first_level() that are not outside of it.
 OpenCells start_cells(const ClassDartRequest& request, const ClassDistances& distances, std::size_t own);
 
 /// The level at which cells are looked at first: they are about half as wide as the largest distance that the class

@@ -11,8 +11,8 @@
 //
 // The darts of a slot, the place of one point, fall uniformly into cells that may have room for its class: the whole
 // torus at first, and, each time that TRIES darts of a slot failed, the parts of half the size that no single point
-// covers. Those are never more than what is left, so the law is that of darts that fall anywhere. In a region these
-// cells are at first those that are not outside of it.
+// covers. Those are never more than what is left, so the law is that of darts that fall anywhere. In a region, the
+// first cells are those that are not outside of it.
 #pragma once
 
 #include "base/geometry/class_distances.hpp"
@@ -35,7 +35,7 @@ struct ClassDartRequest
     std::vector<std::size_t> points; ///< of each class, where it stops; empty: at saturation
     double factor = 1;               ///< all distances are multiplied by it where a class with an end is full
     StreamKey stream{};
-    std::shared_ptr<const FixedRegion> region{}; ///< of the plane, that all points lie in; none: the torus
+    std::shared_ptr<const FixedRegion> region{}; ///< the plane region that all points lie in; none: the torus
 };
 
 struct ClassedPoints

@@ -3,7 +3,7 @@
 
 namespace poissonlab {
 
-/// Throws MissingModule where this program was built without the twins. Whoever plans work for them calls this function
+/// Throws MissingModule if this program was built without the twins. Code that plans work for them calls this function
 /// first.
 void need_reference_engine();
 

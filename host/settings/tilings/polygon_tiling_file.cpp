@@ -87,7 +87,7 @@ private:
         }
     }
 
-    /// Turns by odd powers of z would exchange the lengths.
+    /// Refuses turns by odd powers of z, which would exchange the lengths.
     void check_lengths(const ConfigNode& node) const
     {
         const auto turns_evenly = [](const PlacedTile& tile) { return is_even(tile.motion.turn); };

@@ -32,8 +32,8 @@ LightMap contrast_map(const LightMap& map, int side);
 /// The part of a picture from (left, top) on.
 PngPixels picture_part(const PngPixels& picture, int left, int top, int width, int height);
 
-/// A picture whose pixels are means over squares of `factor` x `factor` pixels; what is left over at the eastern and
-/// southern borders is dropped.
+/// Returns a picture whose pixels are means over squares of `factor` x `factor` pixels. Incomplete squares at the
+/// eastern and southern borders are dropped.
 struct ReducedPicture
 {
     PngPixels pixels;

@@ -152,8 +152,8 @@ bool is_harmonic_of(const RegularWave& wave, const RegularWave& other, const Lig
     return false;
 }
 
-/// Takes the wave whose harmonics stand out together, if there is no other one, or the other one is a harmonic of it:
-/// all of its harmonics say more exactly than four where its lines are.
+/// Takes the wave whose harmonics stand out together if there is no other wave, or if the other wave is a harmonic of
+/// it: all of its harmonics give the places of lines more exactly than four.
 void take_comb(RegularWaves& found, const WaveSpectrum& spectrum, const LightMap& map)
 {
     WaveComb comb = strongest_comb(spectrum);
@@ -164,7 +164,8 @@ void take_comb(RegularWaves& found, const WaveSpectrum& spectrum, const LightMap
     found.is_comb = true;
 }
 
-/// Planks of all widths have their power on one line of the spectrum, where any place is many times what is around it.
+/// Planks of all widths have their power on one line of the spectrum, where each place has many times the power around
+/// it.
 void drop_part_of_line(RegularWaves& found, const WaveSpectrum& spectrum)
 {
     if (spectrum.times_along(found.strongest.front()) < least_regular_times) found.strongest.clear();

@@ -3,8 +3,8 @@
 // A wave and its harmonics, the first four, hold a share of the picture's variance. In a picture without order each
 // part of the spectrum is about as high as what is around it; a wave is regular where its share is many times as high.
 //
-// If no wave stands out so, or one that does is a harmonic of another one, more harmonics are looked at: wave_comb.hpp.
-// A wave that no other one crosses must also stand out from what is before and after it in its direction.
+// If no wave stands out, or if one that does is a harmonic of another one, more harmonics are examined: wave_comb.hpp.
+// A wave that no other one crosses must also stand out from the power before and after it in its direction.
 //
 // A wave explains its harmonics, and two waves all sums of them. Where something between these stands out as well, the
 // picture repeats after two or three of their periods only: the halves and thirds of sums are tried, as long as there

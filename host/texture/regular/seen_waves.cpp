@@ -27,8 +27,8 @@ constexpr double most_slope = 0.45;
 /// A picture that is as straight as this part of the share says keeps its pixels.
 constexpr double straight_times = 1.05;
 
-/// A picture whose harmonics stand out together keeps its pixels unless a slope makes them do so by this much more: of
-/// two slopes that are both wrong, one has by chance up to three more.
+/// A picture whose harmonics stand out together keeps its pixels unless a slope adds this number of deviations. By
+/// chance, one of two wrong slopes has up to three more than the other.
 constexpr double least_slope_deviations = 3;
 
 /// Waves of a smaller part are taken instead of those of a larger one where they stand out more than this many times as
@@ -102,8 +102,8 @@ LightMap from_above(const LightMap& light, const Slope& slope, double part)
     return map;
 }
 
-/// The slope with which a picture has the largest `value`: on a grid, then around the best one in steps that halve. The
-/// picture is as straight as it is unless another slope has more than `least`.
+/// Finds the slope with which a picture has the largest `value`: on a grid, then around the best one in steps that
+/// halve. The picture keeps its slope unless another one has more than `least`.
 Slope found_slope(const LightMap& light, double part, double least, const std::function<double(const LightMap&)>& value)
 {
     Slope best;

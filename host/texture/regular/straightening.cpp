@@ -178,7 +178,7 @@ InputError nothing_regular(const PngPixels& exemplar, const SeenWaves& seen)
         return InputError(begin +
                           fmt::format("its waves hold less than {:.0f} % of its variance", 100 * least_regular_share));
     return InputError(begin + fmt::format("its strongest wave of {:.0f} pixels and more has {:.1f} times the power "
-                                          "around it, of the {} that it needs, and no harmonics stand out together",
+                                          "around it and needs {} times, and no harmonics stand out together",
                                           std::ceil(least_seen_period(exemplar)), seen.most_times,
                                           least_regular_times));
 }

@@ -10,21 +10,21 @@
 namespace poissonlab {
 namespace {
 
-/// The standard deviation of the logarithm of a ratio of powers.
+/// The logarithm of a ratio of powers has this standard deviation (see the header).
 constexpr double log_deviation = 1.01;
 
 constexpr double least_comb_deviations = 6, least_comb_share = 0.005;
 constexpr int least_comb_harmonics = 3;
 
-/// Combs are looked for of which one of so many places is a harmonic, those that stand out most; each has at least so
-/// many times the power around it.
+/// Only combs that have one of the places that stand out most as a harmonic are examined. The first number is that of
+/// these places; the second is the least ratio of a place's power to the power around it.
 constexpr std::size_t most_places = 64;
 constexpr double least_place_times = 3;
 
-/// Powers are compared with those so many places before and after them.
+/// Powers are compared with those that are this number of places before and after them.
 constexpr double least_steps_away = 4, most_steps_away = 6;
 
-/// The power of rounding is below this share; it has a period of its own where there is no noise.
+/// Rounding has less than this share of the power, but may be periodic in pictures without noise.
 constexpr double least_power = 1e-5;
 
 struct SpectrumPlace
@@ -57,7 +57,8 @@ public:
         return found;
     }
 
-    /// The comb of a wave with so many periods over the width and the height, of as many harmonics as stand out most.
+    /// Returns the comb of a wave with x periods over the width and y over the height, with the number of harmonics
+    /// that stand out most.
     WaveComb comb_of(double x, double y) const
     {
         WaveComb best, all;
@@ -79,7 +80,7 @@ public:
         return best;
     }
 
-    /// Moves a comb to where it stands out most, in steps down to those that its last harmonic can tell.
+    /// Moves a comb to where it stands out most, in steps as small as its last harmonic can resolve.
     WaveComb refined(WaveComb comb) const
     {
         for (double step = 0.25; step > 0.25 / most_comb_harmonics;) {
@@ -126,7 +127,7 @@ private:
 
     double power_at(int x, int y) const { return std::max(0.0, square(x, y, 1)); }
 
-    /// What nine places have on average in a ring around some.
+    /// Returns the mean power of nine places in a ring around a place.
     double around(int x, int y) const
     {
         constexpr int inner = 2, outer = 6;

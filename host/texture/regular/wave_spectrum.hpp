@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// Waves have at least so many periods over the picture.
+/// Waves have at least this number of periods over the picture.
 inline constexpr int least_periods = 8;
 
 /// A wave and the next harmonics count, four in all.
@@ -57,13 +57,13 @@ public:
     PartsBetween between(const RegularWave& a, const RegularWave& b, const PartOfWaves& part,
                          const std::vector<RegularWave>& lines) const;
 
-    /// How many times a wave and its harmonics have what is before and after them in its direction.
+    /// Returns the ratio of the power of a wave and its harmonics to the power before and after them in its direction.
     double times_along(const RegularWave& wave) const;
 
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// The share of the variance that a place holds, of any whole numbers of periods.
+    /// Returns the share of the variance at a place, for any whole numbers of periods.
     double share(int x, int y) const;
 
     /// True if waves of this period are looked for.

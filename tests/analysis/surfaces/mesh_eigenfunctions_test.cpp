@@ -1,5 +1,5 @@
-// Eigenfunctions against closed forms: cosines on the square, Lame's functions on the equilateral triangle, spherical
-// harmonics; against all eigenvectors of small meshes; and the power of random points.
+// Eigenfunctions are compared with closed forms (cosines on the square, Lame's functions on the equilateral triangle,
+// spherical harmonics) and with all eigenvectors of small meshes. The power of random points is 1.
 #include "analysis/surfaces/mesh_eigenfunctions.hpp"
 
 #include "analysis/surfaces/eigenvalue_band.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// An equilateral triangle of side 1 as rows of equilateral triangles.
+/// Returns an equilateral triangle of side 1 as rows of equilateral triangles.
 TriangleMesh equilateral_mesh(std::uint32_t rows)
 {
     TriangleMesh mesh;
@@ -38,7 +38,7 @@ TriangleMesh equilateral_mesh(std::uint32_t rows)
     return mesh;
 }
 
-/// The icosahedron, each triangle in four so often, with its corners on the unit sphere.
+/// Returns an icosahedron with corners on the unit sphere, each of whose triangles is divided into four `steps` times.
 TriangleMesh icosphere(int steps)
 {
     const double g = std::numbers::phi;
@@ -76,7 +76,7 @@ std::vector<double> eigenvalues_on(const TriangleMesh& mesh, double highest)
     return eigenfunction_powers(mesh, highest, {}).eigenvalues;
 }
 
-/// The largest relative deviation from values in closed form, both ascending.
+/// Returns the largest relative deviation from values in closed form, both ascending.
 double largest_deviation(const std::vector<double>& found, std::vector<double> known)
 {
     std::ranges::sort(known);
@@ -86,7 +86,7 @@ double largest_deviation(const std::vector<double>& found, std::vector<double> k
     return largest;
 }
 
-/// pi^2 (m^2 + n^2)
+/// Returns the eigenvalues of the square, pi^2 (m^2 + n^2).
 std::vector<double> of_square(double highest)
 {
     std::vector<double> known;
@@ -151,7 +151,7 @@ TEST(Eigenfunctions, AreThoseOfAllEigenvectorsOfSmallMeshes)
             total += area;
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-                // by cotangents: what the angle at k makes of the edge from i to j
+                // the cotangent of the angle at k is the weight of the edge from i to j
                 const MeshPoint u = difference(mesh.vertices[t[i]], mesh.vertices[t[k]]),
                                 v = difference(mesh.vertices[t[j]], mesh.vertices[t[k]]);
                 const double half = dot(u, v) / (2 * area) / 2;
@@ -206,7 +206,7 @@ TEST(EigenfunctionPowers, OfRandomPointsAreOneInEachRing)
             std::vector<double> of_seeds;
             for (const auto& of_set : powers) of_seeds.push_back(of_set[ring]);
             const test::Mean mean = test::mean_of(of_seeds);
-            // twenty values: Student's law has longer tails than the normal one
+            // of twenty values, whose Student's distribution has longer tails than the normal one
             EXPECT_LT(std::abs(mean.value - 1), 1.4 * test::z_bound(2 * powers.front().size()) * mean.standard_error)
                 << ring;
         }
@@ -215,7 +215,7 @@ TEST(EigenfunctionPowers, OfRandomPointsAreOneInEachRing)
 
 TEST(EigenfunctionPowers, OfPointsOnAGridOfASquareAreThoseOfTheirCosines)
 {
-    // 8 x 8 points, at the middles of squares: only cosines of 16 j half waves see them, or none.
+    // Points are the middles of 8 x 8 squares: only cosines of 16 j half waves have power.
     const TriangleMesh mesh = square_mesh(64);
     const TriangleTree tree(mesh);
     std::vector<MeshPosition> grid;
@@ -228,8 +228,9 @@ TEST(EigenfunctionPowers, OfPointsOnAGridOfASquareAreThoseOfTheirCosines)
         all += found.powers[0][k];
         if (std::abs(m - 256) < 8) most += found.powers[0][k];
     }
-    // cos(16 pi x) has 1 at each point times the root of 2: the power is 2 N, and there are two of them. Functions that
-    // are linear between vertices are less in between, by (k h)^2 / 6 of their squares' integral, and more at vertices.
+    // The normalised sqrt(2) cos(16 pi x) has the same absolute value at each point, so that its power is 2 N, and
+    // there are two such functions. Linear functions are lower between vertices, by (k h)^2 / 6 of the integral of
+    // their squares, and therefore higher at vertices.
     const double kh = 16 * pi / 64;
     EXPECT_NEAR(most, 4 * 64 * (1 + kh * kh / 6), 0.02 * 256);
     EXPECT_LT(all - most, 0.02 * 256);
@@ -237,7 +238,7 @@ TEST(EigenfunctionPowers, OfPointsOnAGridOfASquareAreThoseOfTheirCosines)
 
 TEST(EigenfunctionPowers, OfTooFewVerticesAreRefusedOrFew)
 {
-    // As many eigenfunctions as vertices, less the constant one.
+    // There are as many eigenfunctions as vertices, without the constant one.
     EXPECT_EQ(eigenvalues_on(square_mesh(), 1e9).size(), 3U);
     EXPECT_EQ(eigenvalues_on({.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}}, 1e9).size(),
               2U);

@@ -1,4 +1,4 @@
-// Triangles that are divided: the surface stays, and neighbours keep their common edges.
+// Triangles are divided so that the surface stays the same and neighbours keep their common edges.
 #include "analysis/surfaces/refined_mesh.hpp"
 
 #include "tests/support/meshes.hpp"
@@ -36,7 +36,7 @@ TEST(RefinedMeshes, KeepTheirAreaTheirBordersAndTheirWays)
         EXPECT_NEAR(shape.area, 1, 1e-12);
         EXPECT_EQ(shape.parts, 1U);
         EXPECT_EQ(shape.branching_edges, 0U);
-        // Each side is halved as often as it takes: any edge inside that were not shared would be open as well.
+        // Each side is halved until it is short enough. An inner edge that is not shared would count as open.
         std::size_t of_a_side = 1;
         while (1.0 / static_cast<double>(of_a_side) > longest) of_a_side *= 2;
         EXPECT_EQ(shape.open_edges, 4 * of_a_side) << longest;
@@ -70,7 +70,7 @@ TEST(MeshShapes, CountPartsAndEdges)
     EXPECT_EQ(shape_of(tetrahedron()).open_edges, 0U);
     EXPECT_EQ(shape_of(with_edges_up_to(tetrahedron(), 0.2)).open_edges, 0U);
     EXPECT_EQ(shape_of(sheet_mesh(0.1)).parts, 2U);
-    // Three squares at one edge.
+    // Three triangles meet at one edge.
     const TriangleMesh book{.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}},
                             .triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
     EXPECT_EQ(shape_of(book).branching_edges, 1U);

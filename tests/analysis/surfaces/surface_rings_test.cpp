@@ -1,4 +1,4 @@
-// Rings of eigenfunctions, and counts over parts of a surface.
+// Tests rings of eigenfunctions, and counts over parts of a surface.
 #include "analysis/surfaces/surface_rings.hpp"
 
 #include "analysis/measures/peak_anisotropy.hpp"
@@ -29,8 +29,8 @@ TEST(EigenfunctionRings, HoldEigenfunctionsByTheirFrequencies)
 
 TEST(EigenfunctionRings, OfRandomPowersHaveTheAnisotropyOfChance)
 {
-    // Squares of normal deviates, 10,000 sets: of rings of 200 eigenfunctions the decibels are about 0, with the error
-    // that the plane's rings have, and fewer than one in a thousand stands out.
+    // Powers are squares of normal deviates, of 10,000 rings with 200 eigenfunctions each. Their anisotropy is about 0
+    // dB, with the error of the plane's rings, and fewer than one ring in a thousand stands out.
     std::mt19937 engine(5);
     std::normal_distribution<double> normal;
     std::vector<double> eigenvalues;

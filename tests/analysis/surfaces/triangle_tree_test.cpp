@@ -1,4 +1,4 @@
-// The nearest triangle, against CGAL's distance to every triangle.
+// The nearest triangle is compared with CGAL's distance to every triangle.
 #include "analysis/surfaces/triangle_tree.hpp"
 
 #include "tests/support/meshes.hpp"

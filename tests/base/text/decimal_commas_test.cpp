@@ -20,11 +20,11 @@ TEST(DecimalCommas, AreNamedWithThePointThatIsMeant)
     EXPECT_EQ(decimal_comma_words("0,5+x"), "; the comma of \"0,5\" is no decimal point: must be 0.5");
     EXPECT_EQ(decimal_comma_words("min(x, y)"), "");
     for (const char* text : {"4m", " 4 mm", "4px"})
-        EXPECT_EQ(decimal_comma_words(text), "; this number takes no unit: write 4, in that of the manual") << text;
+        EXPECT_EQ(decimal_comma_words(text), "; this number takes no unit: write 4, in the manual's unit") << text;
     EXPECT_EQ(unit_words("7.1 %"), "; this number takes no unit: write 0.071");
     const auto is_part = [](double value) { return value >= 0.05 && value <= 1; };
     EXPECT_EQ(unit_words("50%", is_part), "; this number takes no unit: write 0.5");
-    EXPECT_EQ(unit_words("0.3mm", is_part), "; this number takes no unit: write 0.3, in that of the manual");
+    EXPECT_EQ(unit_words("0.3mm", is_part), "; this number takes no unit: write 0.3, in the manual's unit");
     for (const char* text : {"4m", "4%", "101%", "0.3%"})
         EXPECT_EQ(unit_words(text, is_part), "; this number takes no unit") << text;
     for (const char* text : {"4", "m", "4x", "", "1e5", "0x4m"}) EXPECT_EQ(unit_words(text), "") << text;

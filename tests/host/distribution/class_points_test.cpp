@@ -59,8 +59,8 @@ TEST(ClassPoints, TakeAMatrixAsItIs)
     EXPECT_TRUE(set.points.is_full[0] && set.points.is_full[1]);
 }
 
-/// 0.002 degrees of longitude and latitude at 60 degrees north: 111.4 m by 222.8 m, nearly (a degree of longitude is
-/// half as long there).
+/// At 60 degrees north, 0.002 degrees of longitude and latitude are about 111.4 m by 222.8 m, because a degree of
+/// longitude is half as long there.
 TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
 {
     const TemporaryFolder folder;
@@ -83,7 +83,7 @@ TEST(ClassPoints, KeepMetresInRegionsOfDegrees)
             const double kept = set.kept().at(metres.classes[i], metres.classes[j]);
             EXPECT_GE(std::hypot(metres.points[i][0] - metres.points[j][0], metres.points[i][1] - metres.points[j][1]),
                       kept);
-            // A hundredth is what lengths of degrees are off, and more.
+            // Lengths of degrees are off by less than a hundredth.
             const double east = (degrees.points[i][0] - degrees.points[j][0]) * metres_a_degree / 2,
                          north = (degrees.points[i][1] - degrees.points[j][1]) * metres_a_degree;
             EXPECT_GE(std::hypot(east, north), 0.99 * kept);

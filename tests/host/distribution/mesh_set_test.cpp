@@ -1,4 +1,4 @@
-// Points on meshes: which are blue noise, beside the numbers of the plane, and what is refused.
+// Measures of points on meshes are compared with those of the plane; some files are refused.
 #include "host/distribution/surface_spectra/mesh_set.hpp"
 
 #include "base/files/whole_file.hpp"
@@ -73,7 +73,7 @@ PointSet square_grid(std::size_t rows, double turn)
     return grid;
 }
 
-/// Open surfaces have a border at which darts are denser, which shows at low frequencies: a torus has none.
+/// The mesh is a torus, because darts are denser at the border of an open surface, which raises low frequencies.
 TEST_F(MeshSets, OfDartsOnAClosedMeshAreAsThoseOfThePlane)
 {
     const TriangleMesh mesh = textured_mesh(24, 16, [](double u, double v) {

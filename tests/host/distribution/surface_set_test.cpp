@@ -99,7 +99,8 @@ TEST(SurfaceSets, RefuseDistancesWithoutRoom)
     };
     EXPECT_THAT(refusal(2), testing::HasSubstr("there is room for one point"));
     EXPECT_THAT(refusal(1e-6), testing::HasSubstr("at least 1e-05"));
-    EXPECT_THAT(refusal(2e-5), testing::HasSubstr("these are some 1.74e+09 points; at most 134217728"));
+    EXPECT_THAT(refusal(2e-5),
+                testing::HasSubstr("there would be some 1.74e+09 points; at most 134217728 are possible"));
 }
 
 TEST(SurfaceNeighbourhoods, AreThoseOfAllPairs)
@@ -216,7 +217,7 @@ TEST(SurfaceFiles, HaveNormalsInTables)
     }
 }
 
-/// Read by the rules of glTF 2.0, sections 3.6 and 4.4: accessors lead to views of the one buffer.
+/// The file is read by the rules of glTF 2.0, sections 3.6 and 4.4: accessors lead to views of the one buffer.
 TEST(SurfaceFiles, HavePointsAndNormalsInGltf)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(8));

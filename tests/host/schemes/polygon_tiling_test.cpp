@@ -46,14 +46,14 @@ std::map<std::pair<std::string, bool>, std::uint64_t> counts_of(const std::strin
     return counts;
 }
 
-/// The hat, the turtle and the spectre.
+/// True for the hat, the turtle and the spectre.
 bool is_monotile(const std::string& word)
 {
     const PolygonTiling& tiling = built_in_tiling(word);
     return !is_multiplication(tiling.ring, tiling.magnification);
 }
 
-/// Of a tile that has parts itself, where the tiling has others.
+/// Returns the address of a tile that has parts itself, since some tilings have tiles without parts.
 TileAddress random_address(const Substitution& substitution, const PolygonTiling& tiling, int depth,
                            std::mt19937& random)
 {
@@ -123,15 +123,15 @@ TEST(Monotiles, HaveAsManyTilesAsTheirMatricesSay)
             ++all, named += tiling.prototiles[tile.prototile].name == name;
         return std::pair{all, named};
     };
-    // Clusters of hats by ((6, 1), (5, 1)), whose eigenvalues are the golden ratio to the powers 4 and -4: for each
-    // reflected hat there are in the limit that many others, 3 phi^2 - 1.
+    // Clusters of hats grow by the matrix ((6, 1), (5, 1)), whose eigenvalues are the golden ratio phi to the powers 4
+    // and -4. In the limit there are 3 phi^2 - 1 other hats for each reflected one.
     for (int n = 1; n <= 4; ++n)
         for (const std::string word : {"hat", "turtle"}) {
             EXPECT_EQ(count(word, 0, n, "reflected"),
                       (std::pair{fibonacci_number(4 * n + 2), fibonacci_number(4 * n) / 3}));
             EXPECT_EQ(count(word, 1, n, "reflected"), (std::pair{lucas_number(4 * n), lucas_number(4 * n - 2) / 3}));
         }
-    // Clusters of eight spectres, one of them a Mystic: eigenvalues 4 + sqrt(15) and 4 - sqrt(15).
+    // A cluster has eight spectres, one of them a Mystic; the matrix has the eigenvalues 4 + sqrt(15) and 4 - sqrt(15).
     const double root = std::sqrt(15.0);
     for (int n = 0; n <= 4; ++n) {
         const double up = std::pow(4 + root, n), down = std::pow(4 - root, n);
@@ -199,7 +199,7 @@ TEST(Monotiles, AreUnionsOfKitesOfOneGrid)
     for (const std::string word : {"hat", "turtle"}) {
         const PolygonTiling& tiling = built_in_tiling(word);
         const std::vector<PlacedTile> tiles = patch_of(word, 4);
-        // x + y w in the lattice of points at distance 1; turtles are turned by -30 degrees for it.
+        // Returns x and y of x + y w in the lattice of points at distance 1; turtles are turned by -30 degrees first.
         const auto lattice = [&](const RingPlace& p) {
             const auto& c = p.c;
             return word == "hat" ? std::pair{c[0] + c[1] - c[3], c[1] + c[2] + 2 * c[3]}
@@ -240,7 +240,7 @@ TEST(Monotiles, AreTheSameFarAwayAsNearTheOrigin)
         const RootRing& ring = tiling.ring;
         const Substitution far(tiling, 0);
         for (const int depth : {4, 5, 25, far.deepest()}) {
-            // A cluster of three levels beside those that are made from its own first tile.
+            // A cluster of three levels is compared with the one that is made from its own first tile.
             TileAddress address = random_address(far, tiling, depth - 3, random);
             const PlacedTile ancestor = far.tile_at(address);
             const Substitution near(tiling, ancestor.prototile); // the first starts are the tiles that have parts

@@ -198,7 +198,8 @@ TEST(Flattening, KnowsWhatTextureHasByChance)
 }
 
 /// Pictures of more than 2^20 pixels are measured by means over boxes of two pixels. All pixels are the oracle; the
-/// tolerances are those of flattening.hpp. Stripes of nearly two pixels become as slow in the means as can be.
+/// tolerances are those of flattening.hpp. Stripes of nearly two pixels are the worst case, because they become slow in
+/// the means.
 TEST(Flattening, MeasuresLargePicturesByMeans)
 {
     constexpr int side = 1100;

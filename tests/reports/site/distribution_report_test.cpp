@@ -67,8 +67,8 @@ TEST_F(DistributionReport, SaysNumbersOfATableOnce)
     EXPECT_THAT(page(), AllOf(HasSubstr(">count</th>"), Not(HasSubstr(">part</th>"))));
 }
 
-/// Three of one picture each are one figure with one table, whose columns are those of all; two are sections, and so is
-/// one with a table. Four sections begin with small pictures.
+/// Three distributions that have one picture each share a figure and a table, which has the columns of all. Two of them
+/// have sections, and so has one with a table of its own. Four sections begin with small pictures.
 TEST_F(DistributionReport, PutsSmallDistributionsIntoOneFigure)
 {
     const auto small = [&](const std::string& name, const char* more) {

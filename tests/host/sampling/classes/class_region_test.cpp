@@ -1,5 +1,5 @@
-// Dart throwing with classes in regions: kernel against reference, what is inside, distances, saturation by candidates
-// that are found without cells, and where points fall.
+// Dart throwing with classes in regions: the kernel equals the reference, points lie inside and keep their distances,
+// sets are saturated (for candidates that are found without cells), and points fall uniformly.
 #include "host/sampling/classes/class_darts.hpp"
 
 #include "base/geometry/torus.hpp"
@@ -121,9 +121,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(ClassRegionCase{"star7", {0.06, 0.03, 0.03}, {}}, ClassRegionCase{"star9", {0.05, 0.02}, {20, 100}},
                     ClassRegionCase{"star30", {0.1, 0.02, 0.05}, {}, 0.01},
                     ClassRegionCase{"star5", {0.3, 0.1}, {10, 60}, 0, 0.95},
-                    // Larger than the region: one point of each class at most.
+                    // The distance is larger than the region, which has room for one point of each class at most.
                     ClassRegionCase{"star6", {0.5, 0.5}, {}},
-                    // A corridor that is thinner than the distances, and one position high at its end.
+                    // The corridor is thinner than the distances, and its end is one position high.
                     ClassRegionCase{"POLYGON ((0 0, 1000 0, 1000 3, 0 1, 0 0))", {0.02, 0.004}, {}}));
 
 /// The first point of a set falls uniformly: its mean over many sets is the centroid of an L, (5/6, 5/6), within five

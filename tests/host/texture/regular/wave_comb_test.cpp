@@ -1,5 +1,5 @@
-// Planks with thin lines, whose power is in many weak harmonics: they are found and straightened, and pictures without
-// a period are not.
+// Planks with thin lines, whose power is in many weak harmonics, are found and straightened; pictures without a period
+// are refused.
 #include "host/texture/exemplar.hpp"
 #include "host/texture/regular/straightening.hpp"
 #include "host/texture/regular/wave_comb.hpp"
@@ -29,7 +29,7 @@ struct Boards
     double noise = 10;
     bool has_period = true;
 
-    /// Whole numbers are the middles of lines.
+    /// Returns the phase, which is a whole number in the middles of lines.
     double phase(double x, double y) const { return (x * std::sin(turn) + y * std::cos(turn)) / period + first; }
 };
 
@@ -72,8 +72,8 @@ Boards random_boards(unsigned seed)
     return boards;
 }
 
-/// The largest distance in pixels of lines from where whole numbers of periods over tiles of the straightened picture
-/// have them.
+/// Returns the largest distance in pixels of lines from their places at whole numbers of periods over tiles of the
+/// straightened picture.
 double largest_offset(const Straightening& map, const Boards& boards, int size)
 {
     const auto phase = [&](double x, double y) {
@@ -99,7 +99,7 @@ RegularWave known_wave(const Boards& boards)
     return {std::sin(boards.turn) / boards.period, std::cos(boards.turn) / boards.period, 0, 0};
 }
 
-/// Lines of one to three pixels, four times as dark as the noise.
+/// Lines have one to three pixels and are four times as dark as the noise.
 TEST(WaveComb, FindsThinLines)
 {
     for (unsigned seed = 1; seed <= 20; ++seed)
