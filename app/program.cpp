@@ -40,11 +40,14 @@ int flushed(int status)
 }
 
 /// Hands the command on to ./lab, which has started this program and says so by POISSONLAB_LAB: it adds the module and
-/// starts the program anew, in this process. Returns where there is no such script.
+/// starts the program anew, in this process. Returns where there is no such script, and where it has just added this
+/// module: to ask again would never end.
 void call_for_module(const std::string& module, const char* const* argv)
 {
     const char* const lab = std::getenv("POISSONLAB_LAB");
-    if (!lab || is_crew_follower()) return;
+    const char* const added = std::getenv("POISSONLAB_ADDED");
+    if (!lab || is_crew_follower() || (added && module == added)) return;
+    ::setenv("POISSONLAB_ADDED", module.c_str(), 1);
     std::fflush(stdout);
     std::vector<const char*> words{lab, "--with", module.c_str()};
     for (const char* const* word = argv + 1; *word; ++word) words.push_back(*word);

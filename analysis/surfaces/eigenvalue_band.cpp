@@ -140,10 +140,13 @@ std::size_t eigenvalues_below(const Pencil& pencil, double value)
     return static_cast<std::size_t>((factor.vectorD().array() < 0).count());
 }
 
+std::size_t most_basis_size(std::size_t count) { return 6 * count + 20 * static_cast<std::size_t>(block_size); }
+
 EigenvalueBand eigenvalues_between(const Pencil& pencil, double low, double high, std::size_t count)
 {
     const auto wanted = static_cast<Eigen::Index>(count);
-    const Eigen::Index most = std::min(pencil.mass.rows() - 2 * block_size, 6 * wanted + 20 * block_size);
+    const Eigen::Index most =
+        std::min(pencil.mass.rows() - 2 * block_size, static_cast<Eigen::Index>(most_basis_size(count)));
     std::size_t best = 0;
     for (const double part : shifts) {
         LanczosBasis basis(pencil, low + part * (high - low), most);

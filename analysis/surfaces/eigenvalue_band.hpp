@@ -31,6 +31,9 @@ struct EigenvalueBand
     Eigen::MatrixXd vectors;     ///< a column each, orthonormal by the mass
 };
 
+/// The columns that the basis for `count` eigenvalues has at most.
+std::size_t most_basis_size(std::size_t count);
+
 /// Finds all eigenvalues from `low` to `high`, of which there are `count`. Throws InputError if some are not found.
 EigenvalueBand eigenvalues_between(const Pencil& pencil, double low, double high, std::size_t count);
 

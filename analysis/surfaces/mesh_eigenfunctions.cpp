@@ -2,8 +2,12 @@
 
 #include "analysis/surfaces/eigenvalue_band.hpp"
 #include "analysis/surfaces/refined_mesh.hpp"
+#include "base/errors/errors.hpp"
+#include "base/programs/memory_limit.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <mutex>
@@ -146,6 +150,17 @@ EigenfunctionPowers eigenfunction_powers(const TriangleMesh& mesh, double highes
                                          const EigenfunctionProgress& on_progress)
 {
     return MeshSpectrum(mesh, highest, sets).powers(on_progress);
+}
+
+void check_room_for_eigenfunctions(double vertices)
+{
+    const double columns = static_cast<double>(most_basis_size(static_cast<std::size_t>(of_a_band))),
+                 threads = tbb::this_task_arena::max_concurrency(), bytes = 8 * columns * threads * vertices;
+    constexpr double gibibyte = 1 << 30;
+    if (const auto most = static_cast<double>(memory_limit()); bytes > most)
+        throw InputError(fmt::format("the eigenfunctions of {:.3g} vertices need {:.1f} GiB of memory: must be at most "
+                                     "{:.1f}; fewer eigenfunctions need fewer vertices",
+                                     vertices, bytes / gibibyte, most / gibibyte));
 }
 
 double eigenfunctions_up_to(double frequency, double area) { return std::numbers::pi * area * frequency * frequency; }

@@ -36,6 +36,9 @@ EigenfunctionPowers eigenfunction_powers(const TriangleMesh& mesh, double highes
                                          const std::vector<std::vector<MeshPosition>>& sets,
                                          const EigenfunctionProgress& on_progress = {});
 
+/// Throws InputError if the bases of all threads for a mesh of so many vertices need more memory than there is.
+void check_room_for_eigenfunctions(double vertices);
+
 /// Returns the approximate number of eigenfunctions up to a frequency (cycles per unit length) on this area, by Weyl's
 /// law.
 double eigenfunctions_up_to(double frequency, double area);

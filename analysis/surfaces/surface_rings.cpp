@@ -42,20 +42,30 @@ public:
         expected_ = static_cast<double>(points.size()) / std::accumulate(areas_.begin(), areas_.end(), 0.0);
     }
 
-    /// Returns the sum of (count - expected)^2 / expected over `parts` parts.
-    double chi_square(std::size_t parts) { return chi_square(order_, parts); }
+    /// Finds the sum of (count - expected)^2 / expected over `most` parts. There are fewer if single triangles have the
+    /// area of several.
+    CountsOverParts counts(std::size_t most)
+    {
+        CountsOverParts counts;
+        counts.chi_square = chi_square(order_, most, counts.parts);
+        return counts;
+    }
 
 private:
-    double chi_square(std::span<std::uint32_t> triangles, std::size_t parts)
+    double chi_square(std::span<std::uint32_t> triangles, std::size_t most, std::size_t& parts)
     {
         double area = 0, count = 0;
         for (const std::uint32_t t : triangles) area += areas_[t], count += static_cast<double>(counts_[t]);
-        if (parts == 1) return std::pow(count - expected_ * area, 2) / (expected_ * area);
+        if (most == 1 || triangles.size() == 1) {
+            ++parts;
+            return std::pow(count - expected_ * area, 2) / (expected_ * area);
+        }
         sort_along_longest(triangles);
         double first = 0;
         std::size_t middle = 0;
         while (first < area / 2 && middle + 1 < triangles.size()) first += areas_[triangles[middle++]];
-        return chi_square(triangles.first(middle), parts / 2) + chi_square(triangles.subspan(middle), parts / 2);
+        return chi_square(triangles.first(middle), most / 2, parts) +
+               chi_square(triangles.subspan(middle), most / 2, parts);
     }
 
     double middle_of(std::uint32_t triangle, std::size_t axis) const
@@ -108,12 +118,12 @@ std::vector<RadialBin> eigenfunction_rings(const std::vector<double>& eigenvalue
 CountsOverParts counts_over_parts(const TriangleMesh& mesh, const std::vector<MeshPosition>& points, double least,
                                   std::size_t most)
 {
-    CountsOverParts counts{.parts = 1};
-    while (counts.parts < most && static_cast<double>(points.size()) >= 2 * least * static_cast<double>(counts.parts) &&
-           mesh.triangles.size() >= 64 * counts.parts)
-        counts.parts *= 2;
-    if (counts.parts < 2) return {};
-    counts.chi_square = SurfaceHalves(mesh, points).chi_square(counts.parts);
+    std::size_t parts = 1;
+    while (parts < most && static_cast<double>(points.size()) >= 2 * least * static_cast<double>(parts) &&
+           mesh.triangles.size() >= 64 * parts)
+        parts *= 2;
+    if (parts < 2) return {};
+    CountsOverParts counts = SurfaceHalves(mesh, points).counts(parts);
     counts.p_value = boost::math::gamma_q(0.5 * static_cast<double>(counts.parts - 1), 0.5 * counts.chi_square);
     return counts;
 }

@@ -43,7 +43,7 @@ PageData curve_data(const ReportDistribution& distribution, const Panel& panel,
     data.set("source", svg);
     data.set("title", panel.title);
     data.set("caption", panel.caption);
-    data.set("how_to_read", panel.guide);
+    data.set("how_to_read", optional_text(panel.guide));
     data.set("alt", fmt::format("{}: {}. {}", distribution.stored->label, panel.title, panel.caption));
     return data;
 }

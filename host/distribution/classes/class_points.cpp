@@ -177,8 +177,9 @@ void check_count(const ClassWork& work)
                                          points, most_saturated_in_region));
         return;
     }
-    if (const std::size_t most = most_class_points(work.request); most > 2 * static_cast<std::size_t>(max_points))
-        throw InputError(fmt::format("there would be {} points; at most {} are possible", most / 2, max_points));
+    const std::size_t most = most_class_points(work.request), points = work.request.points.empty() ? most / 2 : most;
+    if (points > static_cast<std::size_t>(max_points))
+        throw InputError(fmt::format("there would be {} points; at most {} are possible", points, max_points));
 }
 
 /// Full classes have fewer points than were asked for.
@@ -294,6 +295,9 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
         check_fits("dart throwing", ClassDartThrower::memory(request), device.info());
         set.points = ClassDartThrower(device).throw_darts(request);
     }
+    if (set.points.classes.empty())
+        throw InputError(fmt::format("the region has no room for a point{}",
+                                     settings.place.obstacles.empty() ? "" : " among the obstacles"));
     check_numbers(settings, set.points);
     return set;
 }

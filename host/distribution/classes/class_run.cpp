@@ -69,7 +69,10 @@ void class_keys(Keys& keys, ClassSettings& s)
                "the least distance of points of the same class")
         .unit("sides of the torus; with region, in its units and up to 1e12")
         .otherwise("those of relative_radius");
-    class_matrix(keys, "matrix", s.matrix, lengths).excludes("distances").otherwise("that of Wei 2010, from distances");
+    class_matrix(keys, "matrix", s.matrix, lengths)
+        .unit("sides of the torus; with region, in its units and up to 1e12")
+        .excludes("distances")
+        .otherwise("that of Wei 2010, from distances");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");

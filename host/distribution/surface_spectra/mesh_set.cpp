@@ -189,7 +189,12 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     spectra.reach =
         std::min(farthest_reach, frequency_of_eigenfunctions(settings.eigenfunctions, surface.area) / density);
     const double highest = eigenvalue_of(spectra.reach * density);
-    const TriangleMesh mesh = with_edges_up_to(points.mesh, longest_edge_in_wavelengths / frequency_of(highest));
+    const double longest = longest_edge_in_wavelengths / frequency_of(highest);
+    // Equilateral triangles are the fewest, and there are two of them for each vertex.
+    check_room_for_eigenfunctions(std::max(static_cast<double>(points.mesh.vertices.size()),
+                                           surface.area / (std::numbers::sqrt3 / 2 * longest * longest)));
+    const TriangleMesh mesh = with_edges_up_to(points.mesh, longest);
+    check_room_for_eigenfunctions(static_cast<double>(mesh.vertices.size()));
     spectra.elements = mesh.triangles.size();
 
     if (on_step) on_step("darts on the mesh, to compare with");

@@ -103,7 +103,10 @@ public:
 private:
     void start_anywhere()
     {
-        for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = start_cells(request_, distances_, i);
+        for (std::uint32_t i = 0; i < open_.size(); ++i) {
+            open_[i] = start_cells(request_, distances_, i);
+            if (open_[i].cells.empty()) order_.close(i);
+        }
     }
 
     /// Calls run() with the arguments that kernels take for the region.

@@ -74,7 +74,10 @@ public:
 private:
     void start_anywhere()
     {
-        for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = start_cells(request_, distances_, i);
+        for (std::uint32_t i = 0; i < open_.size(); ++i) {
+            open_[i] = start_cells(request_, distances_, i);
+            if (open_[i].cells.empty()) order_.close(i);
+        }
     }
 
     /// Is all of the box outside of the region? A position is known to be, a larger box that may cross it is not.

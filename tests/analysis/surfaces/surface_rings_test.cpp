@@ -84,5 +84,24 @@ TEST(CountsOverParts, HaveTheChiSquareOfTheirAreas)
     EXPECT_EQ(counts_over_parts(mesh, half).parts, 0U);
 }
 
+/// Two triangles of half of the area each beside a square of 2^-20 of it, whose 8,192 triangles share no area worth a
+/// part.
+TEST(CountsOverParts, LetLargeTrianglesBePartsOfTheirOwn)
+{
+    TriangleMesh mesh = square_mesh(64);
+    for (MeshPoint& p : mesh.vertices) p = {p[0] / 1024, p[1] / 1024, 0};
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0}});
+    mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+    const auto last = static_cast<std::uint32_t>(mesh.triangles.size() - 1);
+    std::vector<MeshPosition> points(300, MeshPosition{last, {0.5, 0.25, 0.25}});
+    points.resize(600, MeshPosition{last - 1, {0.5, 0.25, 0.25}});
+    const CountsOverParts counts = counts_over_parts(mesh, points);
+    EXPECT_GE(counts.parts, 2U);
+    EXPECT_LE(counts.parts, 64U);
+    EXPECT_TRUE(std::isfinite(counts.chi_square));
+    EXPECT_GT(counts.p_value, 0.9) << "as many points on each as their areas ask for";
+}
+
 }
 }

@@ -126,6 +126,42 @@ INSTANTIATE_TEST_SUITE_P(
                     // The corridor is thinner than the distances, and its end is one position high.
                     ClassRegionCase{"POLYGON ((0 0, 1000 0, 1000 3, 0 1, 0 0))", {0.02, 0.004}, {}}));
 
+/// Random regions, distances, margins and work-groups, some without room for a point.
+TEST(ClassRegionDarts, AreTheSameByKernelsInRandomRegions)
+{
+    std::mt19937_64 random(11);
+    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    const Device device = Device::open();
+    std::size_t empty = 0;
+    for (int k = 0; k < 60; ++k) {
+        ClassRegionCase c{"star" + std::to_string(5 + k % 30), {}, {}};
+        const auto classes = static_cast<std::size_t>(1 + k % 4);
+        for (std::size_t i = 0; i < classes; ++i) c.distances.push_back(std::exp(uniform(-4.5, -0.7)));
+        if (k % 3 == 1)
+            for (std::size_t i = 0; i < classes; ++i) c.points.push_back(1 + random() % 20);
+        if (k % 4 == 2) c.margin = uniform(0, 0.3);
+        if (k % 6 == 1) c.factor = 0.9;
+        const ClassDartRequest request = request_of(c, static_cast<std::uint32_t>(k));
+        const ClassedPoints expected = reference::throw_class_darts(request);
+        empty += expected.classes.empty();
+        EXPECT_EQ(ClassDartThrower(device, 1 + random() % 64).throw_darts(request), expected) << k;
+    }
+    EXPECT_GT(empty, 0U);
+    EXPECT_LT(empty, 20U);
+}
+
+/// A rectangle twice as wide as high is half a torus wide: its middle is an eighth away from the nearest edge.
+TEST(ClassRegionDarts, AreNoneWhereMarginsLeaveNothing)
+{
+    for (const std::vector<std::size_t>& points : {std::vector<std::size_t>{}, std::vector<std::size_t>{3, 4}}) {
+        const ClassDartRequest request = request_of({"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))", {0.3, 0.1}, points, 0.2});
+        const ClassedPoints set = reference::throw_class_darts(request);
+        EXPECT_TRUE(set.classes.empty());
+        EXPECT_TRUE(set.is_full[0] && set.is_full[1]);
+        EXPECT_EQ(ClassDartThrower(Device::open()).throw_darts(request), set);
+    }
+}
+
 /// The first point of a set falls uniformly: its mean over many sets is the centroid of an L, (5/6, 5/6), within five
 /// standard errors; the variance along an axis of the L of three unit squares is 11/36.
 TEST(ClassRegionDarts, FallUniformly)
