@@ -18,7 +18,7 @@ constexpr int distribution_digits = 4;
 /// Distributions that have one picture each make one figure if there are at least this many.
 constexpr std::size_t least_in_figure = 3;
 
-/// Where at least this many distributions have sections, small pictures that link to them come first.
+/// Small pictures that link to the sections come first if at least this many distributions have one.
 constexpr std::size_t least_with_overview = 4;
 
 PageData picture_data(const ReportDistribution& distribution, const DistributionPicture& picture,

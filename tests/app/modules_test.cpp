@@ -118,6 +118,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
     folder_.write("c.toml", small_config + "[[method]]\nsampler = \"lloyd\"\niterations = 1\n");
     folder_.write("a.ply", "ply\nformat ascii 1.0\n");
     folder_.write("a.h5", "\x89HDF\r\n\x1a\n");
+    folder_.write("a.png", "\x89PNG\r\n\x1a\n");
     for (const auto& [arguments, module] : std::vector<std::pair<std::string, std::string>>{
              {"tiles build corner", "tiles"},
              {"run c.toml --set 'engine=\"reference\"' --out out", "reference"},
@@ -133,6 +134,8 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"diff a b", "results"},
              {"manual", "manual"}})
         EXPECT_THAT(core(arguments).error, HasSubstr("the module \"" + module + "\"")) << arguments;
+    for (const char* missing : {"b.png", "b.ply", "b.h5"}) // a mistyped name builds nothing
+        EXPECT_THAT(core("analyze " + std::string(missing) + " --out out").error, HasSubstr("o such file")) << missing;
     EXPECT_THAT(core("samplers --json").error, HasSubstr("without some of its modules"));
     EXPECT_THAT(run_of("[[method]]\nsampler = \"random\"\n", "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0").error,
                 HasSubstr("the module \"processes\""));

@@ -72,13 +72,23 @@ std::string box_script(const std::string& selector)
            ").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()";
 }
 
-/// Where a page has an element, as JavaScript: [x, y] of the place, or words on why it cannot be pointed at.
+/// Where a page has an element, as JavaScript: [x, y] of the place, or words on why it cannot be pointed at. Pictures
+/// that are loaded as they come near the window move what is below them, so the place is that of two frames after the
+/// last of them is there.
 std::string place_script(const std::string& selector, double across, double down)
 {
-    return "(() => { const e = document.querySelector(" + Json(selector).dump() +
+    return "(async () => { const e = document.querySelector(" + Json(selector).dump() +
            ");"
            "if (!e) return 'there is no such element';"
-           "e.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});"
+           "const is_loading = () => [...document.images].some(i => { const r = i.getBoundingClientRect();"
+           "  return !i.complete && i.offsetParent && r.bottom > -1000 && r.top < innerHeight + 1000; });"
+           "for (let frames = 0, still = 0, before = NaN; still < 2 && frames < 100; ++frames) {"
+           "  e.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});"
+           "  await new Promise(done => requestAnimationFrame(() => setTimeout(done)));"
+           "  const top = e.getBoundingClientRect().top;"
+           "  still = top === before && !is_loading() ? still + 1 : 0;"
+           "  before = top;"
+           "}"
            "const b = e.getBoundingClientRect();"
            "if (b.width === 0 || b.height === 0) return 'it is not shown';"
            "const x = b.left + b.width * " +

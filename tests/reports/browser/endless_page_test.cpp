@@ -91,6 +91,19 @@ TEST_F(EndlessPage, HasThePointsOfTheHeader)
     EXPECT_NE(shown("-3, 2, 7, 5"), expected(1, {-3, 2}, 7, 5));
 }
 
+/// What is said of the view is longer far away; at any width the button stays where it is pressed.
+TEST_F(EndlessPage, KeepsItsControlsInPlace)
+{
+    for (const int width : {1400, 800, 390}) {
+        open("seed=5");
+        browser_->resize(width, 800);
+        const std::string top = "document.getElementById('jump').getBoundingClientRect().top + scrollY";
+        const auto before = evaluate("drawNow(), " + top);
+        browser_->click("#jump");
+        EXPECT_EQ(evaluate("drawNow(), " + top), before) << width;
+    }
+}
+
 /// Coordinates that are so large are exact: 2^30 tiles and 2^16 parts are 46 bits.
 TEST_F(EndlessPage, HasThemABillionTilesAway)
 {
