@@ -9,20 +9,22 @@ build=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
+# Libraries are where the program's own would be. Each module's program takes the place of the one before.
+program=$folder/program
+(cd "$build" && find . -name '*.a' -printf '%P\n' -o -path '*/poissonlab.dir/main.cpp.o' -printf '%P\n') >"$folder/made"
+(cd "$build" && sed 's#/[^/]*$##' "$folder/made" | sort -u | (cd "$folder" && mkdir program && cd program && xargs mkdir -p))
+while read -r file; do ln -s "$build/$file" "$program/$file"; done <"$folder/made"
+
 # link_alone MODULE: prints what is undefined in the program with this module; status 1 if it does not link.
 link_alone() {
-  local program=$folder/$1
-  cmake -S "$source" -B "$program" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPOISSONLAB_MODULES=$1" >"$program.log" 2>&1
-  (cd "$build" && find . -name '*.a' -o -path '*/poissonlab.dir/main.cpp.o') | while read -r file; do
-    mkdir -p "$program/${file%/*}"
-    ln -sf "$build/$file" "$program/$file"
-  done
-  ninja -C "$program" -t commands poissonlab >"$program.commands"
+  cmake -S "$source" -B "$program" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPOISSONLAB_MODULES=$1" >"$folder/configure.log" 2>&1
+  ninja -C "$program" -t commands poissonlab >"$folder/commands"
   cd "$program"
-  # The lists of modules and the files that stand in for modules; precompiled headers are not there.
-  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list)\.dir/[^ ]*$' "$program.commands" |
-    sed 's/-include [^ ]*cmake_pch[^ ]*//; s/-Winvalid-pch//' | sed 's/ -O[0-9]//g' | bash -e
-  grep -E -- ' -o poissonlab( |$)' "$program.commands" | bash -e 2>&1
+  # The lists of modules and the files that stand in for modules, with the precompiled header of the build (as
+  # position-independent code, which the build is for Python) or, where its options are others, without one.
+  grep -E -- '-c [^ ]*/(lab_modules|lab_command_list)\.dir/[^ ]*$' "$folder/commands" |
+    sed "s#-include $program/#-fPIC -include $build/#; s/-Winvalid-pch//" | bash -e
+  grep -E -- ' -o poissonlab( |$)' "$folder/commands" | bash -e 2>&1
 }
 
 status=0
@@ -33,6 +35,5 @@ for module in methods own_methods results tiles other_tiles tilings regions dist
     grep -E 'undefined reference|multiple definition|error' "$folder/$module.out" | head -n 20
     status=1
   fi
-  rm -rf "${folder:?}/$module"
 done
 exit $status
