@@ -220,6 +220,29 @@ double spacing_of(const MonotileTable& table, std::uint32_t kept)
     return max_min_distance(1, 2) / std::sqrt(monotile_density(table, kept));
 }
 
+constexpr SquaredLength no_distance{std::numeric_limits<std::int64_t>::max(), 0};
+
+/// The numbers of points in the order of the table: the last ones are left out first.
+std::vector<std::uint32_t> even_order(const std::vector<SquaredLength>& least, std::uint32_t points)
+{
+    std::vector<std::uint32_t> order(points);
+    for (std::uint32_t i = 0; i < points; ++i) order[i] = i;
+    const auto distance_without = [&](std::uint32_t left_out, std::uint32_t count) {
+        SquaredLength found = no_distance;
+        for (std::uint32_t i = 0; i < count; ++i)
+            for (std::uint32_t j = 0; j <= i; ++j)
+                if (i != left_out && j != left_out) found = std::min(found, least[order[i] * points + order[j]]);
+        return found;
+    };
+    for (std::uint32_t count = points; count > 1; --count) {
+        std::uint32_t best = count - 1;
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (distance_without(i, count) > distance_without(best, count)) best = i;
+        std::swap(order[best], order[count - 1]);
+    }
+    return order;
+}
+
 }
 
 std::strong_ordering SquaredLength::operator<=>(const SquaredLength& other) const
@@ -257,14 +280,13 @@ TileStates monotile_states(const PolygonTiling& tiling, std::uint32_t levels)
     return states;
 }
 
-std::vector<SquaredLength> proven_distances(const MonotileTable& table)
+std::vector<SquaredLength> least_distances(const MonotileTable& table)
 {
     // Points are somewhere as near as in the densest packing, and tiles farther apart have no such points.
     const TileStates& states = table.states;
     const RootRing& ring = states.tiling->ring;
     const double reach = spacing_of(table, 1) + 2 * overhang_of(table);
-    constexpr SquaredLength none{std::numeric_limits<std::int64_t>::max(), 0};
-    std::vector<SquaredLength> least(table.points, none);
+    std::vector<SquaredLength> least(std::size_t{table.points} * table.points, no_distance);
     const auto look = [&](const StatePair& pair) {
         const TileMotion motion = motion_between(states, pair);
         if (length_of(point_of(*states.tiling, motion.at)) > reach) return;
@@ -274,17 +296,26 @@ std::vector<SquaredLength> proven_distances(const MonotileTable& table)
             const RingPlace there = moved(ring, scaled, ring_place(table.places[pair.second.state * table.points + j]));
             for (std::uint32_t i = 0; i < table.points; ++i) {
                 if (is_same && i == j) continue;
-                SquaredLength& known = least[std::max(i, j)];
-                known =
-                    std::min(known, squared_length(*states.tiling,
-                                                   there - ring_place(table.places[pair.first * table.points + i])));
+                const RingPlace here = ring_place(table.places[pair.first * table.points + i]);
+                const SquaredLength found = squared_length(*states.tiling, there - here);
+                for (SquaredLength* known : {&least[i * table.points + j], &least[j * table.points + i]})
+                    *known = std::min(*known, found);
             }
         }
     };
     for (std::uint32_t state = 0; state < states.parts.size(); ++state) look({state, {state, {}}});
     for (const StatePair& pair : pairs_within(states, reach).pairs) look(pair);
-    for (std::size_t k = 1; k < least.size(); ++k) least[k] = std::min(least[k], least[k - 1]);
     return least;
+}
+
+std::vector<SquaredLength> distances_of_prefixes(const std::vector<SquaredLength>& least, std::uint32_t points)
+{
+    std::vector<SquaredLength> distances(points, no_distance);
+    for (std::uint32_t i = 0; i < points; ++i) {
+        if (i > 0) distances[i] = distances[i - 1];
+        for (std::uint32_t j = 0; j <= i; ++j) distances[i] = std::min(distances[i], least[i * points + j]);
+    }
+    return distances;
 }
 
 MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t points, std::uint32_t levels,
@@ -306,7 +337,14 @@ MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t po
         table.places[i] = rounded(tiling, {place[0] + moves[i].x, place[1] + moves[i].y});
     }
     report("the proof of the minimum distance");
-    table.distances = proven_distances(table);
+    const std::vector<SquaredLength> least = least_distances(table);
+    const std::vector<std::uint32_t> order = even_order(least, points);
+    const std::vector<MonotilePlace> unordered = table.places;
+    for (std::size_t i = 0; i < unordered.size(); ++i) table.places[i] = unordered[i - i % points + order[i % points]];
+    std::vector<SquaredLength> ordered;
+    for (const std::uint32_t i : order)
+        for (const std::uint32_t j : order) ordered.push_back(least[i * points + j]);
+    table.distances = distances_of_prefixes(ordered, points);
     return table;
 }
 

@@ -52,16 +52,20 @@ struct MonotileTable
     std::vector<SquaredLength> distances;
 };
 
-/// Places at equal parts of each tile, moved by the state of the tile. `levels`: the number of ancestors whose parts
-/// tell states apart, beside the collars. `on_step` is told of the steps; what it throws ends the work.
+/// Places at equal parts of each tile, moved by the state of the tile, in an order whose prefixes have large distances:
+/// from all points on, the one is last without which the others have the largest one. `levels`: the number of ancestors
+/// whose parts tell states apart, beside the collars. `on_step` is told of the steps; what it throws ends the work.
 MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t points, std::uint32_t levels,
                                    const std::function<void(const std::string& what)>& on_step = {});
 
 /// The states of a table: those of the collars, and of so many ancestors.
 TileStates monotile_states(const PolygonTiling& tiling, std::uint32_t levels);
 
-/// Returns what `distances` of the table must be.
-std::vector<SquaredLength> proven_distances(const MonotileTable& table);
+/// [i * points + j]: the least squared distance of two points, of the numbers i and j, in any tiling.
+std::vector<SquaredLength> least_distances(const MonotileTable& table);
+
+/// Returns what `distances` of the table must be, from its least_distances().
+std::vector<SquaredLength> distances_of_prefixes(const std::vector<SquaredLength>& least, std::uint32_t points);
 
 /// Points a unit of area.
 double monotile_density(const MonotileTable& table, std::uint32_t kept);
