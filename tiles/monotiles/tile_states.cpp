@@ -79,6 +79,11 @@ public:
             for (std::size_t j = 0; j < 4; ++j) step_[j][i] = static_cast<double>(image.c[j]);
         }
         find_limit();
+        for (const RingPlace& place : {RingPlace{{1, 0, 0, 0}}, RingPlace{{0, 1, 0, 0}}, RingPlace{{2, -1, 1, 3}}}) {
+            const double once = length(limit_, place) * factor_, divided = length(limit_, grown(states, place));
+            if (std::abs(divided - once) > rounding * once)
+                throw std::logic_error("a division does not enlarge all lengths alike");
+        }
         double longest = 0;
         for (const auto& parts : states.parts)
             for (const StatePart& part : parts) longest = std::max(longest, length(limit_, part.frame.at));
