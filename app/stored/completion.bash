@@ -56,7 +56,7 @@ _poissonlab()
         ['distribute stipple --engine']='opencl reference'
         ['distribute stipple --tones']='light lightness'
         ['distribute stipple --travel']='nearest as-made'
-        ['distribute surface']='--method --points --min-distance --relative-radius --normal-angle --factor --candidates --tiles --tiles-per-unit --closed --quads --polycube --cube-side --smooth --refine --colors --seed --engine --device --quiet --json --out --pixels --help'
+        ['distribute surface']='--method --points --min-distance --relative-radius --normal-angle --factor --candidates --faces --tiles --tiles-per-unit --closed --quads --polycube --cube-side --smooth --refine --colors --seed --engine --device --quiet --json --out --pixels --help'
         ['distribute surface --engine']='opencl reference'
         ['distribute surface --method']='darts elimination tiles quads'
         ['distribute surface --quads']='faces polycube cube'

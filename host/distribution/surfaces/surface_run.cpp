@@ -6,6 +6,7 @@
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -39,7 +40,7 @@ void check_tile_keys(Keys& keys, MeshPointSettings& s)
 
 void check_quad_keys(Keys& keys, MeshPointSettings& s)
 {
-    for (const char* key : {"min_distance", "relative_radius", "factor"})
+    for (const char* key : {"min_distance", "relative_radius", "factor", "faces"})
         if (keys.is_given(key))
             throw keys.invalid(key, fmt::format("cannot be combined with {} quads", keys.name_of("method")));
     if (!s.points) throw keys.problem(fmt::format("tiles on quads need {}", keys.name_of("points")));
@@ -92,6 +93,9 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
+    keys.flag("faces", s.faces,
+              "whether files of points (PLY, CSV) have the face, barycentric coordinates, and what the mesh has at its "
+              "vertices: normals, colours, texture coordinates and other numbers");
     keys.tiles(s.tiles);
     if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     const bool has_tiles = s.method == SurfaceMethod::tiles;
@@ -136,7 +140,8 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     write_png(files.add("points.png"), surface_view(surface, set.points, dots_of(set)));
     result.pictures.push_back(
         {"points.png", "The points on their surface: left from the front above, right from behind above."});
-    write_surface_points(files.add("points.ply", result), surface, set.points, "");
+    write_surface_points(files.add("points.ply", result), surface, set.points, "",
+                         settings.faces ? &set.mesh->mesh : nullptr);
     write_points(files.add("points.npy", result), set.places());
     write_points(files.add("normals.npy", result), normals_of(surface, set.points));
     result.numbers = surface_numbers(set, seed);

@@ -154,10 +154,10 @@ std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& setting
 {
     if (settings.read) return settings.read;
     if (settings.method == SurfaceMethod::quads) return mesh_of_quads(settings);
-    SurfaceMesh read{read_triangle_mesh(settings.mesh, settings.method == SurfaceMethod::tiles
-                                                           ? MeshParts::faces_and_texture
-                                                           : MeshParts::faces),
-                     {}};
+    const MeshParts parts = settings.faces                            ? MeshParts::all
+                            : settings.method == SurfaceMethod::tiles ? MeshParts::faces_and_texture
+                                                                      : MeshParts::faces;
+    SurfaceMesh read{read_triangle_mesh(settings.mesh, parts), {}};
     try {
         read.surface = fixed_surface(read.mesh);
     } catch (const InputError& error) {

@@ -53,7 +53,8 @@ struct MeshPointSettings
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::filesystem::path tiles;                        ///< empty: corner tiles of 3 colours, 32 points
+    bool faces = false;          ///< files have faces, barycentric coordinates and what the mesh has at its vertices
+    std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points
     std::optional<double> tiles_per_unit;               ///< of texture coordinates
     QuadSettings quads;                                 ///< of method quads
     std::uint32_t colors = 1;                           ///< of the vertices of quads

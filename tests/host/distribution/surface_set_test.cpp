@@ -6,7 +6,7 @@
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
-#include "host/distribution/surfaces/surface_view.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/temporary_folder.hpp"
