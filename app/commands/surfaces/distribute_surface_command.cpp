@@ -22,6 +22,10 @@ sides of a thin sheet are each even by themselves, and points of different sides
   --points N --min-distance D            darts until there are N, or --relative-radius instead of --min-distance
   --points N                             darts at a distance that shrinks until N fit
   --points N --method elimination        N of five times as many random points; each beginning of the file is even, too
+  --points N --method elimination --density "1 + z^2"
+                                         N that follow a density: a formula, a number of the mesh's vertices such as red,
+                                         or a picture over its texture coordinates
+  --start FILE, --obstacles FILE         darts begin with these points, which stay, and keep away from those
   --tiles SET --tiles-per-unit T         the points of a tiling laid over texture coordinates (u, v) of the mesh, or
                                          --points N instead of T; with --min-distance D those are left out, in the order
                                          of ranks, that are nearer than D to others. What stretch and seams of the
