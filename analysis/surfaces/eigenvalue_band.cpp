@@ -39,6 +39,38 @@ Eigen::MatrixXd start_block(Eigen::Index rows, Eigen::Index first)
     return block;
 }
 
+/// Products take this number of rows at once, so that the part of the basis that is read stays in a cache for all
+/// columns of a block.
+constexpr Eigen::Index rows_at_once = 128;
+
+/// Calls `take(first, count)` for all rows, some at once.
+template <typename Take>
+void for_rows(Eigen::Index rows, const Take& take)
+{
+    for (Eigen::Index first = 0; first < rows; first += rows_at_once) take(first, std::min(rows_at_once, rows - first));
+}
+
+/// Returns basis^T block, column by column: products of matrices would copy the basis, which takes longer than the
+/// product with so few columns.
+Eigen::MatrixXd shares_of(Eigen::Ref<const Eigen::MatrixXd> basis, const Eigen::MatrixXd& block)
+{
+    Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(basis.cols(), block.cols());
+    for_rows(basis.rows(), [&](Eigen::Index first, Eigen::Index count) {
+        for (Eigen::Index k = 0; k < block.cols(); ++k)
+            shares.col(k).noalias() += basis.middleRows(first, count).transpose() * block.col(k).segment(first, count);
+    });
+    return shares;
+}
+
+/// Subtracts basis shares from a block, column by column.
+void subtract(Eigen::Ref<const Eigen::MatrixXd> basis, const Eigen::MatrixXd& shares, Eigen::MatrixXd& block)
+{
+    for_rows(basis.rows(), [&](Eigen::Index first, Eigen::Index count) {
+        for (Eigen::Index k = 0; k < block.cols(); ++k)
+            block.col(k).segment(first, count).noalias() -= basis.middleRows(first, count) * shares.col(k);
+    });
+}
+
 /// A basis that grows by what the inverse of stiffness - shift mass makes of its last block.
 class LanczosBasis
 {
@@ -93,20 +125,26 @@ public:
 
 private:
     /// Makes a block orthonormal, in itself and to the basis, in two passes, and adds it. The coefficients go into the
-    /// projection of the inverse.
+    /// projection of the inverse. But for rounding a new block shares something with the last two blocks alone: the
+    /// first pass takes that away, the second one what rounding has left of all blocks.
     void append(Eigen::MatrixXd block)
     {
-        Eigen::MatrixXd of_basis = Eigen::MatrixXd::Zero(size_, block_size),
+        Eigen::MatrixXd of_last = Eigen::MatrixXd::Zero(std::min(size_, block_size), block_size),
                         of_itself = Eigen::MatrixXd::Identity(block_size, block_size);
-        for (int pass = 0; pass < 2; ++pass) {
-            const Eigen::MatrixXd shared = basis_.leftCols(size_).transpose() * (mass_ * block);
-            block.noalias() -= basis_.leftCols(size_) * shared;
-            of_basis += shared * of_itself;
+        Eigen::Index shared = std::min(size_, 2 * block_size);
+        bool is_replaced = false;
+        for (int passes = 2; passes > 0; --passes, shared = size_) {
+            const auto basis = basis_.middleCols(size_ - shared, shared);
+            const Eigen::MatrixXd shares = shares_of(basis, mass_ * block);
+            subtract(basis, shares, block);
+            of_last += shares.bottomRows(of_last.rows()) * of_itself;
             const Eigen::LLT<Eigen::MatrixXd> root(block.transpose() * (mass_ * block));
             const Eigen::MatrixXd upper = root.matrixU();
             if (root.info() != Eigen::Success || !(upper.diagonal().minCoeff() > 0)) { // nothing new is left
                 block = start_block(mass_.rows(), size_);
                 of_itself.setZero();
+                if (!is_replaced) passes = 3; // two are left, both with all blocks
+                is_replaced = true;
                 continue;
             }
             root.matrixU().solveInPlace<Eigen::OnTheRight>(block);
@@ -115,7 +153,7 @@ private:
         basis_.middleCols(size_, block_size) = block;
         if (size_ > 0) {
             const Eigen::Index begin = size_ - block_size;
-            projected_.block(begin, begin, block_size, block_size) = of_basis.bottomRows(block_size);
+            projected_.block(begin, begin, block_size, block_size) = of_last;
             projected_.block(size_, begin, block_size, block_size) = of_itself;
         }
         size_ += block_size;

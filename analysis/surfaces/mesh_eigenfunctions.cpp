@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -99,6 +100,8 @@ public:
         if (!is_small())
             tbb::parallel_for(std::size_t{0}, below.size(),
                               [&](std::size_t k) { below[k] = eigenvalues_below(pencil_, borders_[k]); });
+        if (!std::ranges::is_sorted(below)) // rounding errors are larger than the smallest pivots
+            throw InputError("the mesh's eigenfunctions cannot be counted: it has triangles far thinner than others");
         std::mutex telling;
         std::size_t done = 0;
         tbb::parallel_for(std::size_t{0}, of_bands.size(), [&](std::size_t k) {

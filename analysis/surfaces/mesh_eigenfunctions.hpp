@@ -9,7 +9,7 @@
 // (kh)^2 / 16, and their mean leaves an error of the order (kh)^4.
 #pragma once
 
-#include "analysis/surfaces/triangle_tree.hpp"
+#include "base/surfaces/triangle_tree.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -9,7 +9,7 @@
 
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/surfaces/refined_mesh.hpp"
-#include "analysis/surfaces/triangle_tree.hpp"
+#include "base/surfaces/triangle_tree.hpp"
 
 #include <vector>
 

@@ -49,4 +49,6 @@ void* function_of_module(const std::string& name, const char* function, const ch
     return found;
 }
 
+fs::path installed_data_folder() { return (own_file().parent_path() / POISSONLAB_INSTALLED_DATA).lexically_normal(); }
+
 }

@@ -1,6 +1,7 @@
 // Modules of the laboratory: shared libraries that hold a library which few commands need and which takes long to load.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace poissonlab {
@@ -10,5 +11,9 @@ namespace poissonlab {
 /// it was built. Throws MissingModule where there is no such file, and StorageError where it, or a library of it,
 /// cannot be loaded: `need` begins the message, such as "pictures need OpenImageIO".
 void* function_of_module(const std::string& name, const char* function, const char* need);
+
+/// The folder share/poissonlab of an installed program, which holds its configs and tile sets. It need not exist: a
+/// program in a build folder has none.
+std::filesystem::path installed_data_folder();
 
 }

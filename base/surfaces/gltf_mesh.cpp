@@ -81,6 +81,18 @@ bool is_mirroring(const Movement& m)
            0;
 }
 
+/// A normal where its surface was moved: by the matrix of cofactors, which points inwards where the movement mirrors.
+MeshPoint turned_by(const Movement& m, const MeshPoint& normal)
+{
+    const double side = is_mirroring(m) ? -1 : 1;
+    MeshPoint turned{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto &a = m[(i + 1) % 3], &b = m[(i + 2) % 3];
+        turned[i] = side * dot(cross({a[0], a[1], a[2]}, {b[0], b[1], b[2]}), normal);
+    }
+    return turned;
+}
+
 enum class GltfMode
 {
     points,
@@ -106,6 +118,7 @@ public:
         soup_.notes = content_.notes();
         for (const std::size_t node : roots()) add_node(node, unmoved, 0);
         if (soup_.texture_points.empty()) soup_.texture_corners.clear();
+        if (soup_.normals.empty()) soup_.normal_corners.clear();
         return std::move(soup_);
     }
 
@@ -164,10 +177,12 @@ private:
             ++soup_.lines;
             return;
         }
-        const std::size_t first = soup_.points.size(), first_texture = soup_.texture_points.size();
+        const std::size_t first = soup_.points.size(), first_texture = soup_.texture_points.size(),
+                          first_normal = soup_.normals.size();
         add_points(attributes, movement);
         const std::size_t count = soup_.points.size() - first;
-        const bool has_texture = add_texture(attributes, count);
+        const bool has_texture = add_texture(attributes, count), has_normals = add_normals(attributes, count, movement);
+        add_colors(attributes, first, count);
         const std::vector<std::size_t> corners = corners_of(part, count);
         if (mode == GltfMode::triangles && corners.size() % 3 != 0)
             throw part.error("indices", fmt::format("are {} corners: triangles have three each", corners.size()));
@@ -180,6 +195,8 @@ private:
                 soup_.corners.push_back(static_cast<std::uint32_t>(first + corner));
                 soup_.texture_corners.push_back(has_texture ? static_cast<std::uint32_t>(first_texture + corner)
                                                             : no_texture_point);
+                soup_.normal_corners.push_back(has_normals ? static_cast<std::uint32_t>(first_normal + corner)
+                                                           : no_texture_point);
             }
             soup_.sizes.push_back(3);
         }
@@ -199,14 +216,49 @@ private:
         }
     }
 
+    /// The numbers of an attribute, which has as many rows as there are vertices.
+    std::vector<double> rows_of(const StoredObject& attributes, const char* name, std::size_t width, std::size_t count)
+    {
+        std::vector<double> numbers = numbers_.read(attributes, name, fmt::format("VEC{}", width), width);
+        if (numbers.size() != width * count)
+            throw attributes.error(name, fmt::format("has {} rows, and POSITION {}", numbers.size() / width, count));
+        return numbers;
+    }
+
+    /// False where there are none.
+    bool add_normals(const StoredObject& attributes, std::size_t count, const Movement& movement)
+    {
+        if (file_.parts != MeshParts::all || !attributes.has("NORMAL")) return false;
+        const std::vector<double> numbers = rows_of(attributes, "NORMAL", 3, count);
+        for (std::size_t i = 0; i < numbers.size(); i += 3)
+            soup_.normals.push_back(turned_by(movement, {numbers[i], numbers[i + 1], numbers[i + 2]}));
+        return true;
+    }
+
+    /// Colours have three or four numbers from 0 to 1; vertices of other parts may have none.
+    void add_colors(const StoredObject& attributes, std::size_t first, std::size_t count)
+    {
+        if (file_.parts != MeshParts::all) return;
+        VertexColumns& columns = soup_.columns;
+        const bool has_colors = attributes.has("COLOR_0");
+        if (has_colors && columns.names.empty()) {
+            columns = {{"red", "green", "blue", "alpha"}, {false, false, false, false}, {}};
+            columns.values.assign(4 * first, NAN);
+        }
+        if (columns.names.empty()) return;
+        const std::size_t width = has_colors ? numbers_.width(attributes, "COLOR_0") : 0;
+        if (has_colors && width != 3 && width != 4) throw attributes.error("COLOR_0", "must be of type VEC3 or VEC4");
+        const auto numbers = has_colors ? rows_of(attributes, "COLOR_0", width, count) : std::vector<double>{};
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 4; ++k)
+                columns.values.push_back(k < width ? numbers[width * i + k] : has_colors ? 1 : NAN);
+    }
+
     /// Texture coordinates are counted from above in glTF. False where there are none.
     bool add_texture(const StoredObject& attributes, std::size_t count)
     {
-        if (file_.parts != MeshParts::faces_and_texture || !attributes.has("TEXCOORD_0")) return false;
-        const std::vector<double> numbers = numbers_.read(attributes, "TEXCOORD_0", "VEC2", 2);
-        if (numbers.size() != 2 * count)
-            throw attributes.error("TEXCOORD_0",
-                                   fmt::format("has {} rows, and POSITION {}", numbers.size() / 2, count));
+        if (file_.parts == MeshParts::faces || !attributes.has("TEXCOORD_0")) return false;
+        const std::vector<double> numbers = rows_of(attributes, "TEXCOORD_0", 2, count);
         for (std::size_t i = 0; i < numbers.size(); i += 2) {
             soup_.texture_points.push_back({numbers[i], 1 - numbers[i + 1]});
             if (!std::isfinite(numbers[i]) || !std::isfinite(numbers[i + 1]))

@@ -110,6 +110,12 @@ std::vector<double> GltfNumbers::read(const StoredObject& object, const std::str
     return values;
 }
 
+std::size_t GltfNumbers::width(const StoredObject& object, const std::string& member) const
+{
+    const std::string type = named_in(accessors_, object, member).text("type");
+    return type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 1;
+}
+
 /// Single rows that replace others.
 void GltfNumbers::put_sparse(const StoredObject& accessor, std::size_t width, std::vector<double>& values)
 {

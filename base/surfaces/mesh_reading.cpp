@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 namespace poissonlab {
@@ -41,19 +43,29 @@ public:
 
     explicit FaceDivision(TriangleMesh& mesh) : mesh_(mesh) {}
 
-    /// `texture` are the texture points of these corners; empty: there are none.
-    void add(Corners polygon, Corners texture)
+    /// `texture` and `normals` are numbers of those of these corners; empty: there are none.
+    void add(Corners polygon, Corners texture, Corners normals)
     {
         const std::vector<std::uint32_t> corners = different_corners(polygon);
+        const auto add_triangle = [&](const MeshTriangle& of) {
+            const auto chosen = [&](Corners all) {
+                return MeshTriangle{all[corners[of[0]]], all[corners[of[1]]], all[corners[of[2]]]};
+            };
+            mesh_.triangles.push_back(chosen(polygon));
+            mesh_.faces.push_back(face_);
+            if (!texture.empty()) mesh_.texture_triangles.push_back(chosen(texture));
+            if (!normals.empty()) mesh_.normal_triangles.push_back(chosen(normals));
+        };
         if (corners.size() == 3) {
-            add_triangle(polygon, texture, corners, {0, 1, 2});
-            return;
+            add_triangle({0, 1, 2});
+        } else {
+            std::vector<MeshPoint> places;
+            for (const std::uint32_t c : corners) places.push_back(mesh_.vertices[polygon[c]]);
+            const auto filled = corners.size() > 3 ? polygon_triangles(places) : std::vector<MeshTriangle>{};
+            for (const MeshTriangle& t : filled) add_triangle(t);
+            ++(filled.empty() ? mesh_.dropped : mesh_.divided);
         }
-        std::vector<MeshPoint> places;
-        for (const std::uint32_t c : corners) places.push_back(mesh_.vertices[polygon[c]]);
-        const auto filled = corners.size() > 3 ? polygon_triangles(places) : std::vector<MeshTriangle>{};
-        for (const MeshTriangle& t : filled) add_triangle(polygon, texture, corners, t);
-        ++(filled.empty() ? mesh_.dropped : mesh_.divided);
+        ++face_;
     }
 
 private:
@@ -67,20 +79,34 @@ private:
         return corners;
     }
 
-    void add_triangle(Corners polygon, Corners texture, const std::vector<std::uint32_t>& corners,
-                      const MeshTriangle& of)
-    {
-        MeshTriangle triangle{}, texture_triangle{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            triangle[k] = polygon[corners[of[k]]];
-            if (!texture.empty()) texture_triangle[k] = texture[corners[of[k]]];
-        }
-        mesh_.triangles.push_back(triangle);
-        if (!texture.empty()) mesh_.texture_triangles.push_back(texture_triangle);
-    }
-
     TriangleMesh& mesh_;
+    std::uint32_t face_ = 0;
 };
+
+/// Takes the normals of vertices out of the columns nx, ny and nz, where a file has them there.
+void take_normals(PolygonSoup& soup)
+{
+    VertexColumns& columns = soup.columns;
+    std::array<std::size_t, 3> at{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto found = std::ranges::find(columns.names, std::array{"nx", "ny", "nz"}[k]);
+        if (found == columns.names.end()) return;
+        at[k] = static_cast<std::size_t>(found - columns.names.begin());
+    }
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+        soup.normals.push_back({columns.at(v, at[0]), columns.at(v, at[1]), columns.at(v, at[2])});
+    soup.normal_corners = soup.corners;
+    VertexColumns rest;
+    for (std::size_t c = 0; c < columns.names.size(); ++c)
+        if (std::ranges::find(at, c) == at.end()) {
+            rest.names.push_back(columns.names[c]);
+            rest.are_bytes.push_back(columns.are_bytes[c]);
+        }
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+        for (std::size_t c = 0; c < columns.names.size(); ++c)
+            if (std::ranges::find(at, c) == at.end()) rest.values.push_back(columns.at(v, c));
+    columns = std::move(rest);
+}
 
 }
 
@@ -100,6 +126,9 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts par
     TriangleMesh mesh;
     mesh.vertices = std::move(soup.points);
     mesh.texture_points = std::move(soup.texture_points);
+    if (soup.normal_corners.empty()) take_normals(soup);
+    mesh.normals = std::move(soup.normals);
+    mesh.columns = std::move(soup.columns);
     mesh.notes = std::move(soup.notes);
     if (soup.lines > 0)
         mesh.notes.push_back(
@@ -107,13 +136,13 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts par
                         soup.lines == 1 ? "1 line or point" : fmt::format("{} lines or points", soup.lines),
                         soup.lines == 1 ? "has" : "have", soup.lines == 1 ? "was" : "were"));
     FaceDivision faces(mesh);
-    FaceDivision::Corners corners = soup.corners, texture = soup.texture_corners;
+    FaceDivision::Corners corners = soup.corners, texture = soup.texture_corners, normals = soup.normal_corners;
     for (const std::uint32_t size : soup.sizes) {
         if (size > most_corners)
             fail_in_mesh(file, fmt::format("has a face of {} corners: at most {}", size, most_corners));
-        faces.add(corners.first(size), texture.empty() ? texture : texture.first(size));
-        corners = corners.subspan(size);
-        if (!texture.empty()) texture = texture.subspan(size);
+        const auto first = [size](FaceDivision::Corners all) { return all.empty() ? all : all.first(size); };
+        faces.add(corners.first(size), first(texture), first(normals));
+        for (FaceDivision::Corners* all : {&corners, &texture, &normals}) *all = all->subspan(first(*all).size());
     }
     return mesh;
 }

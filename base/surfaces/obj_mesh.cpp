@@ -1,5 +1,5 @@
-// OBJ: Wavefront, Advanced Visualizer, appendix B1. Vertices, texture coordinates and faces; groups, materials and
-// normals are left alone.
+// OBJ: Wavefront, Advanced Visualizer, appendix B1. Vertices, texture coordinates, normals and faces, and colours,
+// which many programs write after coordinates; groups and materials are left alone.
 #include "base/surfaces/mesh_words.hpp"
 #include "base/surfaces/polygon_soup.hpp"
 
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -21,7 +22,7 @@ class ObjReader
 {
 public:
     explicit ObjReader(const MeshBytes& file)
-        : file_(file), has_texture_(file.parts == MeshParts::faces_and_texture),
+        : file_(file), has_texture_(file.parts != MeshParts::faces), has_all_(file.parts == MeshParts::all),
           words_(file.name, file.bytes, MeshWords::Lines::continued)
     {}
 
@@ -34,6 +35,7 @@ public:
                 {file_.name, farthest_line_},
                 fmt::format("\"{}\": there is no such vertex: the file has {}", farthest_, soup_.points.size()));
         if (soup_.texture_points.empty()) soup_.texture_corners.clear();
+        if (soup_.normals.empty()) soup_.normal_corners.clear();
         return std::move(soup_);
     }
 
@@ -44,6 +46,8 @@ private:
             read_vertex();
         else if (name == "vt" && has_texture_)
             read_texture_point();
+        else if (name == "vn" && has_all_)
+            read_normal();
         else if (name == "f" || name == "fo") // as older files have it
             read_face();
         else if (name == "l" || name == "p")
@@ -62,6 +66,31 @@ private:
             point[k] = words_.number("a coordinate");
         }
         if (soup_.points.size() > most_in_mesh) words_.fail(fmt::format("is more than {} vertices", most_in_mesh));
+        if (has_all_) read_color();
+    }
+
+    /// A vertex without colours has one number more than coordinates, its weight, or none.
+    void read_color()
+    {
+        std::vector<double> numbers;
+        while (numbers.size() < 3 && words_.next()) numbers.push_back(words_.number("a colour"));
+        VertexColumns& columns = soup_.columns;
+        if (columns.names.empty() && numbers.size() == 3) {
+            columns = {{"red", "green", "blue"}, {false, false, false}, {}};
+            columns.values.assign(3 * (soup_.points.size() - 1), NAN);
+        }
+        if (columns.names.empty()) return;
+        if (numbers.size() < 3) numbers.assign(3, NAN);
+        columns.values.insert(columns.values.end(), numbers.begin(), numbers.end());
+    }
+
+    void read_normal()
+    {
+        MeshPoint& normal = soup_.normals.emplace_back();
+        for (double& c : normal) {
+            if (!words_.next()) words_.fail("a normal has three numbers");
+            c = words_.number("a number of a normal");
+        }
     }
 
     void read_texture_point()
@@ -76,7 +105,11 @@ private:
         for (; words_.next(); ++size) {
             const std::string_view word = words_.word(), number = word.substr(0, word.find('/'));
             soup_.corners.push_back(vertex(number));
-            if (has_texture_) soup_.texture_corners.push_back(texture_point(word));
+            const auto [texture, normal] = indices_after(word);
+            if (has_texture_)
+                soup_.texture_corners.push_back(
+                    other_index(texture, soup_.texture_points.size(), "texture coordinate"));
+            if (has_all_) soup_.normal_corners.push_back(other_index(normal, soup_.normals.size(), "normal"));
         }
         soup_.sizes.push_back(size);
         if (soup_.corners.size() > most_in_mesh) words_.fail(fmt::format("is more than {} corners", most_in_mesh));
@@ -99,19 +132,29 @@ private:
         return static_cast<std::uint32_t>(index - 1);
     }
 
-    /// The number of the texture point of a corner: 5 of "3/5/2" and "3/5"; negative ones count from the last.
-    std::uint32_t texture_point(std::string_view word) const
+    /// The texts of the texture point and of the normal of a corner: 5 and 2 of "3/5/2"; they may be empty.
+    static std::array<std::string_view, 2> indices_after(std::string_view word)
     {
-        const std::size_t slash = word.find('/');
-        if (slash == word.npos) return no_texture_point;
-        const std::string_view number = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+        std::array<std::string_view, 2> indices{};
+        for (std::string_view& index : indices) {
+            const std::size_t slash = word.find('/');
+            if (slash == word.npos) break;
+            word.remove_prefix(slash + 1);
+            index = word.substr(0, word.find('/'));
+        }
+        return indices;
+    }
+
+    /// The number of a texture point or a normal, of which there are `size`; negative ones count from the last.
+    std::uint32_t other_index(std::string_view number, std::size_t size, std::string_view name) const
+    {
         if (number.empty()) return no_texture_point;
         std::int64_t index = index_of(number);
-        const auto count = static_cast<std::int64_t>(soup_.texture_points.size());
+        const auto count = static_cast<std::int64_t>(size);
         if (index < 0) index += count + 1;
         if (index < 1 || index > count)
-            words_.fail(fmt::format("\"{}\": there is no such texture coordinate before this line, of {}",
-                                    shortened(word), count));
+            words_.fail(fmt::format("\"{}\": there is no such {} before this line, of {}", shortened(words_.word()),
+                                    name, count));
         return static_cast<std::uint32_t>(index - 1);
     }
 
@@ -127,7 +170,7 @@ private:
     }
 
     const MeshBytes& file_;
-    const bool has_texture_;
+    const bool has_texture_, has_all_;
     MeshWords words_;
     PolygonSoup soup_;
     std::size_t farthest_ = 0; ///< the largest number of a vertex that was not there yet

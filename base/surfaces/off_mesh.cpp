@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -42,6 +44,17 @@ std::optional<OffKeyword> off_keyword(std::string_view word)
     if ((!skip("OFF") && !skip("off")) || word.find_first_not_of("0123456789") != word.npos) return std::nullopt;
     keyword.glued = word;
     return keyword;
+}
+
+/// The columns of vertices, which have so many numbers for their colours.
+VertexColumns columns_of(const OffKeyword& keyword, std::size_t colors)
+{
+    VertexColumns columns;
+    if (keyword.has_normals) columns.names = {"nx", "ny", "nz"};
+    for (std::size_t k = 0; k < colors; ++k) columns.names.emplace_back(std::array{"red", "green", "blue", "alpha"}[k]);
+    if (keyword.has_texture) columns.names.insert(columns.names.end(), {"u", "v"});
+    columns.are_bytes.assign(columns.names.size(), false);
+    return columns;
 }
 
 /// Divides homogeneous coordinates by their weight. False where no finite numbers come out.
@@ -90,8 +103,8 @@ private:
         for (double& c : point) c = number(i);
         const double weight = keyword_.has_weights ? number(i) : 1;
         if (!is_divided(point, weight)) fail(fmt::format("vertex {} has a coordinate that is not a finite number", i));
-        const int others = 3 * keyword_.has_normals + 4 * keyword_.has_colors + 2 * keyword_.has_texture;
-        for (int k = 0; k < others; ++k) number(i);
+        if (i == 0) soup_.columns = columns_of(keyword_, 4 * keyword_.has_colors);
+        for (std::size_t k = 0; k < soup_.columns.names.size(); ++k) soup_.columns.values.push_back(number(i));
         soup_.points.push_back(point);
     }
 
@@ -154,7 +167,9 @@ std::optional<OffKeyword> binary_off_keyword(std::string_view bytes)
 class OffTextReader
 {
 public:
-    explicit OffTextReader(const MeshBytes& file) : words_(file.name, file.bytes, MeshWords::Lines::commented) {}
+    explicit OffTextReader(const MeshBytes& file)
+        : words_(file.name, file.bytes, MeshWords::Lines::commented), has_all_(file.parts == MeshParts::all)
+    {}
 
     PolygonSoup read()
     {
@@ -224,10 +239,30 @@ private:
             need_word(fmt::format("three coordinates of vertex {}", i));
             coordinate = words_.number("a coordinate");
         }
-        if (!keyword_.has_weights) return;
-        need_word("the fourth coordinate");
-        if (!is_divided(point, words_.number("a coordinate")))
-            words_.fail("the first three coordinates over the fourth are no finite numbers");
+        if (keyword_.has_weights) {
+            need_word("the fourth coordinate");
+            if (!is_divided(point, words_.number("a coordinate")))
+                words_.fail("the first three coordinates over the fourth are no finite numbers");
+        }
+        if (has_all_) read_columns(i);
+    }
+
+    /// Colours are three or four numbers, as the first vertex has them.
+    void read_columns(std::size_t i)
+    {
+        std::vector<double> numbers;
+        while (words_.next()) numbers.push_back(words_.number("a number of a vertex"));
+        const std::size_t others = columns_of(keyword_, 0).names.size();
+        if (i == 0)
+            soup_.columns = columns_of(
+                keyword_,
+                keyword_.has_colors ? std::clamp<std::size_t>(std::max(numbers.size(), others) - others, 3, 4) : 0);
+        const std::size_t needed = soup_.columns.names.size();
+        if (numbers.size() < needed || (keyword_.has_colors && numbers.size() > needed))
+            words_.fail(fmt::format("vertex {} has {} numbers after its coordinates, and must have {}", i,
+                                    numbers.size(), needed));
+        soup_.columns.values.insert(soup_.columns.values.end(), numbers.begin(),
+                                    numbers.begin() + static_cast<std::ptrdiff_t>(needed));
     }
 
     /// The rest of a face's line is its colour.
@@ -259,6 +294,7 @@ private:
     }
 
     MeshWords words_;
+    const bool has_all_;
     OffKeyword keyword_;
     std::size_t vertices_ = 0, faces_ = 0;
     PolygonSoup soup_;

@@ -84,11 +84,12 @@ private:
         columns_ = {column_of(*vertices, "x"), column_of(*vertices, "y"), column_of(*vertices, "z")};
         if (std::ranges::find(columns_, no_column) != columns_.end())
             fail("the element `vertex` must have the properties x, y and z");
-        const bool reads_texture = file_.parts == MeshParts::faces_and_texture;
+        const bool reads_texture = file_.parts != MeshParts::faces;
         has_texture_lists_ = reads_texture && std::ranges::any_of(header_.elements, [](const PlyElement& element) {
                                  return texture_list(element) != no_column;
                              });
         if (reads_texture && !has_texture_lists_) texture_columns_ = texture_columns(*vertices);
+        if (file_.parts == MeshParts::all) find_others(*vertices);
         bool has_faces = false;
         for (const PlyElement& element : header_.elements) {
             if (element.name != "face" && element.name != "tristrips") continue;
@@ -97,6 +98,20 @@ private:
                 fail(fmt::format("the element `{}` must have a list `vertex_indices` or `vertex_index`", element.name));
         }
         if (!has_faces) fail("has no faces: it has neither an element `face` nor `tristrips`");
+    }
+
+    /// Finds the columns of vertices that are neither places nor texture coordinates.
+    void find_others(const PlyElement& vertices)
+    {
+        for (std::size_t c = 0; c < vertices.columns.size(); ++c) {
+            const PlyColumn& column = vertices.columns[c];
+            if (column.count || std::ranges::find(columns_, c) != columns_.end() ||
+                std::ranges::find(texture_columns_, c) != texture_columns_.end())
+                continue;
+            others_.push_back(c);
+            soup_.columns.names.push_back(column.name);
+            soup_.columns.are_bytes.push_back(column.type == PlyType::uint8);
+        }
     }
 
     void read_element(const PlyElement& element)
@@ -144,6 +159,7 @@ private:
         MeshPoint& point = soup_.points.emplace_back();
         if (soup_.points.size() > most_in_mesh) fail(fmt::format("has more than {} vertices", most_in_mesh));
         for (std::size_t k = 0; k < 3; ++k) point[k] = finite(values_[columns_[k]], "a coordinate");
+        for (const std::size_t c : others_) soup_.columns.values.push_back(values_[c]);
         if (texture_columns_[0] == no_column) return;
         TexturePoint& texture = soup_.texture_points.emplace_back();
         for (std::size_t k = 0; k < 2; ++k) texture[k] = finite(values_[texture_columns_[k]], "a texture coordinate");
@@ -211,6 +227,7 @@ private:
     PolygonSoup soup_;
     std::array<std::size_t, 3> columns_{};
     std::array<std::size_t, 2> texture_columns_{no_column, no_column};
+    std::vector<std::size_t> others_;                  ///< of vertices
     std::vector<double> values_, list_, texture_list_; ///< of a row
     bool has_texture_lists_ = false;                   ///< then vertices' own texture coordinates are left alone
     std::map<std::array<double, 3>, std::uint32_t> texture_numbers_; ///< by vertex, u and v

@@ -1,6 +1,7 @@
 #include "experiment/config/config.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/programs/loaded_module.hpp"
 #include "experiment/config/method_registry.hpp"
 #include "experiment/config/overrides.hpp"
 #include "host/settings/toml_reader.hpp"
@@ -99,6 +100,11 @@ const std::vector<std::string>& kind_tables()
 
 ParsedConfig parse_file(const std::filesystem::path& file)
 {
+    std::error_code error;
+    const auto installed = installed_data_folder() / file;
+    if (!std::filesystem::exists(file, error) && file.is_relative() && std::filesystem::exists(installed, error))
+        throw InputError::at({file.string()}, "is not in this folder; the config of that name that was installed is " +
+                                                  installed.string());
     if (std::filesystem::is_directory(file))
         throw InputError::at({file.string()}, "is a folder; a config file (.toml) is needed");
     std::string text = read_whole_file(file);

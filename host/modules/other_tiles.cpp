@@ -1,6 +1,8 @@
-// Sets by tiles that chapter 6 compares Poisson disk tiles with: Penrose's, polyominoes, isohedral and recursive ones.
+// Sets by tiles that chapter 6 compares Poisson disk tiles with: Penrose's, polyominoes, isohedral and recursive ones;
+// and by aperiodic monotiles.
 #include "host/modules/laboratory.hpp"
 #include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
+#include "host/tile_sampling/monotiles/monotile_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
@@ -9,8 +11,8 @@ namespace poissonlab {
 
 void add_other_tiles(Laboratory& laboratory)
 {
-    for (SamplerSpec (*const sampler)() :
-         {penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler, isohedral_tile_sampler})
+    for (SamplerSpec (*const sampler)() : {penrose_sampler, recursive_wang_tile_sampler, polyomino_sampler,
+                                           isohedral_tile_sampler, hat_sampler, spectre_sampler})
         laboratory.samplers.push_back(sampler());
 }
 

@@ -29,6 +29,8 @@ class Made:
     distances: of points whose minimum distance varies: that at each, in the region's units
     classes: of points with classes: the class of each, uint32
     normals: of points on surfaces: the normal of each one's triangle, (n, 3)
+    columns: of points on surfaces: a structured array with a field for each column of their file, such as "x", and with
+        faces=True "face", "bary_0" and others
     mask: of masks: an array of shape (rows, columns)
     tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south
     files: the paths of all files, which are there as long as this object is; save() keeps them
@@ -44,6 +46,7 @@ class Made:
     distances: numpy.ndarray | None
     classes: numpy.ndarray | None
     normals: numpy.ndarray | None
+    columns: numpy.ndarray | None
     mask: numpy.ndarray | None
     tiles: numpy.ndarray | None
     files: list[pathlib.Path]
@@ -61,6 +64,8 @@ class Made:
         self.tiles = numpy.loadtxt(tiles, dtype=numpy.int64, ndmin=2) if tiles.exists() else None
         self.points, self.distances, self.classes, self.normals, self.mask = (
             self._array(name) for name in ("points", "distances", "classes", "normals", "mask"))
+        table = folder / "points.ply"
+        self.columns = columns_of_ply(table) if self.normals is not None else None
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
 
     def _array(self, name):
@@ -94,6 +99,15 @@ class Made:
 
     def __repr__(self):
         return f"<poissonlab.Made {self.label!r}: {', '.join(self.facts)}>"
+
+
+def columns_of_ply(file):
+    """Read the vertices of a PLY file that the program has written: binary, in the byte order of this machine."""
+    types = {"double": "f8", "float": "f4", "uint": "u4", "uchar": "u1"}
+    content = file.read_bytes()
+    head, end = content.split(b"end_header\n", 1)[0].decode(), content.index(b"end_header\n") + len(b"end_header\n")
+    properties = [line.split() for line in head.splitlines() if line.startswith("property ")]
+    return numpy.frombuffer(content, dtype=[(name, types[kind]) for _, kind, name in properties], offset=end)
 
 
 def function_of(description, name):

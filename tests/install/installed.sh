@@ -35,6 +35,8 @@ grep -q 'OpenImageIO' version || fail "the version does not say what was built i
 "$program" run "$prefix/share/poissonlab/configs/quick.toml" --set analysis.points=256 --set analysis.realizations=2 \
   --out out --quiet
 [[ -s out/index.html ]] || fail "no report"
+"$program" run configs/quick.toml --out out 2>words && fail "there is no such config in this folder"
+grep -q "was installed is $prefix/share/poissonlab/configs/quick.toml" words || fail "no word on the config that was installed"
 for file in "$prefix"/share/poissonlab/tile_sets/*-c3-*.ptiles; do "$program" tiles verify "$file" >/dev/null; done
 
 # The manual page has every command, and is written as man likes it.

@@ -167,6 +167,20 @@ class Kinds(unittest.TestCase):
         self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 0.2)
         self.assertEqual(made.numbers["uncovered"], 0)
 
+    def test_columns_of_points_on_surfaces_lead_back_to_the_mesh(self):
+        mesh = SOURCE / "configs/surfaces/vase.obj"
+        made = distribute.surface(mesh=str(mesh), points=100, faces=True, engine="reference", rng=1)
+        words = [line.split() for line in mesh.read_text().splitlines()]
+        vertices = numpy.array([row[1:4] for row in words if row[:1] == ["v"]], dtype=float)
+        faces = [[int(corner.split("/")[0]) - 1 for corner in row[1:]] for row in words if row[:1] == ["f"]]
+        shares = numpy.stack([made.columns[f"bary_{k}"] for k in range(3)], axis=1)
+        numbers = numpy.stack([made.columns[f"vertex_{k}"] for k in range(3)], axis=1)
+        places = (shares[:, :, None] * vertices[numbers]).sum(axis=1)
+        numpy.testing.assert_allclose(places, made.points, atol=numpy.ptp(vertices, axis=0).max() * 2.0**-29)
+        for face, corners in zip(made.columns["face"], numbers):
+            self.assertLessEqual(set(corners), set(faces[face]))
+        self.assertIn("u", made.columns.dtype.names)
+
     def test_tiles_lie_on_texture_coordinates(self):
         mesh = SOURCE / "configs/surfaces/vase.obj"
         made = distribute.surface(mesh=str(mesh), tiles=TILE_SET, tiles_per_unit=6, closed=True, rng=2)

@@ -67,24 +67,35 @@ std::string checksum_of(std::string_view bytes)
 
 }
 
+void write_with_checksum(const std::filesystem::path& file, const std::string& bytes)
+{
+    write_whole_file(file, bytes + checksum_of(bytes));
+}
+
+std::optional<std::string> read_with_checksum(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    std::string bytes = read_whole_file(file);
+    if (bytes.size() < checksum_size) return std::nullopt;
+    const std::string checksum = bytes.substr(bytes.size() - checksum_size);
+    bytes.resize(bytes.size() - checksum_size);
+    if (checksum != checksum_of(bytes)) return std::nullopt;
+    return bytes;
+}
+
 void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table)
 {
-    const std::string bytes = to_bytes(table);
-    write_whole_file(file, bytes + checksum_of(bytes));
+    write_with_checksum(file, to_bytes(table));
 }
 
 std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& file)
 {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
     try {
-        std::string bytes = read_whole_file(file);
-        if (bytes.size() < checksum_size) return std::nullopt;
-        const std::string checksum = bytes.substr(bytes.size() - checksum_size);
-        bytes.resize(bytes.size() - checksum_size);
-        if (checksum != checksum_of(bytes)) return std::nullopt;
+        const std::optional<std::string> bytes = read_with_checksum(file);
+        if (!bytes) return std::nullopt;
         PolyominoTable table;
-        from_bytes(bytes, table);
+        from_bytes(*bytes, table);
         return table;
     } catch (const InputError&) {
         return std::nullopt;

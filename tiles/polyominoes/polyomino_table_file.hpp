@@ -5,8 +5,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace poissonlab {
+
+/// Bytes and their checksum. Throws StorageError.
+void write_with_checksum(const std::filesystem::path& file, const std::string& bytes);
+
+/// No value where the file is missing or damaged. Throws InputError where it cannot be read.
+std::optional<std::string> read_with_checksum(const std::filesystem::path& file);
 
 /// Throws StorageError.
 void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table);

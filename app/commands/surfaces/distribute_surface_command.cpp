@@ -2,11 +2,14 @@
 #include "app/commands/kind_options.hpp"
 #include "base/images/png_file.hpp"
 #include "base/text/noun.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 namespace {
@@ -19,6 +22,10 @@ sides of a thin sheet are each even by themselves, and points of different sides
   --points N --min-distance D            darts until there are N, or --relative-radius instead of --min-distance
   --points N                             darts at a distance that shrinks until N fit
   --points N --method elimination        N of five times as many random points; each beginning of the file is even, too
+  --points N --method elimination --density "1 + z^2"
+                                         N that follow a density: a formula, a number of the mesh's vertices such as red,
+                                         or a picture over its texture coordinates
+  --start FILE, --obstacles FILE         darts begin with these points, which stay, and keep away from those
   --tiles SET --tiles-per-unit T         the points of a tiling laid over texture coordinates (u, v) of the mesh, or
                                          --points N instead of T; with --min-distance D those are left out, in the order
                                          of ranks, that are nearer than D to others. What stretch and seams of the
@@ -29,21 +36,28 @@ Relative radii are those of a plane of the same area. Distances are checked in w
 --out, as often as you like: .ply (binary) and .csv, both with normals nx, ny, nz, .glb (glTF 2.0: points with normals),
 .png (two views with z up, from the front on the left and from behind on the right, --pixels wide together), and point files
 such as .npy and text.
+With --faces, .ply and .csv have further columns: face (from 0, in the order of the file), vertex_0 to vertex_2, the
+barycentric coordinates bary_0 to bary_2, and what the mesh has at its vertices, between them: shading_nx, shading_ny,
+shading_nz, u, v, red, green, blue and all other numbers.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
+  poissonlab distribute surface scan.ply --points 10000 --faces --out points.csv
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
   poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";
 
-void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, int pixels,
+void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, bool has_faces, int pixels,
                           const std::string& comment)
 {
     const FixedSurface& surface = set.mesh->surface;
-    if (file.extension() != ".png") return write_surface_points(file, surface, set.points, comment);
+    if (file.extension() != ".png")
+        return write_surface_points(file, surface, set.points, comment, has_faces ? &set.mesh->mesh : nullptr);
     write_png(file, surface_view(surface, set.points, dots_of(set), pixels));
 }
 
 void place_on_surface(const KindOptions& o)
 {
     const auto settings = o.read<MeshPointSettings>();
+    if (settings.faces && std::ranges::none_of(o.outs.files(), has_surface_columns))
+        throw InputError("--faces: needs a file of .ply or .csv as --out: other files have no columns for it");
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     for (const std::string& note : set.notes) o.say_note(note);
@@ -55,7 +69,7 @@ void place_on_surface(const KindOptions& o)
             set.angle < 180 ? fmt::format(" where their normals differ by {:.4g} degrees at most", set.angle) : "");
     o.say_note(what);
     for (const std::filesystem::path& out : o.outs.files())
-        write_surface_output(out, set, static_cast<int>(o.pixels), o.command_comment(what));
+        write_surface_output(out, set, settings.faces, static_cast<int>(o.pixels), o.command_comment(what));
     if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
 }
 

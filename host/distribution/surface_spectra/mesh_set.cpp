@@ -1,7 +1,7 @@
 #include "host/distribution/surface_spectra/mesh_set.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
 #include "results/series.hpp"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace poissonlab {
@@ -28,50 +27,7 @@ constexpr double reach_of_lattices = 1.2;
 /// Curves have about this number of rings for each unit sqrt(N / area).
 constexpr double rings_of_curve = 40;
 
-TriangleMesh triangles_of(const FixedSurface& surface)
-{
-    TriangleMesh mesh;
-    std::map<std::array<int, 3>, std::uint32_t> numbers;
-    for (const SurfaceTriangle& t : surface.triangles) {
-        MeshTriangle& triangle = mesh.triangles.emplace_back();
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::array<int, 3> corner{t.corners[3 * c], t.corners[3 * c + 1], t.corners[3 * c + 2]};
-            const auto [found, is_new] = numbers.try_emplace(corner, static_cast<std::uint32_t>(mesh.vertices.size()));
-            triangle[c] = found->second;
-            if (!is_new) continue;
-            MeshPoint& place = mesh.vertices.emplace_back();
-            for (std::size_t k = 0; k < 3; ++k) place[k] = surface.origin[k] + corner[k] * surface.unit;
-        }
-    }
-    return mesh;
-}
-
-SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position)
-{
-    const auto share = [&](std::size_t corner) {
-        return static_cast<std::uint32_t>(std::ldexp(position.shares[corner], contract::surface::BARYCENTRIC_BITS));
-    };
-    SurfacePoint point{};
-    point.triangle = position.triangle;
-    point.shares[0] = share(1);
-    point.shares[1] = share(2);
-    std::ranges::copy(place_on(surface.triangles[position.triangle], share(1), share(2)), point.place);
-    return point;
-}
-
 MeshPoint mesh_point(std::span<const double> place) { return {place[0], place[1], place[2]}; }
-
-PointSet points_in_space(const std::filesystem::path& file)
-{
-    const std::vector<PointSet> sets = read_own_points(file, any_coordinates);
-    const std::string name = file.string();
-    if (sets.size() != 1)
-        throw InputError(
-            fmt::format("{}: has {} sets; points on meshes are measured one set at a time", name, sets.size()));
-    if (sets.front().dimension != 3) throw InputError(name + ": points on a mesh have three coordinates, x, y and z");
-    if (sets.front().size() < 2) throw InputError(name + ": has one point; a spectrum needs at least two");
-    return sets.front();
-}
 
 /// Locates a set on the mesh whose triangles are small.
 std::vector<MeshPosition> positions_of(const TriangleTree& tree, const PointSet& places)
@@ -154,25 +110,12 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
     const FixedSurface& surface = read.surface->surface;
     read.mesh = triangles_of(surface);
     const PointSet places = points_in_space(settings.set);
+    if (places.size() < 2) throw InputError(settings.set.string() + ": has one point; a spectrum needs at least two");
     read.tolerance =
         settings.tolerance.value_or(off_mesh * std::sqrt(surface.area / static_cast<double>(places.size())));
-    const TriangleTree tree(read.mesh);
-    std::size_t off = 0, first = 0;
-    double first_off = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const MeshPosition on = tree.nearest(mesh_point(places[i]));
-        const MeshPoint away = difference(place_of(read.mesh, on), mesh_point(places[i]));
-        const double distance = std::sqrt(dot(away, away));
-        if (distance > read.tolerance && off++ == 0) first = i, first_off = distance;
-        read.farthest = std::max(read.farthest, distance);
-        read.points.push_back(surface_point(surface, on));
-    }
-    if (off > 0)
-        throw InputError(
-            fmt::format("{}: {} of {} points {} farther off the mesh than the tolerance, {:.4g}: the first "
-                        "is point {}, ({:.6g}, {:.6g}, {:.6g}), which is {:.4g} off",
-                        settings.set.string(), off, places.size(), off == 1 ? "is" : "are", read.tolerance, first + 1,
-                        places[first][0], places[first][1], places[first][2], first_off));
+    GivenPoints given = points_on_surface(surface, read.mesh, places, read.tolerance, settings.set);
+    read.points = std::move(given.points);
+    read.farthest = given.farthest;
     return std::make_shared<const MeshWithPoints>(std::move(read));
 }
 

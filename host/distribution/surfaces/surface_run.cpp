@@ -6,6 +6,8 @@
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_density.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -19,6 +21,9 @@
 
 namespace poissonlab {
 namespace {
+
+/// All pairs of candidates are in memory where they follow a density, some hundred bytes of each.
+constexpr std::size_t most_density_candidates = std::size_t{1} << 24;
 
 void check_tile_keys(Keys& keys, MeshPointSettings& s)
 {
@@ -39,7 +44,7 @@ void check_tile_keys(Keys& keys, MeshPointSettings& s)
 
 void check_quad_keys(Keys& keys, MeshPointSettings& s)
 {
-    for (const char* key : {"min_distance", "relative_radius", "factor"})
+    for (const char* key : {"min_distance", "relative_radius", "factor", "faces"})
         if (keys.is_given(key))
             throw keys.invalid(key, fmt::format("cannot be combined with {} quads", keys.name_of("method")));
     if (!s.points) throw keys.problem(fmt::format("tiles on quads need {}", keys.name_of("points")));
@@ -69,6 +74,18 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
                            fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
+    if (!s.density.empty()) {
+        if (*s.points * s.candidates > most_density_candidates)
+            throw keys.invalid("points", fmt::format("must be at most {} with {} candidates each and a density",
+                                                     most_density_candidates / s.candidates, s.candidates));
+        keys.check("density", [&] {
+            SurfaceDensity density(s.density, s.density_from, s.read->mesh);
+            density_candidates(s.read->surface, density, 1, stream_key(0, Purpose::surface_candidates, 0));
+        });
+    }
+    if (s.order == SurfaceOrder::elimination && keys.is_given("start"))
+        throw keys.invalid("order", "cannot be combined with " + keys.name_of("start"));
+    keys.check(keys.is_given("start") ? "start" : "obstacles", [&] { s.beginning = surface_beginning(s, *s.read); });
 }
 
 void surface_keys(Keys& keys, MeshPointSettings& s)
@@ -92,12 +109,37 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
+    keys.picture_or_formula("density", s.density, s.density_from,
+                            "what points follow: a formula in x, y and z in the mesh's units; the name of a number of "
+                            "its vertices, such as red or quality; or a picture over its texture coordinates")
+        .otherwise("none")
+        .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
+    keys.flag("faces", s.faces,
+              "whether files of points (PLY, CSV) have the face, barycentric coordinates, and what the mesh has at its "
+              "vertices: normals, colours, texture coordinates and other numbers");
     keys.tiles(s.tiles);
     if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
         throw keys.invalid(
             "tiles", fmt::format("cannot be combined with {} {}", keys.name_of("method"), surface_methods[s.method]));
+    keys.file("start", s.start,
+              "points of the surface that the set begins with, and that stay: a file of points with three coordinates",
+              "a point file")
+        .otherwise("none")
+        .only_if(s.method == SurfaceMethod::darts, "method = darts");
+    keys.file(
+            "obstacles", s.obstacles,
+            "points of the surface that others keep away from by the minimum distance, and that are not of the set: a "
+            "file of points with three coordinates",
+            "a point file")
+        .otherwise("none")
+        .only_if(s.method == SurfaceMethod::darts, "method = darts");
+    keys.word(
+            "order", s.order, surface_orders,
+            "the order of the points: that in which they are made, or one whose first parts, whatever their size, are "
+            "well spread (Yuksel 2015)")
+        .only_if(s.method == SurfaceMethod::darts, "method = darts");
     keys.number("tiles_per_unit", s.tiles_per_unit, {1e-6, 1e6},
                 "how many tiles lie along a unit of the mesh's texture coordinates")
         .only_if(has_tiles, "method = tiles")
@@ -136,9 +178,13 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     write_png(files.add("points.png"), surface_view(surface, set.points, dots_of(set)));
     result.pictures.push_back(
         {"points.png", "The points on their surface: left from the front above, right from behind above."});
-    write_surface_points(files.add("points.ply", result), surface, set.points, "");
+    write_surface_points(files.add("points.ply", result), surface, set.points, "",
+                         settings.faces ? &set.mesh->mesh : nullptr);
     write_points(files.add("points.npy", result), set.places());
     write_points(files.add("normals.npy", result), normals_of(surface, set.points));
+    if (!settings.start.empty())
+        result.facts.push_back(fmt::format("{} points to begin with", settings.beginning->start.size()));
+    if (!set.obstacles.empty()) result.facts.push_back(fmt::format("{} obstacles", set.obstacles.size()));
     result.numbers = surface_numbers(set, seed);
     return result;
 }

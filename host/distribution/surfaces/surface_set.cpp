@@ -3,6 +3,8 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/surfaces/given_points.hpp"
+#include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/surfaces/tiled_surface.hpp"
@@ -23,6 +25,9 @@ namespace {
 
 /// Distances that shrink begin so many times larger than that at which darts saturate with as many points.
 constexpr double first_part = 1.02;
+
+/// Points of files may be off the surface by this part of the minimum distance.
+constexpr double off_surface = 0.1;
 
 /// Places at which it is looked whether a set leaves them uncovered.
 constexpr std::uint64_t looked_at = 1 << 16;
@@ -70,38 +75,28 @@ SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlac
 }
 
 /// All points are looked at once more, without what threw them.
-void check_distances(const FixedSurface& surface, const SurfaceDarts& darts, double angle)
+void check_distances(const SurfaceDartRequest& request, const SurfaceDarts& darts)
 {
-    if (!keep_distance(surface, darts.points, darts.min_distance, least_cosine(angle)))
-        throw std::logic_error("darts are nearer to each other than they may be");
+    const FixedSurface& surface = *request.surface;
+    bool is_kept = keep_distance(surface, darts.points, darts.min_distance, least_cosine(request.angle));
+    const double units = surface.units_of(darts.min_distance) * (1 - 0x1p-50);
+    const SurfaceNeighbours obstacles(surface, request.obstacles, static_cast<std::uint64_t>(units) + 1);
+    for (std::size_t i = request.start.size(); i < darts.points.size() && !request.obstacles.empty(); ++i)
+        is_kept = is_kept && !obstacles.is_near(darts.points[i], static_cast<std::uint64_t>(units * units),
+                                                least_cosine(request.angle));
+    if (!is_kept) throw std::logic_error("darts are nearer to each other than they may be");
 }
 
-SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
-                    const DistributionPlace& place)
-{
-    const bool shrinks = settings.points && !settings.min_distance && !settings.relative_radius;
-    const SurfaceDartRequest request{.surface = {mesh, &mesh->surface},
-                                     .min_distance = surface_distance(settings, *mesh),
-                                     .angle = settings.normal_angle,
-                                     .points = settings.points.value_or(0),
-                                     .shrinking = shrinks ? settings.factor : 1,
-                                     .stream = stream_key(seed, Purpose::surface_darts, 0)};
-    SurfaceDarts darts = thrown_on(request, place);
-    check_count(darts, settings);
-    check_distances(mesh->surface, darts, settings.normal_angle);
-    return {std::move(mesh),    std::move(darts.points), darts.min_distance, settings.normal_angle,
-            darts.is_saturated, darts.small_area,        darts.darts};
-}
-
-SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh,
-                          std::uint64_t seed, const DistributionPlace& place)
+/// So many of these points, in an order whose first parts are even.
+std::vector<SurfacePoint> eliminated(const std::vector<SurfacePoint>& candidates, std::size_t kept,
+                                     const MeshPointSettings& settings, const std::shared_ptr<const SurfaceMesh>& mesh,
+                                     const DistributionPlace& place)
 {
     const std::shared_ptr<const FixedSurface> surface{mesh, &mesh->surface};
-    const std::size_t count = *settings.points * settings.candidates;
     std::optional<SurfaceElimination> kernels;
     if (place.engine == Engine::opencl) {
         Device& device = place.device();
-        check_fits("sample elimination", SurfaceElimination::memory(*surface, count), device.info());
+        check_fits("sample elimination", SurfaceElimination::memory(*surface, candidates.size()), device.info());
         kernels.emplace(device, surface);
     }
     const auto order = [&](const std::vector<SurfacePoint>& points, const SurfaceReach& reach, std::size_t removed) {
@@ -109,8 +104,49 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
         return kernels ? kernels->removal_order(points, reach, removed)
                        : reference::surface_removal_order(*surface, points, reach, removed);
     };
-    const auto candidates = surface_candidates(*surface, count, stream_key(seed, Purpose::surface_candidates, 0));
-    auto points = eliminate_on_surface(*surface, candidates, *settings.points, settings.normal_angle, order);
+    return eliminate_on_surface(*surface, candidates, kept, settings.normal_angle, order);
+}
+
+SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
+                    const DistributionPlace& place)
+{
+    const auto beginning = surface_beginning(settings, *mesh);
+    const bool shrinks = settings.points && !settings.min_distance && !settings.relative_radius;
+    const double distance = surface_distance(settings, *mesh);
+    const SurfaceDartRequest request{.surface = {mesh, &mesh->surface},
+                                     .min_distance = shrinks ? std::min(distance, beginning->least) : distance,
+                                     .angle = settings.normal_angle,
+                                     .points = settings.points.value_or(0),
+                                     .shrinking = shrinks ? settings.factor : 1,
+                                     .stream = stream_key(seed, Purpose::surface_darts, 0),
+                                     .start = beginning->start,
+                                     .obstacles = beginning->obstacles};
+    SurfaceDarts darts = thrown_on(request, place);
+    check_count(darts, settings);
+    check_distances(request, darts);
+    if (settings.order == SurfaceOrder::elimination)
+        darts.points = eliminated(darts.points, darts.points.size(), settings, mesh, place);
+    SurfaceSet set{std::move(mesh),    std::move(darts.points), darts.min_distance, settings.normal_angle,
+                   darts.is_saturated, darts.small_area,        darts.darts};
+    set.obstacles = beginning->obstacles;
+    return set;
+}
+
+SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh,
+                          std::uint64_t seed, const DistributionPlace& place)
+{
+    const std::size_t count = *settings.points * settings.candidates;
+    if (!settings.density.empty()) {
+        SurfaceDensity density(settings.density, settings.density_from, mesh->mesh);
+        const auto random =
+            density_candidates(mesh->surface, density, count, stream_key(seed, Purpose::surface_candidates, 0));
+        SurfaceSet set{std::move(mesh), {}, 0, settings.normal_angle, false, 0, count};
+        set.points = eliminate_by_density(set.mesh->surface, random, *settings.points, settings.normal_angle);
+        set.follows_density = true;
+        return set;
+    }
+    const auto candidates = surface_candidates(mesh->surface, count, stream_key(seed, Purpose::surface_candidates, 0));
+    auto points = eliminated(candidates, *settings.points, settings, mesh, place);
     return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
 }
 
@@ -119,7 +155,9 @@ DistributionNumber uncovered_part(const SurfaceSet& set, double distance, std::u
 {
     const FixedSurface& surface = set.mesh->surface;
     const double units = surface.units_of(distance);
-    const SurfaceNeighbours near(surface, set.points, static_cast<std::uint64_t>(units) + 1);
+    std::vector<SurfacePoint> all = set.points;
+    all.insert(all.end(), set.obstacles.begin(), set.obstacles.end());
+    const SurfaceNeighbours near(surface, all, static_cast<std::uint64_t>(units) + 1);
     const std::vector<SurfacePiece> pieces = whole_pieces(surface);
     const SurfacePieceChoice choice = surface_piece_choice(surface, pieces);
     const StreamKey stream = stream_key(seed, Purpose::surface_coverage, 0);
@@ -154,10 +192,10 @@ std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& setting
 {
     if (settings.read) return settings.read;
     if (settings.method == SurfaceMethod::quads) return mesh_of_quads(settings);
-    SurfaceMesh read{read_triangle_mesh(settings.mesh, settings.method == SurfaceMethod::tiles
-                                                           ? MeshParts::faces_and_texture
-                                                           : MeshParts::faces),
-                     {}};
+    const MeshParts parts = settings.faces || !settings.density.empty() ? MeshParts::all
+                            : settings.method == SurfaceMethod::tiles   ? MeshParts::faces_and_texture
+                                                                        : MeshParts::faces;
+    SurfaceMesh read{read_triangle_mesh(settings.mesh, parts), {}};
     try {
         read.surface = fixed_surface(read.mesh);
     } catch (const InputError& error) {
@@ -187,6 +225,39 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
     if (const double count = saturated_count(surface.area, distance); is_filled && count > max_points)
         throw InputError(fmt::format("there would be some {:.3g} points; at most {} are possible", count, max_points));
     return std::min(distance, most);
+}
+
+std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh)
+{
+    if (settings.beginning) return settings.beginning;
+    auto beginning = std::make_shared<SurfaceBeginning>();
+    beginning->least = INFINITY;
+    if (settings.start.empty() && settings.obstacles.empty()) return beginning;
+    const FixedSurface& surface = mesh.surface;
+    const TriangleMesh triangles = triangles_of(surface);
+    const double distance = surface_distance(settings, mesh);
+    const auto read = [&](const std::filesystem::path& file) {
+        return file.empty()
+                   ? std::vector<SurfacePoint>{}
+                   : points_on_surface(surface, triangles, points_in_space(file), off_surface * distance, file).points;
+    };
+    beginning->start = read(settings.start);
+    beginning->obstacles = read(settings.obstacles);
+    const std::vector<SurfacePoint>& start = beginning->start;
+    const bool is_kept = settings.min_distance || settings.relative_radius;
+    if (settings.points && start.size() > *settings.points)
+        throw InputError(fmt::format("{}: has {} points, and the set is to have {}", settings.start.string(),
+                                     start.size(), *settings.points));
+    if (start.size() < 2) return beginning;
+    beginning->least =
+        surface_distances(surface, start, least_cosine(settings.normal_angle), surface.area).least * (1 - 0x1p-40);
+    if (is_kept && !keep_distance(surface, start, distance, least_cosine(settings.normal_angle)))
+        throw InputError(fmt::format("{}: two of its points are {:.6g} apart, nearer than the minimum distance, {:.6g}",
+                                     settings.start.string(), beginning->least, distance));
+    if (beginning->least < least_part_of_size * surface.size)
+        throw InputError(fmt::format("{}: two of its points are {:.6g} apart: must be at least {:.4g}",
+                                     settings.start.string(), beginning->least, least_part_of_size * surface.size));
+    return beginning;
 }
 
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
@@ -241,6 +312,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
                            "also of points whose normals are too far apart, such as those on two sides of a sheet"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});
+    if (set.follows_density) return numbers; // no one distance says how even it is
     numbers.push_back(
         {"relative_radius", "Relative radius", found.least / packed_distance(surface.area, set.points.size()),
          "least distance over that of the densest packing of as many points in a plane of the same area"});

@@ -37,9 +37,26 @@ inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::d
                                                                {SurfaceMethod::tiles, "tiles"},
                                                                {SurfaceMethod::quads, "quads"}}}};
 
+/// The order of points: that in which they came, or one whose first parts are well spread.
+enum class SurfaceOrder
+{
+    own,
+    elimination
+};
+
+inline constexpr WordTable<SurfaceOrder, 2> surface_orders{
+    {{{SurfaceOrder::own, "own"}, {SurfaceOrder::elimination, "sample-elimination"}}}};
+
 struct SurfaceMesh;
 
 struct PoissonTileSet;
+
+/// Points that darts begin with, and those that they keep away from.
+struct SurfaceBeginning
+{
+    std::vector<SurfacePoint> start, obstacles;
+    double least = 0; ///< the distance of the nearest two of the start that see each other; infinite where none do
+};
 
 /// kind = "surface": points on the triangles of a mesh, also those of tiles over its texture coordinates.
 struct MeshPointSettings
@@ -53,12 +70,17 @@ struct MeshPointSettings
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::filesystem::path tiles;                        ///< empty: corner tiles of 3 colours, 32 points
-    std::optional<double> tiles_per_unit;               ///< of texture coordinates
-    QuadSettings quads;                                 ///< of method quads
-    std::uint32_t colors = 1;                           ///< of the vertices of quads
-    std::shared_ptr<const SurfaceMesh> read{};          ///< the mesh, where it was read already
-    std::shared_ptr<const PoissonTileSet> read_tiles{}; ///< the same of the tiles
+    std::filesystem::path start, obstacles;      ///< files of points; empty: none
+    SurfaceOrder order = SurfaceOrder::own;      ///< of darts
+    std::string density, density_from = "light"; ///< what points of elimination follow; empty: all the same
+    bool faces = false;          ///< files have faces, barycentric coordinates and what the mesh has at its vertices
+    std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points
+    std::optional<double> tiles_per_unit;                ///< of texture coordinates
+    QuadSettings quads;                                  ///< of method quads
+    std::uint32_t colors = 1;                            ///< of the vertices of quads
+    std::shared_ptr<const SurfaceMesh> read{};           ///< the mesh, where it was read already
+    std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the same of the tiles
+    std::shared_ptr<const SurfaceBeginning> beginning{}; ///< start and obstacles, where they were read already
 };
 
 /// A mesh, and the same in whole numbers.
@@ -88,7 +110,9 @@ struct SurfaceSet
     std::uint64_t darts = 0;                       ///< random points of which these are; 0: of tilings
     std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
     std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
-    std::vector<std::string> notes{};              ///< what a person should know of it, beside its mesh
+    bool follows_density = false;
+    std::vector<SurfacePoint> obstacles{}; ///< that darts keep away from
+    std::vector<std::string> notes{};      ///< what a person should know of it, beside its mesh
 
     PointSet places() const { return points_of(mesh->surface, points); }
 };
@@ -96,6 +120,10 @@ struct SurfaceSet
 /// The distance that settings ask for, or that darts begin with where it shrinks. Throws InputError where the surface
 /// has no room, or places too few digits, for it.
 double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& mesh);
+
+/// Reads the files of start and obstacles, whose points are moved to the surface from at most a tenth of the distance
+/// away. Throws InputError, also where points of the start are nearer to each other than a distance that is to be kept.
+std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh);
 
 /// Makes the points. Throws InputError where there is no room for as many, or no memory.
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);

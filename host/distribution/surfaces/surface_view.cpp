@@ -2,16 +2,10 @@
 
 #include "host/distribution/surfaces/surface_view.hpp"
 
-#include "base/files/whole_file.hpp"
-#include "base/points/point_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -186,115 +180,6 @@ PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoi
                     static_cast<std::uint8_t>(std::lround(sum / (view_samples * view_samples)));
             }
     return view;
-}
-
-namespace {
-
-constexpr std::size_t vertices_a_piece = 4096;
-
-std::string surface_ply_header(std::size_t points, const std::string& comment)
-{
-    return fmt::format("ply\nformat binary_{}_endian 1.0\n{}element vertex {}\n"
-                       "property double x\nproperty double y\nproperty double z\n"
-                       "property float nx\nproperty float ny\nproperty float nz\nend_header\n",
-                       std::endian::native == std::endian::little ? "little" : "big",
-                       comment.empty() ? "" : fmt::format("comment {}\n", comment), points);
-}
-
-template <typename Value>
-void append_value(std::string& to, Value value)
-{
-    to.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
-
-void write_surface_ply(const std::filesystem::path& file, const PointSet& places, const PointSet& normals,
-                       const std::string& comment)
-{
-    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
-        sink(surface_ply_header(places.size(), comment));
-        for (std::size_t begin = 0; begin < places.size(); begin += vertices_a_piece) {
-            std::string piece;
-            for (std::size_t i = begin; i < std::min(places.size(), begin + vertices_a_piece); ++i) {
-                for (const double c : places[i]) append_value(piece, c);
-                for (const double c : normals[i]) append_value(piece, static_cast<float>(c));
-            }
-            sink(piece);
-        }
-    });
-}
-
-/// A part of a binary glTF file: its length, its name and its bytes, filled up to whole words.
-std::string glb_chunk(std::string_view name, std::string bytes, char filling)
-{
-    bytes.resize((bytes.size() + 3) / 4 * 4, filling);
-    std::string chunk;
-    append_value(chunk, static_cast<std::uint32_t>(bytes.size()));
-    return chunk.append(name).append(bytes);
-}
-
-/// Describes a buffer of places and normals, which are drawn as points (mode 0). Floats are numbers of type 5126.
-std::string gltf_of_points(const std::vector<float>& places)
-{
-    std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        low[i % 3] = std::min(low[i % 3], places[i]);
-        high[i % 3] = std::max(high[i % 3], places[i]);
-    }
-    return fmt::format(
-        R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
-        R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"mode":0}}]}}],)"
-        R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{0},"type":"VEC3","min":[{2}],"max":[{3}]}},)"
-        R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}}],)"
-        R"("bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{1}}}],)"
-        R"("buffers":[{{"byteLength":{4}}}]}})",
-        places.size() / 3, 4 * places.size(), fmt::join(low, ","), fmt::join(high, ","), 8 * places.size());
-}
-
-/// A file without points has no mesh, because glTF has no empty ones.
-void write_surface_glb(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
-{
-    const std::vector<float> floats(places.coordinates.begin(), places.coordinates.end());
-    std::string binary;
-    for (const PointSet* set : {&places, &normals})
-        for (const double c : set->coordinates) append_value(binary, static_cast<float>(c));
-    std::string chunks =
-        glb_chunk("JSON", floats.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(floats), ' ');
-    if (!floats.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
-    std::string head = "glTF";
-    append_value(head, std::uint32_t{2});
-    append_value(head, static_cast<std::uint32_t>(12 + chunks.size()));
-    write_whole_file(file, head + chunks);
-}
-
-/// 17 significant digits tell every double from its neighbours.
-void write_surface_csv(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
-{
-    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
-        sink("x,y,z,nx,ny,nz\n");
-        for (std::size_t i = 0; i < places.size(); ++i)
-            sink(fmt::format("{:.17g},{:.17g}\n", fmt::join(places[i], ","), fmt::join(normals[i], ",")));
-    });
-}
-
-}
-
-void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
-                          const std::vector<SurfacePoint>& points, const std::string& comment)
-{
-    const PointSet places = points_of(surface, points);
-    if (file.extension() == ".ply") return write_surface_ply(file, places, normals_of(surface, points), comment);
-    if (file.extension() == ".glb") return write_surface_glb(file, places, normals_of(surface, points));
-    if (file.extension() == ".csv") return write_surface_csv(file, places, normals_of(surface, points));
-    write_points(file, places, comment);
-}
-
-PointSet normals_of(const FixedSurface& surface, const std::vector<SurfacePoint>& points)
-{
-    PointSet normals{3, {}};
-    normals.coordinates.reserve(3 * points.size());
-    for (const SurfacePoint& point : points)
-        for (const double c : normal_of(surface.triangles[point.triangle])) normals.coordinates.push_back(c);
-    return normals;
 }
 
 }

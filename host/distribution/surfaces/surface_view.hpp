@@ -1,11 +1,9 @@
-// Files of points on a surface, and pictures of them: orthographic views, from the front above and from behind above.
+// Pictures of points on a surface: orthographic views, from the front above and from behind above.
 #pragma once
 
 #include "base/images/png_file.hpp"
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -24,14 +22,5 @@ struct SurfaceDots
 /// does not hide them. z points upwards. The picture is as high as the views need, and no higher than half its width.
 PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                        int pixels = default_view_pixels);
-
-/// Writes points, whole or not at all: .ply has x, y, z as doubles and the normals nx, ny, nz of their triangles as
-/// floats, binary in the byte order of this machine, .csv has these columns, and .glb (glTF 2.0) both as floats; other
-/// ends are point files as write_points() has them. Throws StorageError.
-void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
-                          const std::vector<SurfacePoint>& points, const std::string& comment);
-
-/// Normals of points, three numbers each.
-PointSet normals_of(const FixedSurface& surface, const std::vector<SurfacePoint>& points);
 
 }

@@ -84,6 +84,7 @@ public:
         : request_(request), engine_(engine), most_(most), on_points_(on_points)
     {
         result_.min_distance = request.min_distance;
+        result_.points = request.start;
     }
 
     SurfaceDarts run()
@@ -103,10 +104,14 @@ public:
 private:
     bool is_full() const { return request_.points > 0 && result_.points.size() >= request_.points; }
 
+    /// Points that the engine has.
+    std::size_t held() const { return request_.obstacles.size() + result_.points.size(); }
+
     std::size_t expected_points() const
     {
-        if (request_.points > 0) return request_.points;
-        return static_cast<std::size_t>(1.2 * saturated_count(request_.surface->area, result_.min_distance)) +
+        if (request_.points > 0) return request_.points + request_.obstacles.size();
+        return request_.obstacles.size() + request_.start.size() +
+               static_cast<std::size_t>(1.2 * saturated_count(request_.surface->area, result_.min_distance)) +
                least_surface_batch;
     }
 
@@ -115,9 +120,10 @@ private:
         if (result_.min_distance < least_part_of_size * request_.surface->size)
             throw InputError(fmt::format("the distance is too small for a mesh of this size: at least {:.4g}",
                                          least_part_of_size * request_.surface->size));
-        capacity_ = std::max(capacity, result_.points.size());
-        engine_.restart(surface_rule(*request_.surface, result_.min_distance, request_.angle), result_.points,
-                        capacity_);
+        capacity_ = std::max(capacity, held());
+        std::vector<SurfacePoint> all = request_.obstacles;
+        all.insert(all.end(), result_.points.begin(), result_.points.end());
+        engine_.restart(surface_rule(*request_.surface, result_.min_distance, request_.angle), all, capacity_);
     }
 
     void set_pieces(std::vector<SurfacePiece> pieces)
@@ -143,7 +149,7 @@ private:
     {
         const std::size_t wanted = request_.points > 0 ? request_.points : most_ + 1;
         const std::size_t room = std::min(darts, wanted - result_.points.size());
-        if (result_.points.size() + room > capacity_) restart(result_.points.size() + room + capacity_ / 2);
+        if (held() + room > capacity_) restart(held() + room + capacity_ / 2);
         const auto accepted = engine_.throw_darts(result_.darts, static_cast<std::uint32_t>(darts), room);
         result_.darts += darts;
         result_.points.insert(result_.points.end(), accepted.begin(), accepted.end());

@@ -5,8 +5,8 @@
 #include "base/points/point_file.hpp"
 #include "host/distribution/regions/nearest_in_plane.hpp"
 #include "host/distribution/regions/region_darts.hpp"
+#include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
-#include "host/distribution/surfaces/surface_view.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -87,6 +87,102 @@ TEST(SurfaceSets, SayHowSidesOfASheetAre)
     EXPECT_EQ(number_in(set, "uncovered"), 0);
     settings.normal_angle = 180;
     EXPECT_TRUE(std::isnan(number_in(make_surface_set(settings, 1, on_reference), "least_of_any")));
+}
+
+/// Distances of points by their places, all pairs of two sets.
+double least_between(const PointSet& a, const PointSet& b)
+{
+    double least = INFINITY;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j)
+            if (&a != &b || i != j)
+                least = std::min(least, std::hypot(a[i][0] - b[j][0], a[i][1] - b[j][1], a[i][2] - b[j][2]));
+    return least;
+}
+
+/// A coarse set is refined: its points stay, new ones keep the new distance from them, and no further one fits.
+TEST(SurfaceSets, BeginWithGivenPoints)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(12));
+    settings.normal_angle = 180;
+    settings.min_distance = 0.4;
+    const PointSet coarse = make_surface_set(settings, 1, on_reference).places();
+    const TemporaryFolder folder;
+    settings.start = folder.path() / "coarse.csv";
+    write_points(settings.start, coarse);
+    settings.min_distance = 0.2;
+    const SurfaceSet set = make_surface_set(settings, 2, on_reference);
+    const PointSet fine = set.places();
+    EXPECT_TRUE(set.is_saturated);
+    EXPECT_GT(fine.size(), 3 * coarse.size());
+    // Places are rounded to a unit of the grid twice.
+    for (std::size_t i = 0; i < coarse.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fine[i][k], coarse[i][k], 2 * set.mesh->surface.unit);
+    EXPECT_GE(least_between(fine, fine), 0.2 * (1 - 1e-15));
+    settings.min_distance.reset();
+    settings.points = 500;
+    const SurfaceSet shrunk = make_surface_set(settings, 2, on_reference);
+    EXPECT_EQ(shrunk.points.size(), 500U);
+    EXPECT_NEAR(shrunk.places()[0][0], coarse[0][0], 2 * set.mesh->surface.unit);
+    EXPECT_GT(number_in(shrunk, "relative_radius"), 0.65);
+    settings.points = coarse.size();
+    EXPECT_EQ(make_surface_set(settings, 2, on_reference).points.size(), coarse.size());
+    settings.points = coarse.size() - 1;
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 2, on_reference); }), testing::HasSubstr("the set is to"));
+    settings.points.reset();
+    settings.min_distance = 0.5;
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 2, on_reference); }),
+                testing::HasSubstr("nearer than the minimum distance, 0.5"));
+}
+
+TEST(SurfaceSets, KeepAwayFromObstacles)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(12));
+    settings.normal_angle = 180;
+    const TemporaryFolder folder;
+    settings.obstacles = folder.path() / "obstacles.csv";
+    const PointSet obstacles{3, {0, 0, 1, 0, 0.03, 1, 0, 0, -1}}; // two of them are near each other
+    write_points(settings.obstacles, obstacles);
+    settings.min_distance = 0.3;
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    EXPECT_TRUE(set.is_saturated);
+    const PointSet places = set.places();
+    EXPECT_GE(least_between(places, places), 0.3 * (1 - 1e-15));
+    EXPECT_GE(least_between(places, obstacles), 0.3 - 0.01); // the second one is moved to the sphere
+    const PointSet poles{3, {0, 0, 1, 0, 0, -1}};
+    EXPECT_GE(least_between(places, poles), 0.3 * (1 - 1e-15) - 2 * set.mesh->surface.unit);
+    settings.obstacles.clear();
+    settings.min_distance = 0.3;
+    EXPECT_LT(least_between(make_surface_set(settings, 1, on_reference).places(), poles), 0.3);
+    settings.obstacles = folder.path() / "obstacles.csv";
+    write_points(settings.obstacles, {3, {0, 0, 1.2}});
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 1, on_reference); }),
+                testing::HasSubstr("1 of 1 points is farther off the mesh than the tolerance, 0.03"));
+}
+
+/// The points stay, and their first parts are far more even than those of darts in their own order.
+TEST(SurfaceSets, AreOrderedByElimination)
+{
+    MeshPointSettings settings = settings_on(sphere_mesh(12));
+    settings.normal_angle = 180;
+    settings.min_distance = 0.1;
+    PointSet own = make_surface_set(settings, 1, on_reference).places();
+    settings.order = SurfaceOrder::elimination;
+    PointSet ordered = make_surface_set(settings, 1, on_reference).places();
+    const auto sorted = [](const PointSet& set) {
+        std::vector<std::array<double, 3>> all;
+        for (std::size_t i = 0; i < set.size(); ++i) all.push_back({set[i][0], set[i][1], set[i][2]});
+        std::ranges::sort(all);
+        return all;
+    };
+    EXPECT_EQ(sorted(own), sorted(ordered));
+    for (const std::size_t part : {4, 16}) {
+        const PointSet first{3,
+                             {ordered.coordinates.begin(),
+                              ordered.coordinates.begin() + static_cast<std::ptrdiff_t>(own.size() / part * 3)}};
+        const double packed = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * static_cast<double>(first.size())));
+        EXPECT_GT(least_between(first, first), 0.5 * packed);
+    }
 }
 
 TEST(SurfaceSets, RefuseDistancesWithoutRoom)

@@ -48,6 +48,7 @@ TEST_F(IterationReport, PlotsSeriesThatHaveThemAndAllOfThese)
 {
     add_iterations(path(), json_["series"][0], 20);
     add_iterations(path(), json_["series"][1], 16);
+    print_ = PrintPictures::drawn;
     const auto text = page();
     EXPECT_THAT(text, HasSubstr("<b>Relative radius over iterations.</b>"));
     EXPECT_THAT(text, HasSubstr("From 0.1000 to 0.7000 in 16 iterations. Mean over 2 sets"));

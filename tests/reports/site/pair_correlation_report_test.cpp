@@ -30,6 +30,7 @@ TEST_F(PairCorrelationReport, ShowsPlotsAndWords)
 {
     add_curve(0);
     add_curve(1);
+    print_ = PrintPictures::drawn;
     const auto text = page();
     EXPECT_THAT(text, HasSubstr("Highest 2.25 at 1.00 of the largest possible minimum distance, 0.06716."));
     for (const char* file :

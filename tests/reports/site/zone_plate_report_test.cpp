@@ -36,6 +36,7 @@ TEST_F(ZonePlateReport, ShowsPicturesPlotsAndNumbers)
 {
     add_zone_plate(path(), json_["series"][0], 64);
     add_zone_plate(path(), json_["series"][1], 64);
+    print_ = PrintPictures::drawn;
     const auto text = page();
     EXPECT_THAT(text, HasSubstr("<b>Zone plate error.</b>"));
     EXPECT_THAT(text, HasSubstr("<td data-key=\"zone_plate_error\"><data value=\"0.1234\">0.1234</data></td>"));

@@ -24,7 +24,7 @@ protected:
     std::string page()
     {
         write_results_json(path(), json_);
-        write_report({path()}, path(), {}, PrintPictures::drawn);
+        write_report({path()}, path(), {}, print_);
         EXPECT_EQ(site_errors(path()), "");
         auto pages = pages_below(path());
         auto text = pages.extract("index.html").mapped();
@@ -46,6 +46,7 @@ protected:
     }
 
     TemporaryFolder folder_;
+    PrintPictures print_ = PrintPictures::none; ///< tests that look at print pictures of curves let them be drawn
     nlohmann::json json_ = write_synthetic_results(folder_.path());
 };
 

@@ -1,5 +1,5 @@
 // The nearest triangle is compared with CGAL's distance to every triangle.
-#include "analysis/surfaces/triangle_tree.hpp"
+#include "base/surfaces/triangle_tree.hpp"
 
 #include "tests/support/meshes.hpp"
 

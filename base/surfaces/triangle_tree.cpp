@@ -1,4 +1,4 @@
-#include "analysis/surfaces/triangle_tree.hpp"
+#include "base/surfaces/triangle_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

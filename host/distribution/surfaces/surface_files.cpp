@@ -1,0 +1,252 @@
+// Files of points on a surface: tables by columns, and glTF.
+#include "host/distribution/surfaces/surface_files.hpp"
+
+#include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t rows_a_piece = 4096;
+
+template <typename Value>
+void append_value(std::string& to, Value value)
+{
+    to.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+enum class ColumnType
+{
+    real,  ///< double
+    brief, ///< float
+    whole, ///< uint32
+    byte   ///< uint8
+};
+
+/// Columns of a table whose rows are points, and the numbers of a row.
+class SurfaceTable
+{
+public:
+    SurfaceTable(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const TriangleMesh* mesh)
+        : surface_(surface), points_(points), mesh_(mesh)
+    {
+        add({"x", "y", "z"}, ColumnType::real);
+        add({"nx", "ny", "nz"}, ColumnType::brief);
+        if (!mesh) return;
+        add({"face", "vertex_0", "vertex_1", "vertex_2"}, ColumnType::whole);
+        add({"bary_0", "bary_1", "bary_2"}, ColumnType::real);
+        if (!mesh->normal_triangles.empty()) add({"shading_nx", "shading_ny", "shading_nz"}, ColumnType::brief);
+        if (!mesh->texture_triangles.empty()) add({"u", "v"}, ColumnType::real);
+        for (std::size_t c = 0; c < mesh->columns.names.size(); ++c)
+            add({mesh->columns.names[c]}, mesh->columns.are_bytes[c] ? ColumnType::byte : ColumnType::real);
+    }
+
+    const std::vector<std::pair<std::string, ColumnType>>& columns() const { return columns_; }
+    std::size_t rows() const { return points_.size(); }
+
+    void read_row(std::size_t i, std::vector<double>& row) const
+    {
+        const SurfacePoint& point = points_[i];
+        row.clear();
+        for (std::size_t k = 0; k < 3; ++k) row.push_back(surface_.origin[k] + point.place[k] * surface_.unit);
+        append(row, normal_of(surface_.triangles[point.triangle]));
+        if (mesh_) read_mesh(point, row);
+    }
+
+private:
+    /// A column of the mesh whose name another one has is called mesh_NAME.
+    void add(const std::vector<std::string>& names, ColumnType type)
+    {
+        for (std::string name : names) {
+            std::ranges::replace_if(
+                name, [](char c) { return c == ',' || c == '"' || c == ' '; }, '_');
+            while (std::ranges::find(columns_, name, &std::pair<std::string, ColumnType>::first) != columns_.end())
+                name = "mesh_" + name;
+            columns_.emplace_back(name, type);
+        }
+    }
+
+    static void append(std::vector<double>& row, const MeshPoint& numbers)
+    {
+        row.insert(row.end(), numbers.begin(), numbers.end());
+    }
+
+    void read_mesh(const SurfacePoint& point, std::vector<double>& row) const
+    {
+        const std::uint32_t face = surface_.faces[point.triangle];
+        const MeshTriangle& corners = mesh_->triangles[face];
+        const MeshPoint shares = barycentrics_of(point);
+        row.push_back(mesh_->faces[face]);
+        for (const std::uint32_t corner : corners) row.push_back(corner);
+        append(row, shares);
+        // A number is linear between those of corners; it is that of a corner that has all of the point.
+        const auto between = [&shares](const MeshTriangle& at, const auto& number_at) {
+            double sum = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                if (shares[k] > 0) sum += at[k] == no_texture_point ? NAN : shares[k] * number_at(at[k]);
+            return sum;
+        };
+        if (!mesh_->normal_triangles.empty()) {
+            MeshPoint normal{};
+            for (std::size_t k = 0; k < 3; ++k)
+                normal[k] = between(mesh_->normal_triangles[face], [&](std::size_t n) { return mesh_->normals[n][k]; });
+            append(row, std::isnan(normal[0]) ? normal : unit(normal));
+        }
+        if (!mesh_->texture_triangles.empty())
+            for (std::size_t k = 0; k < 2; ++k)
+                row.push_back(between(mesh_->texture_triangles[face],
+                                      [&](std::size_t n) { return mesh_->texture_points[n][k]; }));
+        for (std::size_t c = 0; c < mesh_->columns.names.size(); ++c)
+            row.push_back(between(corners, [&](std::size_t vertex) { return mesh_->columns.at(vertex, c); }));
+    }
+
+    const FixedSurface& surface_;
+    const std::vector<SurfacePoint>& points_;
+    const TriangleMesh* mesh_;
+    std::vector<std::pair<std::string, ColumnType>> columns_;
+};
+
+/// Writes a head and then the rows, some thousand at a time; `append_row` makes the bytes of one.
+void write_rows(const std::filesystem::path& file, const SurfaceTable& table, const std::string& head,
+                const std::function<void(const std::vector<double>& row, std::string& to)>& append_row)
+{
+    write_whole_file_in_pieces(file, [&](const FileSink& sink) {
+        sink(head);
+        std::vector<double> row;
+        for (std::size_t begin = 0; begin < table.rows(); begin += rows_a_piece) {
+            std::string piece;
+            for (std::size_t i = begin; i < std::min(table.rows(), begin + rows_a_piece); ++i) {
+                table.read_row(i, row);
+                append_row(row, piece);
+            }
+            sink(piece);
+        }
+    });
+}
+
+std::uint8_t rounded_byte(double value) { return static_cast<std::uint8_t>(std::lround(value)); }
+
+void write_surface_ply(const std::filesystem::path& file, const SurfaceTable& table, const std::string& comment)
+{
+    std::string head = fmt::format("ply\nformat binary_{}_endian 1.0\n{}element vertex {}\n",
+                                   std::endian::native == std::endian::little ? "little" : "big",
+                                   comment.empty() ? "" : fmt::format("comment {}\n", comment), table.rows());
+    constexpr std::array types{"double", "float", "uint", "uchar"};
+    for (const auto& [name, type] : table.columns())
+        head += fmt::format("property {} {}\n", types[static_cast<std::size_t>(type)], name);
+    write_rows(file, table, head + "end_header\n", [&](const std::vector<double>& row, std::string& to) {
+        for (std::size_t c = 0; c < row.size(); ++c) switch (table.columns()[c].second) {
+            case ColumnType::real:
+                append_value(to, row[c]);
+                break;
+            case ColumnType::brief:
+                append_value(to, static_cast<float>(row[c]));
+                break;
+            case ColumnType::whole:
+                append_value(to, static_cast<std::uint32_t>(row[c]));
+                break;
+            case ColumnType::byte:
+                append_value(to, rounded_byte(row[c]));
+                break;
+            }
+    });
+}
+
+/// 17 significant digits tell every double from its neighbours.
+void write_surface_csv(const std::filesystem::path& file, const SurfaceTable& table)
+{
+    std::vector<std::string> names;
+    for (const auto& column : table.columns()) names.push_back(column.first);
+    write_rows(
+        file, table, fmt::format("{}\n", fmt::join(names, ",")),
+        [](const std::vector<double>& row, std::string& to) { to += fmt::format("{:.17g}\n", fmt::join(row, ",")); });
+}
+
+/// A part of a binary glTF file: its length, its name and its bytes, filled up to whole words.
+std::string glb_chunk(std::string_view name, std::string bytes, char filling)
+{
+    bytes.resize((bytes.size() + 3) / 4 * 4, filling);
+    std::string chunk;
+    append_value(chunk, static_cast<std::uint32_t>(bytes.size()));
+    return chunk.append(name).append(bytes);
+}
+
+/// Describes a buffer of places and normals, which are drawn as points (mode 0). Floats are numbers of type 5126.
+std::string gltf_of_points(const std::vector<float>& places)
+{
+    std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        low[i % 3] = std::min(low[i % 3], places[i]);
+        high[i % 3] = std::max(high[i % 3], places[i]);
+    }
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
+        R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"mode":0}}]}}],)"
+        R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{0},"type":"VEC3","min":[{2}],"max":[{3}]}},)"
+        R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}}],)"
+        R"("bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{1}}}],)"
+        R"("buffers":[{{"byteLength":{4}}}]}})",
+        places.size() / 3, 4 * places.size(), fmt::join(low, ","), fmt::join(high, ","), 8 * places.size());
+}
+
+/// A file without points has no mesh, because glTF has no empty ones.
+void write_surface_glb(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
+{
+    const std::vector<float> floats(places.coordinates.begin(), places.coordinates.end());
+    std::string binary;
+    for (const PointSet* set : {&places, &normals})
+        for (const double c : set->coordinates) append_value(binary, static_cast<float>(c));
+    std::string chunks =
+        glb_chunk("JSON", floats.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(floats), ' ');
+    if (!floats.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
+    std::string head = "glTF";
+    append_value(head, std::uint32_t{2});
+    append_value(head, static_cast<std::uint32_t>(12 + chunks.size()));
+    write_whole_file(file, head + chunks);
+}
+
+}
+
+void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
+                          const std::vector<SurfacePoint>& points, const std::string& comment, const TriangleMesh* mesh)
+{
+    if (file.extension() == ".ply") return write_surface_ply(file, SurfaceTable(surface, points, mesh), comment);
+    if (file.extension() == ".csv") return write_surface_csv(file, SurfaceTable(surface, points, mesh));
+    const PointSet places = points_of(surface, points);
+    if (file.extension() == ".glb") return write_surface_glb(file, places, normals_of(surface, points));
+    write_points(file, places, comment);
+}
+
+bool has_surface_columns(const std::filesystem::path& file)
+{
+    return file.extension() == ".ply" || file.extension() == ".csv";
+}
+
+MeshPoint barycentrics_of(const SurfacePoint& point)
+{
+    const double second = std::ldexp(point.shares[0], -contract::surface::BARYCENTRIC_BITS),
+                 third = std::ldexp(point.shares[1], -contract::surface::BARYCENTRIC_BITS);
+    return {1 - second - third, second, third};
+}
+
+PointSet normals_of(const FixedSurface& surface, const std::vector<SurfacePoint>& points)
+{
+    PointSet normals{3, {}};
+    normals.coordinates.reserve(3 * points.size());
+    for (const SurfacePoint& point : points)
+        for (const double c : normal_of(surface.triangles[point.triangle])) normals.coordinates.push_back(c);
+    return normals;
+}
+
+}
