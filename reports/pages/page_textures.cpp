@@ -17,10 +17,9 @@
 namespace poissonlab {
 namespace {
 
-/// The verdict uses the first three of these measures; readers choose textures by the others as well.
-constexpr std::array shown_measures = {"recurrence",        "gradient_spread", "novelty",
-                                       "conspicuous_seams", "contrast",        "structure_spread",
-                                       "atlas_bytes",       "fetches",         "pixel_nanoseconds"};
+/// The verdict uses the first four of these measures; readers choose textures by the others as well.
+constexpr std::array shown_measures = {"recurrence", "edge_loss",        "edge_gain",   "novelty", "conspicuous_seams",
+                                       "contrast",   "structure_spread", "atlas_bytes", "fetches", "pixel_nanoseconds"};
 
 /// Places of textures in a run's list.
 using TexturePlaces = std::vector<std::size_t>;

@@ -33,6 +33,13 @@ std::string recurrence_part(double recurs, const std::optional<double>& width)
     return width ? fmt::format("{} every {:.0f} pixels", verb, *width) : verb;
 }
 
+const char* edge_part(double lost, double gained)
+{
+    const bool is_sharp = texture_gate("edge_loss").passes(lost), is_clean = texture_gate("edge_gain").passes(gained);
+    if (is_sharp) return is_clean ? "edges kept" : "edges added";
+    return is_clean ? "edges blurred" : "edges blurred, others added";
+}
+
 std::string capital(std::string text)
 {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -61,7 +68,7 @@ std::string objection_to(const DistributionResult& texture)
     if (!faults.empty()) return fmt::format("Rejected ({})", fmt::join(faults, ", "));
     const std::vector<const char*> unmeasured = unmeasured_in(texture);
     if (unmeasured.empty()) return "";
-    const bool needs_compare = !number_in(texture, "gradient_spread");
+    const bool needs_compare = !number_in(texture, "edge_loss");
     return fmt::format("Passes what was measured ({} not measured{})", fmt::join(unmeasured, " and "),
                        needs_compare ? ": set compare = true" : "");
 }
@@ -79,8 +86,8 @@ std::vector<const TextureGate*> failed_gates(const DistributionResult& texture)
 std::string texture_sentence(const DistributionResult& texture)
 {
     std::vector<std::string> parts;
-    if (const auto edges = number_in(texture, "gradient_spread"))
-        parts.emplace_back(texture_gate("gradient_spread").passes(*edges) ? "edges kept" : "edges blurred");
+    if (const auto lost = number_in(texture, "edge_loss"), gained = number_in(texture, "edge_gain"); lost && gained)
+        parts.emplace_back(edge_part(*lost, *gained));
     if (const auto recurs = number_in(texture, "recurrence"))
         parts.push_back(recurrence_part(*recurs, number_in(texture, "recurrence_width")));
     if (const auto novelty = number_in(texture, "novelty"))

@@ -161,6 +161,8 @@ void add_comparison(const PngPixels& exemplar, const TextureSquare& texture, int
     values["contrast"] = found.contrast;
     values["contrast_spread"] = times(found.distances.contrast, found.own.contrast);
     values["gradient_spread"] = times(found.distances.gradients, found.own.gradients);
+    values["edge_loss"] = found.edges.lost / natural_edge_change(found);
+    values["edge_gain"] = found.edges.gained / natural_edge_change(found);
     values["structure_spread"] = structure_times(found);
     values["peak_correlation"] = found.peak;
     values["peak_times"] = times(found.peak, found.chance_peak);

@@ -179,6 +179,7 @@ void compare_windows(const PngPixels& exemplar, const PngPixels& square, Texture
             if (&other != &one) add(result.own, window_distances(other, one), 1 / own_pairs);
     }
     result.contrast = contrast;
+    result.edges = edge_change(made, natural);
 }
 
 }
@@ -220,6 +221,29 @@ WindowDistances window_distances(const WindowStatistics& window, const WindowSta
     return distances;
 }
 
+EdgeChange edge_change(std::span<const WindowStatistics> texture, std::span<const WindowStatistics> natural)
+{
+    const auto mean_share = [](std::span<const WindowStatistics> windows, std::size_t step) {
+        double sum = 0;
+        for (const WindowStatistics& window : windows) sum += window.steps[step];
+        return sum / static_cast<double>(windows.size());
+    };
+    // An integral of quantiles is a sum, over all limits, of the shares of steps that exceed them.
+    double mean = 0, large = 0, made_large = 0, above = 0, excess = 0, most_excess = 0;
+    for (std::size_t step = 256; step-- > 0;) {
+        const double made = 1 - mean_share(texture, step), own = 1 - mean_share(natural, step);
+        mean += own;
+        large += std::min(0.1, own);
+        made_large += std::min(0.1, made);
+        above += std::max(0.0, made - own);
+        excess += made - own;
+        most_excess = std::max(most_excess, excess);
+    }
+    if (mean == 0) return {};
+    const double lost = std::max(0.0, 1 - made_large / large);
+    return {lost + std::min(lost, above / mean), most_excess / mean};
+}
+
 double contrast_ratio(const WindowStatistics& window, const WindowStatistics& natural)
 {
     double logarithms = 0;
@@ -231,6 +255,8 @@ double contrast_ratio(const WindowStatistics& window, const WindowStatistics& na
 }
 
 int compared_side(const PngPixels& exemplar) { return std::min(exemplar.width, exemplar.height) / 2 * 4; }
+
+double natural_edge_change(const TextureComparison& comparison) { return std::max(0.025, comparison.own.gradients); }
 
 double structure_times(const TextureComparison& comparison)
 {

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -87,6 +88,21 @@ struct WindowDistances
 
 WindowDistances window_distances(const WindowStatistics& window, const WindowStatistics& natural);
 
+/// How the steps of a texture differ from those of its exemplar. Cuts lose no edges, and means of pixels gain none: by
+/// Jensen's inequality their steps exceed no limit by more, on average.
+struct EdgeChange
+{
+    /// By which part the mean of the largest tenth of all steps is below the exemplar's. Blends turn large steps into
+    /// several small ones: what quantiles gain, in parts of the mean step, is added, but at most as much again.
+    double lost = 0;
+    /// By how much more steps exceed a limit on average than the exemplar's do, for the worst limit, in parts of the
+    /// mean step.
+    double gained = 0;
+};
+
+/// Compares all steps of some windows of a texture with all steps of some windows of its exemplar.
+EdgeChange edge_change(std::span<const WindowStatistics> texture, std::span<const WindowStatistics> natural);
+
 /// Mean contrast over `natural`'s, geometric mean over scales.
 double contrast_ratio(const WindowStatistics& window, const WindowStatistics& natural);
 
@@ -98,6 +114,7 @@ struct TextureComparison
     WindowDistances distances; ///< from the exemplar's windows
     WindowDistances own;       ///< of the exemplar's windows from each other
     double contrast = 1;       ///< over the exemplar's
+    EdgeChange edges;          ///< of all windows
     double peak = 0;           ///< the largest correlation of the texture with itself, moved far
     double chance_peak = 0;    ///< how large that is by chance
     double contrast_peak = 0;  ///< the same of its contrast within squares
@@ -108,6 +125,10 @@ struct TextureComparison
 /// whose contrast is compared.
 inline constexpr double least_peak_part = 0.25;
 inline constexpr int peak_contrast_side = 16;
+
+/// The change of edges that is natural, in parts of the mean step: the distance of the exemplar's windows from each
+/// other, but at least a fortieth, since eyes do not see twice that.
+double natural_edge_change(const TextureComparison& comparison);
 
 /// The mean over scales of how many times farther structures are than the exemplar's windows are from each other.
 double structure_times(const TextureComparison& comparison);

@@ -164,6 +164,45 @@ TEST(SeamBlending, LeavesNoLineOfLargeSteps)
     }
 }
 
+/// The largest sums of steps over a line between two columns inside of tiles: of those that tiles show, over those that
+/// their windows have there themselves.
+double worst_line_beyond_windows(const TextureSet& set)
+{
+    const auto light = [&](int x, int y) {
+        return static_cast<double>(
+            set.exemplar.values[set.exemplar.at(std::clamp(x, 0, set.exemplar.width - 1), y, 0)]);
+    };
+    double most_shown = 0, most_own = 0;
+    for (int x = 0; x + 1 < set.size; ++x) {
+        double shown = 0, own = 0;
+        for (std::size_t tile = 0; tile < set.tiles.size(); ++tile)
+            for (int y = 0; y < set.size; ++y) {
+                const auto at = static_cast<std::size_t>(y * set.size + x);
+                const SourcePixel a = set.sources_of(tile)[at], b = set.sources_of(tile)[at + 1];
+                shown += std::abs(set.values_of(tile)[at + 1] - set.values_of(tile)[at]);
+                own += std::abs(light(a.x + 1, a.y) - light(a.x, a.y) + light(b.x, b.y) - light(b.x - 1, b.y)) / 2;
+            }
+        most_shown = std::max(most_shown, shown);
+        most_own = std::max(most_own, own);
+    }
+    return most_shown / most_own;
+}
+
+/// In pictures with waves longer than tiles, a line may have much larger steps than the exemplar, since few windows
+/// cross it and these may be steep. Seams add almost nothing to that.
+TEST(SeamBlending, LeavesTheStepsOfWindows)
+{
+    for (const unsigned seed : {4u, 5u}) {
+        TextureRequest request = blended_request(TextureKind::corner, 3, 32);
+        request.joint = true;
+        request.rounds = TextureRequest{}.rounds;
+        TextureSet set = build_texture(request, smooth_waves(160, 40, 1, seed), never_tell).set;
+        EXPECT_GT(worst_line_beyond_windows(set), 1.2);
+        blend_seams(set);
+        EXPECT_LT(worst_line_beyond_windows(set), 1.1);
+    }
+}
+
 /// One wave along an axis, over whole periods: its steps have a mean square of 2 sin^2(pi / period) along that axis and
 /// none along the other one, beside a variance of 1/2.
 TEST(SeamBlending, KnowsHowFarAPictureIsSmooth)

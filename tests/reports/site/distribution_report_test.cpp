@@ -132,19 +132,26 @@ TEST_F(DistributionReport, SaysWhichTextureToTake)
         return json;
     };
     json_["distributions"] = {
-        texture("copy", {{"recurrence", 1}, {"recurrence_width", 512}, {"gradient_spread", 1}, {"novelty", 0}}),
-        texture("blend", {{"recurrence", 0}, {"gradient_spread", 2.5}, {"novelty", 0.1}}),
-        texture("shuffle", {{"recurrence", 0}, {"gradient_spread", 1}, {"novelty", 0.9}}),
+        texture("copy",
+                {{"recurrence", 1}, {"recurrence_width", 512}, {"edge_loss", 1}, {"edge_gain", 0}, {"novelty", 0}}),
+        texture("blend", {{"recurrence", 0}, {"edge_loss", 2.5}, {"edge_gain", 0.5}, {"novelty", 0.1}}),
+        texture("shuffle", {{"recurrence", 0}, {"edge_loss", 0}, {"edge_gain", 3}, {"novelty", 0.9}}),
         texture("uncompared", {{"recurrence", 0}, {"novelty", 0}}),
-        texture("second", {{"recurrence", 0.03}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.08}}),
-        texture("first", {{"recurrence", 0.02}, {"recurrence_width", 64}, {"gradient_spread", 1}, {"novelty", 0.01}}),
+        texture(
+            "second",
+            {{"recurrence", 0.03}, {"recurrence_width", 64}, {"edge_loss", 1}, {"edge_gain", 0}, {"novelty", 0.08}}),
+        texture(
+            "first",
+            {{"recurrence", 0.02}, {"recurrence_width", 64}, {"edge_loss", 1}, {"edge_gain", 0}, {"novelty", 0.01}}),
         texture("unknown", {})};
     const std::string text = page();
-    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Passes what was measured (edges not measured: set "
-                                "compare = true): Uncompared. Rejected (repeats): Copy. Rejected (blurs edges): Blend. "
-                                "Rejected (breaks shapes): Shuffle."));
+    EXPECT_THAT(text, HasSubstr("Take: First. Good as well: Second. Passes what was measured (lost edges and "
+                                "added edges not measured: set compare = true): Uncompared. Rejected (repeats): Copy. "
+                                "Rejected (blurs edges): Blend. "
+                                "Rejected (adds edges, breaks shapes): Shuffle."));
     EXPECT_THAT(text, HasSubstr("Edges kept; recurs faintly every 64 pixels; shapes whole."));
     EXPECT_THAT(text, HasSubstr("Edges kept; repeats every 512 pixels; shapes whole."));
+    EXPECT_THAT(text, HasSubstr("Edges added; nothing recurs; shapes fused or broken."));
     EXPECT_THAT(text, HasSubstr("Edges blurred; nothing recurs; some shapes fused or broken."));
     EXPECT_LT(text.find(R"(<a href="#distribution-6">First</a>)"),
               text.find(R"(<a href="#distribution-5">Second</a>)"));
