@@ -138,7 +138,7 @@ const std::vector<Measure>& texture_measures()
             "By which part the mean of the largest tenth of all steps between neighbours is below the exemplar's. "
             "Where small steps were gained meanwhile, as in blends, their gain is added, but at most as much "
             "again. The unit is the mean gradient distance between windows of the exemplar, but at least 2.5 %. Blurs "
-            "and blends lose edges, cuts do not."),
+            "and blends lose edges, cuts of large pieces lose hardly any."),
         texture_row(
             "edge_gain", "added edges", "times what is natural", lower, three,
             "By how much more all steps between neighbours exceed a limit on average than the exemplar's do, for "
