@@ -9,10 +9,13 @@
 #pragma once
 
 #include "tiles/polyominoes/neighbourhoods.hpp"
+#include "tiles/polyominoes/point_pairs.hpp"
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,5 +104,23 @@ RowProof proof_of_row(const PolyominoTable& table, std::uint32_t row);
 
 /// The relative radius that this distance is of a row's density.
 double proven_relative_radius(const PolyominoTable& table, std::uint32_t row);
+
+// The corrections of a row of the table, by relaxation in all neighbourhoods at once.
+
+/// Corrections [class * kept + number] of least energy, in which points are spread evenly, and then without pairs that
+/// are nearer than they have to be. First, an entry of the table moves by the mean force on its points, with the
+/// potential (1 - r)^4 (4 r + 1) of Wendland between all pairs, r in 2.5 mean spacings, which keeps low frequencies out
+/// as a Gaussian does (Ahmed, Ren and Wonka, Gaussian blue noise, 2022). Then each pair that is too near pushes both
+/// apart, and an entry moves by the mean of its pushes, heavier ones for nearer points. Published tables were relaxed
+/// by Lloyd's method, in patches. `frequencies`: see frequencies_of().
+std::vector<Correction> relaxed_row(const KeptTiles& tiles, const std::vector<double>& frequencies);
+
+// The table of corrections as a file, for the cache: only programs built from the same sources read it again.
+
+/// Throws StorageError.
+void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table);
+
+/// No value where the file is missing, cannot be read, is damaged, or holds something else.
+std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& file);
 
 }
