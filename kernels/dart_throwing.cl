@@ -131,8 +131,7 @@ bool has_room(const Parent* parent, const Halves* halves, const Near* near, cons
     for (int corner = 0; corner < CHILDREN; ++corner) {
         Position position;
         FOR_EACH_AXIS(k) position.c[k] = halves->low[k][0] + ((corner >> k & 1) ? halves->extent[k][0] : 0u);
-        if (!conflicts(&position, parent, near, squared_min_distance) &&
-            is_allowed_position(region, &position))
+        if (!conflicts(&position, parent, near, squared_min_distance) && is_allowed_position(region, &position))
             return true;
     }
     return false;
@@ -183,8 +182,8 @@ ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint
 
 #else
 
-/// The cells of the window around a cell, for look_around(): numbers follow from that of the window's first one where the
-/// window does not leave the grid.
+/// The cells of the window around a cell, for look_around(): numbers follow from that of the window's first one where
+/// the window does not leave the grid.
 typedef struct
 {
     Cell base;
@@ -218,8 +217,8 @@ ALWAYS_INLINE uint cell_in_window(const Cells* cells, const Window* window, uint
 
 /// Lists the points that can matter to the parent from number `begin` on, a multiple of eight. To fill the last eight,
 /// the last point comes again.
-ALWAYS_INLINE void look_around(Parent* parent, const struct Batch* batch, const Cells* cells,
-                               global const uint* masks, global const uint* positions, uint begin, Near* near)
+ALWAYS_INLINE void look_around(Parent* parent, const struct Batch* batch, const Cells* cells, global const uint* masks,
+                               global const uint* positions, uint begin, Near* near)
 {
     Window window;
     find_window(parent, batch, cells, &window);
@@ -250,7 +249,7 @@ typedef struct
     uint words;
 } List;
 
-/// Where `count` entries of a list go.
+/// The places of `count` entries of a list.
 typedef struct
 {
     uint staged, direct; // the first entry's number in either area
@@ -379,7 +378,7 @@ ALWAYS_INLINE void count_darts(const struct Batch* batch, const Parent* parents,
     }
 }
 
-/// What a work-item reads of the grid.
+/// The part of the grid that a work-item reads.
 typedef struct
 {
     global const uint* masks;
@@ -479,9 +478,10 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 /// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
 /// batches; counters OPEN_CELLS and DARTS zero.
 ///
-/// `parent_cells` PARENT_WORDS words each, of the torus; in batch 0, and in batch 1 without bricks, not used: all cells of
-/// the grid. Batch 0 also clears their slots and masks, and lists none as open, but for bricks, of which many are outside. Local memory: staged_cells for PARENT_WORDS words each, staged_darts
-/// for DART_WORDS each, group for GROUP_WORDS.
+/// `parent_cells` PARENT_WORDS words each, of the torus; in batch 0, and in batch 1 without bricks, not used: all cells
+/// of the grid. Batch 0 also clears their slots and masks, and lists none as open, but for bricks, of which many are
+/// outside. Local memory: staged_cells for PARENT_WORDS words each, staged_darts for DART_WORDS each, group for
+/// GROUP_WORDS.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
                         global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,

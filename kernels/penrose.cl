@@ -14,7 +14,7 @@ long4 times_phi(long4 a) { return (long4)(a.x + a.y - a.w, a.z + a.w, a.x + a.y,
 long4 unit_vector(uint tenths)
 {
     const long4 first[5] = {(long4)(1, 0, 0, 0), (long4)(0, 1, 0, 0), (long4)(0, 0, 1, 0), (long4)(0, 0, 0, 1),
-                           (long4)(-1, 1, -1, 1)};
+                            (long4)(-1, 1, -1, 1)};
     const long4 v = first[tenths % 5];
     return tenths < 5 ? v : -v;
 }
@@ -90,7 +90,7 @@ uint structural_index(uint digits)
     return (newest == 2 ? 13 : newest * 8) + (before == 2 ? 5 : before * 3) + first;
 }
 
-/// Where a point is moved to, in units of 2^-32. False: it does not stay, or is outside of the window.
+/// Sets the place that a point is moved to, in units of 2^-32. False: it does not stay, or is outside of the window.
 bool is_kept(struct Tile t, struct Request request, global const struct Scale* scales, global const int2* vectors,
              global const ulong* weights, long2* unit)
 {

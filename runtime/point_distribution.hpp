@@ -128,7 +128,7 @@ private:
         std::int32_t first, last;
     };
 
-    /// How large tiles are, and which part of their points is asked for.
+    /// The size of tiles, and the part of their points that is asked for.
     struct Scale
     {
         double side, part;

@@ -14,7 +14,7 @@ namespace {
 
 using Frequency = std::array<int, 3>;
 
-/// Where the rounding of periodograms ends.
+/// The power at which the rounding of periodograms ends.
 double least_power(std::size_t points) { return 1e-22 * static_cast<double>(points); }
 
 /// Powers around frequencies; power(f) gives that of a frequency.

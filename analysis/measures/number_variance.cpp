@@ -23,7 +23,7 @@ constexpr std::size_t most_centres = 10'000, centres_per_point = 4;
 
 using BallCounts = std::vector<std::vector<std::int64_t>>; ///< of each radius, in the balls
 
-/// Where the centre of a ball lies, as shares of what the margins leave: two words of 32 bits, three in space.
+/// The place of the centre of a ball, as shares of what the margins leave: two words of 32 bits, three in space.
 std::array<std::uint32_t, 4> words_of(std::size_t i)
 {
     static const StreamKey key = stream_key(0, Purpose::variance_windows, 0);

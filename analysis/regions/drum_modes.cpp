@@ -1,6 +1,6 @@
 // Inverse iteration of a subspace, with Rayleigh and Ritz's step in it (Bathe, Wilson, Large eigenvalue problems in
 // dynamic analysis, Journal of the Engineering Mechanics Division 98, 1972).
-#include "analysis/regions/drum_modes.hpp"
+#include "analysis/regions/region_tapers.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"

@@ -1,4 +1,4 @@
-// How near points are to each other, over the distances that they are to keep: what proves a set with distances that
+// The distances of points over those that they are to keep: these prove a set with distances that
 // vary.
 #pragma once
 

@@ -22,20 +22,53 @@
 // of the box wide where that gives enough nodes, and otherwise a part of the region's width. Where two tapers have the
 // same frequency, as in a square, rounding decides which pair of functions is found: single tapers can differ between
 // machines, the sum of their spectra cannot.
+//
+// The nodes of tapers: a grid over a region's box, of which only the nodes inside the region are stored.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
-#include "analysis/regions/taper_grid.hpp"
 #include "analysis/spectra/half_spectrum.hpp"
 #include "analysis/spectra/nonuniform_transform.hpp"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace poissonlab {
+
+/// A node that is not there.
+inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
+
+class TaperGrid
+{
+public:
+    /// Divides the box into so many columns and rows. A node is stored if no edge crosses the cells around it and all
+    /// of them are inside. The cost grows with the rows, the cells that the boundary crosses, and the nodes.
+    TaperGrid(const FramedRegion& region, const std::array<std::size_t, 2>& cells);
+
+    const std::array<std::size_t, 2>& cells() const { return cells_; }
+
+    /// The sides of a cell, in the frame.
+    const std::array<double, 2>& step() const { return step_; }
+
+    /// Nodes are numbered row by row.
+    std::size_t size() const { return columns_.size(); }
+    std::size_t rows() const { return cells_[1] + 1; } ///< the first and the last one have no nodes
+    std::size_t row_begin(std::size_t row) const { return row_begins_[row]; }
+    std::uint32_t column(std::size_t node) const { return columns_[node]; }
+
+    /// The number of the node at a crossing of lines, or no_node.
+    std::size_t number(std::size_t column, std::size_t row) const;
+
+private:
+    std::array<std::size_t, 2> cells_{};
+    std::array<double, 2> step_{};
+    std::vector<std::uint32_t> columns_;
+    std::vector<std::size_t> row_begins_;
+};
 
 /// Tapers that can be had of one region.
 inline constexpr std::size_t most_tapers = 64;
@@ -91,5 +124,26 @@ private:
     PointSet nodes_;
     std::vector<std::optional<HalfPlane>> kept_; ///< sums over nodes: of each taper, or of the last one
 };
+
+// The lowest vibrations of a drum on nodes of a grid: the eigenvectors of its stiffness and its mass.
+
+struct DrumModes
+{
+    std::vector<std::vector<double>> values; ///< of each mode at each node; the integrals of its square are 1
+    std::vector<double> eigenvalues;         ///< of these values
+};
+
+/// Bilinear elements on the nodes of a grid, whose steps are given; there are `count` + 8 nodes or more. Modes have
+/// errors of some 1e-9; where many have nearly one eigenvalue, they can be combinations of these. Throws InputError
+/// where none are found.
+DrumModes drum_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count);
+
+/// Modes that extend along the whole of a long region of some `length`. The drum's own modes would be confined to where
+/// it is a little wider, or bends. These are products u g: u is the drum's solution under a load of 1 everywhere, and
+/// the functions g have the least integrals of u^2 |grad g|^2, the first being 1 in each part of the region. They are
+/// the drum's modes without the potential 1 / u, which traps them (Filoche, Mayboroda, Universal mechanism for Anderson
+/// and weak localization, PNAS 109(37), 2012). Eigenvalues are the integrals of the squared gradients of u g. Cells
+/// must be nearly square.
+DrumModes released_modes(const TaperGrid& grid, std::array<double, 2> step, std::size_t count, double length);
 
 }

@@ -1,4 +1,4 @@
-// What options are called in help.
+// Help calls options by these words.
 #pragma once
 
 #include "app/commands/command.hpp"

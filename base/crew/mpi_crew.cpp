@@ -1,17 +1,16 @@
 #include "base/crew/mpi_crew.hpp"
 
 #include "base/crew/failure.hpp"
-#include "base/crew/mpi_exchange.hpp"
 #include "base/crew/mpi_waiting.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <deque>
@@ -22,6 +21,53 @@
 
 namespace poissonlab {
 namespace {
+
+// Bytes from each process of an MPI job to each other one.
+
+/// The bytes for each process, by its rank, or from each.
+using Messages = std::vector<std::vector<std::byte>>;
+
+constexpr int exchange_tag = 4; ///< see mpi_crew.cpp for the others
+
+/// MPI counts bytes by int.
+constexpr std::size_t most_bytes_at_once = std::size_t{1} << 30;
+
+/// Calls `start` with each piece of a message, in order: its begin, its length, and its request.
+template <class Bytes, class Start>
+void start_pieces(Bytes& message, std::vector<MPI_Request>& requests, const Start& start)
+{
+    for (std::size_t at = 0; at < message.size(); at += most_bytes_at_once) {
+        const auto length = static_cast<int>(std::min(most_bytes_at_once, message.size() - at));
+        start(message.data() + at, length, &requests.emplace_back());
+    }
+}
+
+/// The lengths of the messages that each process sends to this one; `lengths` are those of its own, by rank.
+std::vector<std::uint64_t> exchange_lengths(const std::vector<std::uint64_t>& lengths)
+{
+    std::vector<std::uint64_t> taken(lengths.size());
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ialltoall(lengths.data(), 1, MPI_UINT64_T, taken.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD, &request);
+    wait_for(request);
+    return taken;
+}
+
+/// Sends messages to all other processes, and fills those that they send to this one, which have their lengths.
+void exchange_messages(int rank, const Messages& sent, Messages& taken)
+{
+    std::vector<MPI_Request> requests;
+    for (int other = 0; other < static_cast<int>(sent.size()); ++other) {
+        if (other == rank) continue;
+        const auto place = static_cast<std::size_t>(other);
+        start_pieces(taken[place], requests, [&](std::byte* begin, int length, MPI_Request* request) {
+            MPI_Irecv(begin, length, MPI_BYTE, other, exchange_tag, MPI_COMM_WORLD, request);
+        });
+        start_pieces(sent[place], requests, [&](const std::byte* begin, int length, MPI_Request* request) {
+            MPI_Isend(begin, length, MPI_BYTE, other, exchange_tag, MPI_COMM_WORLD, request);
+        });
+    }
+    for (MPI_Request& request : requests) wait_for(request);
+}
 
 constexpr int report_tag = 1;   ///< to the leader: what became of a job, and that another one is wanted
 constexpr int order_tag = 2;    ///< from the leader

@@ -1,4 +1,4 @@
-// Where the bytes of a file go that a user has named: to the file itself, to the one that a link leads to, into a
+// The bytes of a file that a user has named go to the file itself, to the one that a link leads to, into a
 // device or a pipe, or to standard output.
 #pragma once
 

@@ -39,7 +39,7 @@ struct LinearPicture
 /// weights stays below 2^63.
 inline constexpr std::size_t most_pixels = std::size_t{1} << 23;
 
-/// How much of a pixel is covered, 0 to 1: its alpha, or 1 where the picture has none.
+/// The share of a pixel that is covered, 0 to 1: its alpha, or 1 where the picture has none.
 inline float cover_at(const LinearPicture& picture, int column, int row)
 {
     return picture.alpha ? picture.at(column, row, *picture.alpha) : 1;

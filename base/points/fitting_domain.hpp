@@ -36,7 +36,7 @@ public:
     /// across the antimeridian, on beyond 180.
     CoordinateRange longitudes() const;
 
-    /// That of the numbers along all axes together.
+    /// The range of the numbers along all axes together.
     CoordinateRange of_all() const;
 
 private:

@@ -30,7 +30,7 @@ private:
     bool is_in_space_ = true;
 };
 
-/// That of all points of all sets.
+/// The flat axis of all points of all sets.
 std::optional<std::size_t> flat_axis(const std::vector<PointSet>& sets, double zero = 0);
 
 /// Points in space without one of their coordinates.

@@ -19,7 +19,7 @@
 
 namespace poissonlab {
 
-/// What a file says of its points.
+/// The numbers that a file states about its points.
 struct PointFileHead
 {
     int dimension = 2;

@@ -81,11 +81,11 @@ struct PointOptions
     const char* particles = ""; ///< of the type of particles
 };
 
-/// How a file is read.
+/// Options for reading a file.
 struct PointReading
 {
-    /// That of the coordinates. Not given: the domain that the file declares by a comment `domain LOW:HIGH` before its
-    /// points, or `domain LOW:HIGH LOW:HIGH` with a range for each axis, by its attributes, or else [0, 1).
+    /// The domain of the coordinates. Not given: the domain that the file declares by a comment `domain LOW:HIGH`
+    /// before its points, or `domain LOW:HIGH LOW:HIGH` with a range for each axis, by its attributes, or else [0, 1).
     /// any_coordinates stay as they are, others are mapped to [0, 1).
     std::optional<PointDomain> domain{};
 

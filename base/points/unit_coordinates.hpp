@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-/// Where a number is: its line, or 0, and the words for it.
+/// The place of a number in a file: its line, or 0, and the words for it.
 struct CoordinatePlace
 {
     int line = 0;

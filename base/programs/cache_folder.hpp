@@ -1,4 +1,4 @@
-// Where what is built once is kept for the programs to come, such as tile sets.
+// The folder that keeps what is built once, such as tile sets, for the programs to come.
 #pragma once
 
 #include <filesystem>

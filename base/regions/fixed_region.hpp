@@ -54,8 +54,8 @@ struct FixedBox
     TorusPoint<2> high{};
 };
 
-/// What is known of the positions of a box. Boxes whose sides are much larger than cells are looked at roughly: they
-/// may be said to be crossed although they are not.
+/// The side of the boundary on which the positions of a box are. Boxes whose sides are much larger than cells are
+/// looked at roughly: they may be said to be crossed although they are not.
 enum class RegionSide
 {
     outside, ///< all of them
@@ -105,7 +105,7 @@ public:
     double area() const { return area_; }         ///< in squares of its own units
     const RegionBox& box() const { return box_; } ///< in its own units
 
-    // What the grid consists of.
+    // These functions return the parts of the grid.
     int bits() const { return bits_; }
     int fine_bits() const { return fine_bits_; }                             ///< 0: no cell is divided
     const std::array<std::uint32_t, 3>& margins() const { return margins_; } ///< in positions, rounded up

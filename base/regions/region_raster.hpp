@@ -18,9 +18,9 @@ inline constexpr int formula_cells = 1024;
 /// file is no picture.
 PlaneRegion region_of_picture(const std::string& file);
 
-/// Where a formula in x and y is above 0 in a rectangle: polygons by marching squares on a lattice of `formula_cells`,
-/// with corners where the formula would be 0 if it were linear between nodes. Throws InputError, which names the
-/// formula, where it is nowhere positive or cannot be understood.
+/// The part of a rectangle where a formula in x and y is above 0: polygons by marching squares on a lattice of
+/// `formula_cells`, with corners where the formula would be 0 if it were linear between nodes. Throws InputError, which
+/// names the formula, where it is nowhere positive or cannot be understood.
 PlaneRegion region_of_formula(const std::string& formula, const std::array<double, 2>& low,
                               const std::array<double, 2>& high);
 

@@ -1,4 +1,4 @@
-// How a region's text or file is to be read, beyond what it says itself.
+// Options for reading a region, beyond what its text or file says itself.
 #pragma once
 
 #include "base/word_table.hpp"

@@ -1,4 +1,4 @@
-// How much of each square of a lattice lies in a region, without margins, and what margins leave of it.
+// The share of each square of a lattice that lies in a region, without margins, and what margins leave of it.
 #pragma once
 
 #include "base/regions/fixed_region.hpp"

@@ -1,4 +1,4 @@
-// Where the coordinates of a region come from, so that points can be read and written as its file has them.
+// The coordinate system that a region's file has, so that points can be read and written as its file has them.
 //
 // Whoever reads longitudes and latitudes maps them to a plane of lengths (see map_system.hpp, which only programs with
 // the module of regions have); the core reads and writes points by the functions below.

@@ -31,7 +31,7 @@ constexpr std::array shape_words{
     ShapeWord{SpaceShape::solid, "solid ", 6,
               "solid X0 Y0 Z0 X1 Y1 Z1 EXPRESSION with X0 < X1, Y0 < Y1, Z0 < Z1 and an expression in x, y and z"}};
 
-/// What follows the word must be a number: files may be called "ball park.geojson".
+/// The word must be followed by a number: files may be called "ball park.geojson".
 const ShapeWord* shape_word_of(std::string_view text)
 {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));

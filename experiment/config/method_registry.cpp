@@ -1,7 +1,5 @@
 #include "experiment/config/method_registry.hpp"
 
-#include "host/settings/sampler_registry.hpp"
-
 #include <algorithm>
 
 namespace poissonlab {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/config/config.hpp"
+#include "host/device/device.hpp"
 #include "results/method_grid.hpp"
 
 #include <cstdint>
@@ -42,5 +43,12 @@ std::string safe_name(const std::string& text);
 
 /// The folder of a series that is named after its label: never one of the output folder's own files and folders.
 std::string series_folder_name(const std::string& label);
+
+// The check, before work starts, that the device has memory for a plan.
+
+/// Throws InputError for the first series that does not fit on the device: which one, what it needs, what the device
+/// has, and how many points would fit. Point sets that come from files and programs may turn out larger than was asked
+/// for: their size is checked when they are there.
+void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& device);
 
 }

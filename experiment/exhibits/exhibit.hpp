@@ -1,4 +1,4 @@
-// What a config asks for beside its methods: each table [[construction]], [[distribution]], ... is an exhibit of a
+// A config asks for more than methods: each table [[construction]], [[distribution]], ... is an exhibit of a
 // kind.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How a SeriesAnalysis takes a set, which is in memory or on the disk.
+// A SeriesAnalysis takes a set, which is in memory or on the disk.
 #include "experiment/measuring/series_analysis.hpp"
 
 #include "analysis/borders/border_pairs.hpp"
@@ -31,39 +31,40 @@ void for_each_part(const PointStrips& points, const auto& what)
 
 }
 
-/// Measures a set from its distances.
-SeriesAnalysis::SetMeasures SeriesAnalysis::measures_of(std::size_t points, int dimension, double least, double mean,
-                                                        SetMark mark) const
+/// Finds the least and the mean nearest distance of a set as a window, or as what the options say.
+NearestDistances SeriesAnalysis::distances(const PointSet& points, bool is_window) const
 {
-    SetMeasures set{points, static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size()), {}};
+    if (region_) return region_->nearest(points);
+    const PeriodicBox box = options_.window ? PeriodicBox{} : box_;
+    if (is_window) return {min_distance_in_window(points, box), mean_nearest_distance_in_window(points, box)};
+    return {min_toroidal_distance(points, box), mean_nearest_distance(points, box)};
+}
+
+NearestDistances SeriesAnalysis::distances(const PointStrips& points, bool is_window) const
+{
+    return nearest_distances(points, is_window);
+}
+
+std::uint32_t SeriesAnalysis::next_realization() const
+{
+    return static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size());
+}
+
+template <class Points>
+SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const Points& points) const
+{
+    const auto [least, mean] = distances(points, options_.window);
+    const std::size_t n = points.size();
+    const int dimension = dimension_of(points);
+    SetMeasures set{n, next_realization(), {}};
     set.min_distance = least;
-    set.relative_radius = relative_radius(least, points, dimension);
-    set.mean_nearest = mean / max_min_distance(points, dimension);
-    set.covered_fraction = covered_fraction(least, points, dimension);
-    set.mark = mark;
-    set.mark.min_distance = least;
-    set.mark.mean_nearest = set.mean_nearest;
-    return set;
-}
-
-SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
-{
-    if (region_) {
-        const auto [least, mean] = region_->nearest(points);
-        return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
-    }
-    const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points, box_);
-    const double mean = options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points, box_);
-    return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
-}
-
-SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointStrips& points) const
-{
-    const NearestDistances distances = nearest_distances(points, options_.window);
+    set.relative_radius = relative_radius(least, n, dimension);
+    set.mean_nearest = mean / max_min_distance(n, dimension);
+    set.covered_fraction = covered_fraction(least, n, dimension);
     SetMarkSums sums;
-    for (std::size_t strip = 0; strip < points.count(); ++strip) sums.add(points.strip(strip));
-    return measures_of(points.size(), points.dimension(), distances.least, distances.mean,
-                       sums.mark(distances.least, distances.mean));
+    for_each_part(points, [&](const PointSet& part) { sums.add(part); });
+    set.mark = sums.mark(least, set.mean_nearest);
+    return set;
 }
 
 bool SeriesAnalysis::is_known(const SetMark& mark) const
@@ -73,37 +74,27 @@ bool SeriesAnalysis::is_known(const SetMark& mark) const
 }
 
 /// Measures without wrapping, and the pairs that only wrapping makes so close.
-void SeriesAnalysis::measure_border(const PointSet& points, SetMeasures& set) const
+template <class Points>
+void SeriesAnalysis::measure_border(const Points& points, SetMeasures& set) const
 {
-    const double least = min_distance_in_window(points, box_);
-    set.window_radius = relative_radius(least, points.size(), points.dimension);
-    set.window_nearest =
-        mean_nearest_distance_in_window(points, box_) / max_min_distance(points.size(), points.dimension);
-    set.across = closer_pairs_across(points, least, box_);
-}
-
-void SeriesAnalysis::measure_border(const PointStrips& points, SetMeasures& set) const
-{
-    const NearestDistances inside = nearest_distances(points, true);
-    set.window_radius = relative_radius(inside.least, points.size(), points.dimension());
-    set.window_nearest = inside.mean / max_min_distance(points.size(), points.dimension());
-    set.across = closer_pairs_across(points, inside.least);
+    const NearestDistances inside = distances(points, true);
+    set.window_radius = relative_radius(inside.least, points.size(), dimension_of(points));
+    set.window_nearest = inside.mean / max_min_distance(points.size(), dimension_of(points));
+    if constexpr (std::is_same_v<Points, PointSet>)
+        set.across = closer_pairs_across(points, inside.least, box_);
+    else
+        set.across = closer_pairs_across(points, inside.least);
 }
 
 /// Measures of the order of points and of their tiles.
-void SeriesAnalysis::measure_order(const PointSet& points, SetMeasures& set) const
+template <class Points>
+void SeriesAnalysis::measure_order(const Points& points, SetMeasures& set) const
 {
-    if (options_.progressive) set.prefix_radius = prefix_radius(points);
+    if constexpr (std::is_same_v<Points, PointSet>) // sets on disk have no order
+        if (options_.progressive) set.prefix_radius = prefix_radius(points);
     if (options_.tiles > 1)
         set.radius_within =
-            relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), points.dimension);
-}
-
-void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) const
-{
-    if (options_.tiles > 1)
-        set.radius_within =
-            relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), points.dimension());
+            relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), dimension_of(points));
 }
 
 /// The least distance of two points: across the borders of a torus, in roots of the area in a region.
@@ -129,7 +120,7 @@ bool SeriesAnalysis::add_set(const Points& points)
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
     const std::size_t n = points.size();
-    check(dimension_of(points), n, begin_.realization + sets_.size() + repeated_.size());
+    check(dimension_of(points), n, next_realization());
     SetMeasures set = measure_distances(points);
     if (is_known(set.mark)) {
         repeated_.push_back(set.realization);
@@ -172,9 +163,11 @@ bool SeriesAnalysis::add_set(const Points& points)
 
 bool SeriesAnalysis::add(const PointSet& points)
 {
-    if (!options_.region) return add_set(points);
-    const std::size_t realization = begin_.realization + sets_.size() + repeated_.size();
-    return add_set(options_.region->region->framed(points, fmt::format("{}: realization {}", label_, realization)));
+    const bool is_new = options_.region ? add_set(options_.region->region->framed(
+                                              points, fmt::format("{}: realization {}", label_, next_realization())))
+                                        : add_set(points);
+    if (is_new && options_.zone_plate) zone_plate_.add(points);
+    return is_new;
 }
 
 bool SeriesAnalysis::add(const PointStrips& points) { return add_set(points); }

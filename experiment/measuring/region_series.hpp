@@ -1,5 +1,7 @@
 // Measures a series of sets in a region, where measures of the torus are not defined: nearest distances, the spectrum
 // and its errors, and the curves of region_curves.hpp.
+//
+// Standard errors of statistics of a mean radial curve.
 #pragma once
 
 #include "analysis/measures/distance_statistics.hpp"
@@ -9,15 +11,43 @@
 #include "analysis/spectra/spectrum.hpp"
 #include "base/files/byte_archive.hpp"
 #include "experiment/config/analysis_options.hpp"
-#include "experiment/measuring/curve_errors.hpp"
 #include "results/series.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
+
+class CurveErrors
+{
+public:
+    using Statistic = std::function<double(const std::vector<double>& curve)>;
+
+    /// Takes errors from the spread of independent curves, whose mean the curve is, by the jackknife.
+    explicit CurveErrors(std::vector<std::vector<double>> curves) : curves_(std::move(curves)) {}
+
+    /// Takes errors of one curve from a function of it and of a statistic.
+    using ErrorOf = std::function<double(const std::vector<double>& curve, const Statistic& statistic)>;
+    CurveErrors(std::vector<double> curve, ErrorOf error_of) : curves_{std::move(curve)}, error_of_(std::move(error_of))
+    {}
+
+    /// False for one curve, of which nothing else is known.
+    bool are_known() const { return curves_.size() > 1 || error_of_; }
+
+    double of(const Statistic& statistic) const;
+
+    /// The error of a statistic to which the squares of deviations from a value add, so that noise adds to it as well.
+    /// Only independent curves have it.
+    double of_squares(const Statistic& statistic) const;
+
+private:
+    std::vector<std::vector<double>> curves_;
+    ErrorOf error_of_; ///< empty: the jackknife
+};
 
 /// Points lie in the frame. A program without regions has none of these.
 class RegionSeries

@@ -1,7 +1,6 @@
 #include "experiment/measuring/series_analysis.hpp"
 
 #include "analysis/borders/border_pairs.hpp"
-#include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
@@ -14,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -146,6 +144,7 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (folded_) folded_->append(next.folded_.value());
     if (variance_) variance_->append(next.variance_.value());
     if (region_) region_->append(*next.region_);
+    if (options_.zone_plate) zone_plate_.append(next.zone_plate_);
 }
 
 std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
@@ -217,7 +216,8 @@ Series SeriesAnalysis::result() const
         series.pair_correlation_file = file_names::pair_correlation;
     if (!number_variance().empty()) series.number_variance_file = file_names::number_variance;
     if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
-    series.analysis_seconds = seconds_;
+    if (options_.zone_plate) series.zone_plate = zone_plate_.result();
+    series.analysis_seconds = seconds_ + zone_plate_.seconds();
     return series;
 }
 

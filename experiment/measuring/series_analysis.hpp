@@ -1,7 +1,6 @@
 // The analysis of a series: of its realizations one after the other, or of parts of it that are put together.
 #pragma once
 
-#include "analysis/measures/folded_density.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/integration_error.hpp"
 #include "analysis/measures/number_variance.hpp"
@@ -12,6 +11,7 @@
 #include "analysis/spectra/spectrum.hpp"
 #include "experiment/config/analysis_options.hpp"
 #include "experiment/measuring/region_series.hpp"
+#include "experiment/measuring/zone_plate_analysis.hpp"
 #include "results/series.hpp"
 
 #include <algorithm>
@@ -103,6 +103,8 @@ public:
     /// `next` repeats a set.
     void append(const SeriesAnalysis& next);
 
+    const AnalysisOptions& options() const { return options_; }
+
     /// True if the options ask for spectra.
     bool has_spectrum() const { return options_.spectrum.has_value(); }
 
@@ -127,6 +129,9 @@ public:
 
     /// The density over the tile, of tilings of the plane.
     std::optional<SquareImage> folded_density() const;
+
+    /// The zone plate as sets sample it, with options.zone_plate; sets on disk do not.
+    const ZonePlateAnalysis& zone_plate() const { return zone_plate_; }
 
     /// Adds the measures of the mean spectrum to the result.
     void measure_spectrum(const Spectrum& mean);
@@ -155,6 +160,7 @@ public:
         if (seams_) archive(*seams_);
         if (folded_) archive(*folded_);
         archive(region_picture_);
+        if (options_.zone_plate) archive(zone_plate_);
         if (!region_) return;
         if constexpr (Archive::reads)
             region_->read(archive);
@@ -195,16 +201,18 @@ private:
 
     template <class Points>
     bool add_set(const Points& points);
-    SetMeasures measure_distances(const PointSet& points) const;
-    SetMeasures measure_distances(const PointStrips& points) const;
-    SetMeasures measures_of(std::size_t points, int dimension, double least, double mean, SetMark mark) const;
+    template <class Points>
+    SetMeasures measure_distances(const Points& points) const;
+    NearestDistances distances(const PointSet& points, bool is_window) const;
+    NearestDistances distances(const PointStrips& points, bool is_window) const;
     bool finds_border() const { return options_.is_foreign && !options_.window && !options_.region; }
-    void measure_border(const PointSet& points, SetMeasures& set) const;
-    void measure_border(const PointStrips& points, SetMeasures& set) const;
-    void measure_order(const PointSet& points, SetMeasures& set) const;
-    void measure_order(const PointStrips& points, SetMeasures& set) const;
+    template <class Points>
+    void measure_border(const Points& points, SetMeasures& set) const;
+    template <class Points>
+    void measure_order(const Points& points, SetMeasures& set) const;
     void keep_first(const PointSet& points);
     void keep_first(const PointStrips& /*points*/) {}
+    std::uint32_t next_realization() const;
     bool is_known(const SetMark& mark) const;
     BorderResult border_result() const;
     std::vector<std::size_t> independent_groups(std::size_t curves_of_set = 1) const;
@@ -253,6 +261,7 @@ private:
     std::optional<IntegrationErrorEstimate> integration_;
     std::unique_ptr<RegionSeries> region_; ///< of sets in a region
     std::string region_picture_;
+    ZonePlateAnalysis zone_plate_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane
 };

@@ -6,10 +6,17 @@
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
 
-#include <memory>
-#include <utility>
-
 namespace poissonlab {
+
+double CurveErrors::of(const Statistic& statistic) const
+{
+    return error_of_ ? error_of_(curves_.front(), statistic) : jackknife_error(curves_, statistic);
+}
+
+double CurveErrors::of_squares(const Statistic& statistic) const
+{
+    return jackknife_error_of_squares(curves_, statistic);
+}
 
 /// The group of each curve, where a set has so many of them; curves of one group depend on each other. A group is a
 /// tile set, where there are several, else the set. None where each curve stands for itself.

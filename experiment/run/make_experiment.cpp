@@ -4,7 +4,6 @@
 #include "base/crew/crew.hpp"
 #include "base/crew/thread_limit.hpp"
 #include "experiment/config/plan.hpp"
-#include "experiment/config/plan_memory.hpp"
 #include "host/device/device.hpp"
 #include "host/sampling/reference/reference_engine.hpp"
 #include "host/settings/method_needs.hpp"

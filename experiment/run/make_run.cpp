@@ -1,4 +1,4 @@
-#include "experiment/run/make_run.hpp"
+#include "experiment/run/run_work.hpp"
 
 #include "analysis/regions/framed_region.hpp"
 #include "analysis/spectra/radial_statistics.hpp"

@@ -72,7 +72,7 @@ public:
     void report(const std::string& path);
 
 private:
-    /// How long one sort of work takes. The first count also has the time of what happens once, such as building
+    /// The time that one sort of work takes. The first count also has the time of what happens once, such as building
     /// kernels and planning transforms; it is left out as soon as there are others.
     struct Pace
     {

@@ -1,6 +1,5 @@
 #include "experiment/run/run_work.hpp"
 
-#include "experiment/run/make_run.hpp"
 #include "experiment/run/result_folder.hpp"
 #include "experiment/run/runner.hpp"
 

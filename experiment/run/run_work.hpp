@@ -4,12 +4,15 @@
 #include "base/crew/failure.hpp"
 #include "base/crew/schedule.hpp"
 #include "experiment/series/exhibit_units.hpp"
+#include "experiment/series/experiment.hpp"
 #include "experiment/series/series_work.hpp"
+#include "results/run.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,5 +100,19 @@ private:
     std::deque<SeriesWork> series_;
     ExhibitUnits exhibits_;
 };
+
+// The results of an experiment as the Run that results/ stores.
+
+/// The results of the tasks of an experiment, one item for each; std::nullopt where it has failed.
+struct ExperimentResults
+{
+    std::vector<std::optional<Series>> series;      ///< as SeriesWork::result() has them
+    std::vector<std::optional<Exhibited>> exhibits; ///< files without the folder
+    std::vector<std::string> failures;              ///< a sentence each
+    Machine machine;
+};
+
+/// The run of an experiment with its results: names, parameters and files of each task.
+Run make_run(const Experiment& experiment, const ExperimentResults& results);
 
 }

@@ -6,14 +6,12 @@
 #include "base/programs/interrupt.hpp"
 #include "experiment/measuring/zone_plate_analysis.hpp"
 #include "experiment/run/result_folder.hpp"
-#include "experiment/run/run_work.hpp"
 #include "experiment/store/unit_store.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <deque>
-#include <optional>
 #include <set>
 #include <sstream>
 

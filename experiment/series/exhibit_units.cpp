@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <string>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "base/points/point_strips.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/exhibits/exhibit.hpp"
-#include "experiment/store/unit_key.hpp"
+#include "experiment/store/unit_store.hpp"
 #include "host/sampling/sampler.hpp"
 #include "results/machine.hpp"
 
@@ -76,7 +76,7 @@ struct Experiment
     DistributionPlace place;                                              ///< of exhibits
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
 
-    /// How the sets of a series are measured.
+    /// The options by which the sets of a series are measured.
     AnalysisOptions analysis_of(const SeriesTask& task) const
     {
         AnalysisOptions options = analysis;

@@ -4,7 +4,6 @@
 #include "base/files/scratch_folder.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/points/placed_file.hpp"
-#include "base/points/point_file.hpp"
 #include "base/points/point_stream.hpp"
 #include "experiment/config/config.hpp"
 #include "experiment/config/plan.hpp"

@@ -1,6 +1,5 @@
 #include "experiment/series/region_points.hpp"
 
-#include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
 #include "experiment/series/imported_points.hpp"
 

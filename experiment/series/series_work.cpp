@@ -154,7 +154,7 @@ PointSet SeriesWork::points_in(const std::filesystem::path& file) const
 }
 
 /// The unit of a part, without any realization yet.
-AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& listener)
+SeriesAnalysis SeriesWork::begin_unit(std::uint32_t part, const WorkListener& listener)
 {
     const RealizationRange range = units_.part(part);
     // The first realization has the size that the others must have, and knows whether they are tiled.
@@ -167,7 +167,7 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
 
 /// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never
 /// run at the same time. Times of sampling are results, and analysis would disturb them.
-void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener)
+void SeriesWork::add_realizations(SeriesAnalysis& unit, const RealizationRange& range, const WorkListener& listener)
 {
     for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
         stop_if_interrupted();
@@ -188,42 +188,42 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
 }
 
 /// Analyses a part, with a unit that begin_unit() made for it.
-void SeriesWork::measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
+void SeriesWork::measure_part(SeriesAnalysis& unit, std::uint32_t part, const WorkListener& listener)
 {
     add_realizations(unit, units_.part(part), listener);
     if (part == 0) unit.measure_first();
-    unit.store_part(store_, units_.part_key(part));
+    store_part(unit, store_, units_.part_key(part));
 }
 
 void SeriesWork::analyse(std::uint32_t part, const WorkListener& listener)
 {
     if (is_analysed(part)) return;
-    AnalysisUnit unit = begin_unit(part, listener);
+    SeriesAnalysis unit = begin_unit(part, listener);
     measure_part(unit, part, listener);
 }
 
 /// Takes a stored part, or analyses it. False: there is no need, as another process has finished the whole analysis,
 /// and may have removed its parts.
-bool SeriesWork::take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
+bool SeriesWork::take_part(SeriesAnalysis& unit, std::uint32_t part, const WorkListener& listener)
 {
     stop_if_interrupted();
-    if (unit.load_part(store_, units_.part_key(part))) return true;
+    if (load_part(unit, store_, units_.part_key(part))) return true;
     if (store_.find(units_.analysis_key())) return false;
     measure_part(unit, part, listener);
     return true;
 }
 
 /// All parts put together; nothing where another process was faster. The only part of a series is not worth storing.
-std::optional<AnalysisUnit> SeriesWork::whole_analysis(const WorkListener& listener)
+std::optional<SeriesAnalysis> SeriesWork::whole_analysis(const WorkListener& listener)
 {
-    AnalysisUnit whole = begin_unit(0, listener);
+    SeriesAnalysis whole = begin_unit(0, listener);
     if (units_.parts() == 1) {
         add_realizations(whole, units_.part(0), listener);
         return whole;
     }
     if (!take_part(whole, 0, listener)) return std::nullopt;
     for (std::uint32_t part = 1; part < units_.parts(); ++part) {
-        AnalysisUnit unit = begin_unit(part, listener);
+        SeriesAnalysis unit = begin_unit(part, listener);
         if (!take_part(unit, part, listener)) return std::nullopt;
         if (unit.repeats(whole)) add_new_sets(unit, part, whole);
         whole.append(unit);
@@ -233,7 +233,7 @@ std::optional<AnalysisUnit> SeriesWork::whole_analysis(const WorkListener& liste
 
 /// Analyses a part anew without the sets that earlier parts have: methods that make few sets repeat them from part to
 /// part. Sets whose points were not stored are made again, and nothing is stored.
-void SeriesWork::add_new_sets(AnalysisUnit& unit, std::uint32_t part, const AnalysisUnit& earlier)
+void SeriesWork::add_new_sets(SeriesAnalysis& unit, std::uint32_t part, const SeriesAnalysis& earlier)
 {
     unit = begin_unit(part, {});
     unit.leave_out(earlier);
@@ -250,13 +250,13 @@ void SeriesWork::add_new_sets(AnalysisUnit& unit, std::uint32_t part, const Anal
 
 void SeriesWork::analyse_all(const WorkListener& listener)
 {
-    std::optional<AnalysisUnit> whole = whole_analysis(listener);
+    std::optional<SeriesAnalysis> whole = whole_analysis(listener);
     if (!whole) return;
     IterationRecords iterations;
     for (std::uint32_t k = 0; k < task_.realizations; ++k)
         if (!whole->is_repeated(k)) iterations.push_back(record(k).traits.iterations);
-    whole->store_analysis(store_, units_.analysis_key(), image_metadata(),
-                          iterations_of(iterations) ? iterations_csv(iterations) : "");
+    store_analysis(*whole, store_, units_.analysis_key(), image_metadata(),
+                   iterations_of(iterations) ? iterations_csv(iterations) : "");
 }
 
 void SeriesWork::remove_parts()

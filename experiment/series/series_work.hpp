@@ -3,7 +3,6 @@
 
 #include "base/errors/errors.hpp"
 #include "experiment/series/experiment.hpp"
-#include "experiment/series/sample_unit.hpp"
 #include "experiment/series/series_units.hpp"
 #include "experiment/store/unit_store.hpp"
 #include "results/series.hpp"
@@ -29,7 +28,7 @@ struct WorkListener
     std::function<void()> analysed;
 };
 
-class AnalysisUnit;
+class SeriesAnalysis;
 struct StoredAnalysis;
 
 /// The units of a series' work. A stored unit is never made again; units may be made in any order, by any process that
@@ -88,12 +87,12 @@ private:
     SampleRecord record(std::uint32_t realization) const;
     SampleRecord first_record(const WorkListener& listener);
     PointSet points_in(const std::filesystem::path& file) const;
-    AnalysisUnit begin_unit(std::uint32_t part, const WorkListener& listener);
-    void add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener);
-    void add_new_sets(AnalysisUnit& unit, std::uint32_t part, const AnalysisUnit& earlier);
-    void measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
-    bool take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
-    std::optional<AnalysisUnit> whole_analysis(const WorkListener& listener);
+    SeriesAnalysis begin_unit(std::uint32_t part, const WorkListener& listener);
+    void add_realizations(SeriesAnalysis& unit, const RealizationRange& range, const WorkListener& listener);
+    void add_new_sets(SeriesAnalysis& unit, std::uint32_t part, const SeriesAnalysis& earlier);
+    void measure_part(SeriesAnalysis& unit, std::uint32_t part, const WorkListener& listener);
+    bool take_part(SeriesAnalysis& unit, std::uint32_t part, const WorkListener& listener);
+    std::optional<SeriesAnalysis> whole_analysis(const WorkListener& listener);
     void analyse_all(const WorkListener& listener);
     std::vector<double> seconds_so_far() const;
     StoredAnalysis finished_analysis() const;

@@ -1,6 +1,6 @@
-// These functions stand in for points in regions where a program lacks them: a region asks for the module when it is
-// read.
+// These functions stand in for regions where a program lacks them: a region in a config asks for the module.
 #include "base/errors/missing_module.hpp"
+#include "experiment/measuring/region_series.hpp"
 #include "experiment/series/region_points.hpp"
 
 namespace poissonlab {
@@ -13,5 +13,13 @@ Experiment import_region_points(const std::vector<std::filesystem::path>& /*file
 {
     throw MissingModule("regions");
 }
+
+RegionOptions read_region_options(Keys& /*keys*/, const TypedRegion& /*typed*/, const RegionMeasures& /*measures*/,
+                                  const DensityChoice& /*density*/)
+{
+    throw MissingModule("regions");
+}
+
+std::unique_ptr<RegionSeries> make_region_series(const RegionOptions& /*options*/) { throw MissingModule("regions"); }
 
 }

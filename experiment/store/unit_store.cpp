@@ -6,17 +6,16 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <system_error>
+
 #include <dirent.h>
 #include <sys/stat.h>
 
-#include <charconv>
-#include <cstdint>
-#include <system_error>
-
-namespace fs = std::filesystem;
-
 namespace poissonlab {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::string_view format_line = "poissonlab-unit 1\n";
 constexpr std::string_view manifest_extension = ".unit";
@@ -153,6 +152,35 @@ void create_folder(const fs::path& folder)
     if (error) throw StorageError(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
 }
 
+}
+
+UnitKey::UnitKey(std::string_view kind) { add("unit", kind); }
+
+UnitKey& UnitKey::add(std::string_view name, std::string_view value)
+{
+    text_.append(name).append(" = ");
+    for (const char c : value) {
+        if (c == '\n')
+            text_ += "\\n";
+        else if (c == '\\')
+            text_ += "\\\\";
+        else
+            text_ += c;
+    }
+    text_ += '\n';
+    return *this;
+}
+
+UnitKey& UnitKey::add(const UnitKey& other)
+{
+    text_ += other.text_;
+    return *this;
+}
+
+std::string UnitKey::name() const
+{
+    constexpr std::uint64_t second_seed = 0x9e3779b97f4a7c15; // any other than the first
+    return fmt::format("{:016x}{:016x}", xxh64_bytes(text_), xxh64_bytes(text_, second_seed));
 }
 
 /// Returns nothing where the manifest is not there.

@@ -1,10 +1,11 @@
 // Finished units of work on disk: what a run that was interrupted, and every later one, need not do again.
 //
 // Files and no database: results are hard links to them, and machines share the folder, where SQLite is not safe.
+//
+// The values on which a unit of work depends, and the name that follows from them.
 #pragma once
 
-#include "experiment/store/unit_key.hpp"
-
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -12,9 +13,40 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace poissonlab {
+
+/// Lines "name = value": everything that decides the outcome of a unit of work, the version of the code included, and
+/// nothing else. Units with equal keys are the same.
+class UnitKey
+{
+public:
+    /// `kind` is the first line, for example "realization".
+    explicit UnitKey(std::string_view kind);
+
+    /// Appends a line. Line breaks in values are escaped, so that different values stay different.
+    UnitKey& add(std::string_view name, std::string_view value);
+    UnitKey& add(std::string_view name, std::integral auto value)
+    {
+        if constexpr (std::is_same_v<decltype(value), bool>)
+            return add(name, std::string_view(value ? "yes" : "no"));
+        else
+            return add(name, std::string_view(std::to_string(value)));
+    }
+
+    /// Appends all lines of another key.
+    UnitKey& add(const UnitKey& other);
+
+    const std::string& text() const { return text_; }
+
+    /// 32 hexadecimal digits: two XXH64 hashes of the text with different seeds.
+    std::string name() const;
+
+private:
+    std::string text_;
+};
 
 /// The folder of units in an output folder.
 inline constexpr const char* unit_folder_name = ".units";

@@ -2,9 +2,7 @@
 
 #include "host/device/device_needs.hpp"
 #include "host/device/kernel_source.hpp"
-#include "host/device/loop_limit.hpp"
 #include "host/device/opencl.hpp"
-#include "host/device/pocl_needs.hpp"
 
 #include <fmt/format.h>
 

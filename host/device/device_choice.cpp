@@ -2,7 +2,6 @@
 #include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
 #include "host/device/device_needs.hpp"
-#include "host/device/pocl_needs.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// What kinds of distributions have in common: densities and methods of even points as settings say them.
+// Kinds of distributions have these in common: densities and methods of even points as settings say them.
 #pragma once
 
 #include "host/distribution/even_points.hpp"

@@ -39,7 +39,7 @@ struct KindSettings
     }
 };
 
-/// What is made of a kind, without name and label; names of files are without folder.
+/// The result of a kind, without name and label; names of files are without folder.
 using Exhibited = std::variant<DistributionResult, TilingResult, ConstructionResult>;
 
 /// The names of a kind.

@@ -1,4 +1,4 @@
-// What the tables of configs can say, from the kinds' own descriptions.
+// The keys that tables of configs can have, from the kinds' own descriptions.
 #pragma once
 
 #include "host/kinds/kind.hpp"

@@ -1,4 +1,4 @@
-#include "host/large_sets/dart_runs.hpp"
+#include "host/large_sets/large_darts.hpp"
 
 #include "base/errors/errors.hpp"
 

@@ -6,7 +6,6 @@
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/large_sets/dart_runs.hpp"
 #include "host/sampling/darts/darts_in_blocks.hpp"
 
 #include <fmt/format.h>

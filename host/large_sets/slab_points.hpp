@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/crew/crew.hpp"
+#include "base/points/placed_file.hpp"
 #include "host/sampling/slabs/slab_division.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
 
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <span>
 #include <utility>
 #include <vector>
@@ -103,5 +105,16 @@ private:
     std::vector<NumberedPoints> own_, around_; ///< of each slab of this process
     Outbox outbox_;
 };
+
+// A file of points that processes hold by their places, written in the order of their numbers.
+
+/// Writes the points, some hundred thousand of them at a time: files with known places by all processes together,
+/// others by the one that leads. The file is there whole or not at all. To be called by all processes; false where one
+/// failed. Throws StorageError in the process that leads.
+bool write_scattered_points(const std::filesystem::path& path, const PointFileHead& head, const SlabPoints& points,
+                            Crew& crew);
+
+/// The bytes that a point takes while this is done, in the process that has it.
+constexpr std::uint64_t scattered_bytes_per_point = 16;
 
 }

@@ -1,6 +1,5 @@
 // These functions stand in for measures of tiled sets where a program lacks them: a run of such sets asks for the
 // module.
-#include "analysis/measures/folded_density.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/seam_density.hpp"

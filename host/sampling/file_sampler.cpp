@@ -21,7 +21,7 @@ namespace {
 constexpr const char* path_key = "path";
 constexpr const char* particles_key = "particles";
 
-/// How messages about files call the keys.
+/// Messages about files call the keys by these words.
 constexpr PointOptions key_words{.domain = "a line `# domain {}:{}` before the points of a text",
                                  .region = "region = \"rectangle {} {} {} {}\"",
                                  .crs = "crs = \"EPSG:4326\"",

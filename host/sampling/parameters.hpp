@@ -88,7 +88,7 @@ public:
     const std::vector<std::string>& texts(const std::string& key) const;
     const SamplerChoice& sampler(const std::string& key) const;
 
-    /// Where a value was given.
+    /// The place at which a value was given.
     const SourceLocation& location(const std::string& key) const { return given_.at(key).location; }
 
     /// The InputError that says that the given value of `key` is not possible, and why.

@@ -166,8 +166,8 @@ struct SamplerSpec
     /// function stands for none. It is called after `check` has passed.
     std::function<std::vector<std::string>(const Parameters&, const SampleRequest&)> notes;
 
-    /// Why its sets cannot be had on this machine, where the user has said that series are left out then; nothing: they
-    /// can. Empty: they always can. Asked before work begins.
+    /// The reason why its sets cannot be had on this machine, where the user has said that series are left out then;
+    /// nothing: they can. Empty: they always can. Asked before work begins.
     std::function<std::optional<std::string>(const Parameters&)> absence;
 
     /// A hash of what decides its sets beside its parameters, such as the contents of files; empty: nothing does.
@@ -180,7 +180,7 @@ struct SamplerSpec
     /// 1.3 times what it really takes. Empty: none.
     std::function<DeviceMemory(const Parameters&, const SampleRequest&, const DeviceInfo&)> device_memory;
 
-    /// How device_memory grows with the number of points, without what the start takes; a test compares the two.
+    /// The growth of device_memory with the number of points, without what the start takes; a test compares the two.
     MemoryGrowth memory_growth = MemoryGrowth::none;
 
     /// The files of kernels that make its sets on a device, without those of its start; empty: none does.

@@ -1,7 +1,7 @@
 // Panels of several pieces or tiles, and of tilings.
 #include "host/scenes/construction_parts.hpp"
 
-#include "host/scenes/set_scenes.hpp"
+#include "host/scenes/construction_panels.hpp"
 #include "host/tile_construction/piece_store.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <variant>
 

@@ -1,4 +1,4 @@
-#include "host/scenes/set_scenes.hpp"
+#include "host/scenes/construction_panels.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"

@@ -1,4 +1,4 @@
-// What a table [[construction]] of a config asks for: a picture of how a Poisson tile set, or a point set, comes into
+// A table [[construction]] of a config asks for a picture of how a Poisson tile set, or a point set, comes into
 // being.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.

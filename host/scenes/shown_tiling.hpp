@@ -1,4 +1,4 @@
-// What tables [[tile_set]] and [[tiling]] of a config, and the command `tiling`, ask for.
+// The settings of tables [[tile_set]] and [[tiling]] of a config, and of the command `tiling`.
 #pragma once
 
 #include "host/settings/tilings/tiling_request.hpp"

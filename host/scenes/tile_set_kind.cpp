@@ -1,4 +1,4 @@
-// What `tiles build` and poissonlab.tiles.build() make: a Poisson tile set with the proof of its minimum distance.
+// `tiles build` and poissonlab.tiles.build() make a Poisson tile set with the proof of its minimum distance.
 #include "base/programs/interrupt.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/tile_sets/tile_set_keys.hpp"

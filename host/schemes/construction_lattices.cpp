@@ -15,7 +15,7 @@ namespace {
 
 constexpr double construction_margin = 0.15;
 
-/// Where the corner tile (0, 0) lies over the Wang tile (0, 0); see corner_tiling.hpp.
+/// The place of the corner tile (0, 0) over the Wang tile (0, 0); see corner_tiling.hpp.
 MarkSquare first_corner_square(CornerConstruction construction)
 {
     switch (construction) {

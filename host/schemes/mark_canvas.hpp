@@ -13,7 +13,7 @@ namespace poissonlab {
 
 using MarkPoint = std::array<double, 2>; ///< y upwards
 
-/// Where a unit square lies in a picture: a parallelogram.
+/// The parallelogram that a unit square becomes in a picture.
 struct MarkSquare
 {
     MarkPoint corner{}; ///< of the lower left

@@ -70,7 +70,7 @@ const PlaneCurve& PolygonPainter::curve_of(char small_letter) const
     return style_.edges == "curved" ? bent_curve() : straight;
 }
 
-/// Where shifts move a vertex of an outline.
+/// The place to which shifts move a vertex of an outline.
 MarkPoint PolygonPainter::shifted(const PlacedTile& tile, const ShiftedPlace& vertex) const
 {
     MarkPoint place = at(moved(tiling_.ring, tile.motion, vertex.place));

@@ -10,8 +10,8 @@
 
 namespace poissonlab {
 
-/// Where a tiling lies in a picture. Places are taken as exact differences from `middle`, and so are right however far
-/// from the origin they are.
+/// The part of a tiling that a picture shows. Places are taken as exact differences from `middle`, and so are right
+/// however far from the origin they are.
 struct PolygonView
 {
     RingPlace middle;

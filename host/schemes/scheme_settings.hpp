@@ -91,7 +91,7 @@ struct PolygonTilingChoice
     std::filesystem::path file; ///< empty: that of the word
 };
 
-/// How polygons are drawn.
+/// The style in which polygons are drawn.
 struct PolygonStyle
 {
     std::string colors = "tiles";                     ///< or "directions"

@@ -80,7 +80,7 @@ private:
 
     static bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-    /// Where a column of a line is, in bytes.
+    /// The place of a column of a line, in bytes.
     struct Place
     {
         toml::source_index line = 0;

@@ -46,7 +46,7 @@ private:
     TileBlock block_;
 };
 
-/// How many points a region has with tiles of a width.
+/// The number of points that a region has with tiles of a width.
 using PointsAtWidth = std::function<std::uint64_t(double tile_width)>;
 
 /// A width of tiles with which the region has so many points: found by secants and halving, from `guess` on. Wider

@@ -5,13 +5,10 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
-#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
 namespace poissonlab {
 namespace {

@@ -38,7 +38,7 @@ SamplerSpec edge_tile_sampler();
 SamplerSpec template_tile_sampler();
 SamplerSpec sphere_tile_sampler();
 
-/// What tile sets of a family are made from, in the words of their sampler.
+/// The parameters that tile sets of a family are made from, in the words of their sampler.
 std::vector<ParameterSpec> tile_set_parameters(const PoissonTileFamily& family);
 
 /// The tile set that such parameters ask for.

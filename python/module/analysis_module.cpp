@@ -98,14 +98,16 @@ private:
     void analyse()
     {
         const std::string& label = experiment_.series.front().label;
-        SeriesAnalysis whole(label, false, experiment_.analysis);
+        AnalysisOptions options = experiment_.analysis;
+        options.zone_plate = false; // is for reports
+        SeriesAnalysis whole(label, false, options);
         add(whole, 0);
         for (std::size_t first = realizations_per_part; first < sets_.size(); first += realizations_per_part) {
             const SeriesAnalysis::Begin begin{static_cast<std::uint32_t>(first), sets_.front().size()};
-            SeriesAnalysis part(label, false, experiment_.analysis, begin);
+            SeriesAnalysis part(label, false, options, begin);
             add(part, first);
             if (part.repeats(whole)) {
-                part = SeriesAnalysis(label, false, experiment_.analysis, begin);
+                part = SeriesAnalysis(label, false, options, begin);
                 part.leave_out(whole);
                 add(part, first);
             }

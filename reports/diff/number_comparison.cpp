@@ -26,7 +26,7 @@ void judge_exactly(NumberComparison& number, double scale, const char* note)
     number.note = same ? "rounding" : note;
 }
 
-/// Why the spread over realizations does not tell; empty: it does.
+/// The reason why the spread over realizations does not tell; empty: it does.
 std::string obstacle(const SampleMean& before, const SampleMean& after, const ComparisonTerms& terms)
 {
     if (before.samples < 2 || after.samples < 2) return single_note;

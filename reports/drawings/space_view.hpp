@@ -13,7 +13,7 @@
 
 namespace poissonlab {
 
-/// Where a place is drawn: units as in space, x to the right, y downwards.
+/// The point at which a place is drawn: units as in space, x to the right, y downwards.
 DrawingPoint projected(const ShapeVector& place);
 
 /// The nearness of a place to the viewer; larger is nearer.

@@ -1,4 +1,4 @@
-// Where a report shows the gallery of reference curves.
+// The pictures of a report that show the gallery of reference curves.
 #pragma once
 
 namespace poissonlab {

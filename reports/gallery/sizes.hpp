@@ -1,4 +1,4 @@
-// What sets cost by their size, as measured once and stored with the program: docs/gallery/sizes.csv.
+// The cost of sets by their size, as measured once and stored with the program: docs/gallery/sizes.csv.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// What one set of so many points costs.
+/// The cost of one set of so many points.
 struct SizeCost
 {
     std::size_t points = 0;

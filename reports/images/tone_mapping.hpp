@@ -21,7 +21,7 @@ struct ToneMapping
     /// Zero, negative and not-a-number powers are black.
     std::uint8_t grey(double power) const;
 
-    /// Where a power stands on the scale from black (0) to white (1).
+    /// The place of a power on the scale from black (0) to white (1).
     double position(double power) const;
 };
 

@@ -43,7 +43,7 @@ std::vector<Spectrum> in_true_proportion(const std::vector<Spectrum>& planes, co
             in_true_proportion(planes.at(2), share(1), share(2))};
 }
 
-/// How many frequencies along each axis a pixel of a stored spectrum stands for.
+/// The number of frequencies along each axis for which a pixel of a stored spectrum stands.
 int stored_block(const SpectrumPicture& picture, const Spectrum& stored)
 {
     return picture.dimension == 2 ? picture.size / std::max(1, stored.size) : 1;

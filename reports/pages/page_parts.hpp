@@ -39,7 +39,7 @@ PageData measures_list(const ReportSeries& series);
 PageData panel_data(const ReportSeries& series, const Panel& panel);
 PageData panel_files(const ReportSeries& series, const Panel& panel);
 
-/// Where plots of several series lie, and the page that shows them.
+/// The folder of plots of several series, and the page that shows them.
 struct PlotPlace
 {
     std::filesystem::path plots;
@@ -115,7 +115,7 @@ PageData tone_scale();
 /// "12 series of 16,384 points ...": what runs hold, in a sentence or two.
 std::string summary_of(const std::vector<const ReportRun*>& runs);
 
-/// What was asked for in runs and is not there: a sentence each.
+/// A sentence on each result that was asked for in runs and is not there.
 PageData missing_in(const std::vector<const ReportRun*>& runs);
 
 bool has_dimension(const std::vector<const ReportRun*>& runs, int dimension);

@@ -1,4 +1,4 @@
-// Where results come from: program, seed, machine, command and config of a run.
+// The origin of results: program, seed, machine, command and config of a run.
 #include "reports/pages/page_parts.hpp"
 
 #include <algorithm>

@@ -78,8 +78,8 @@ PageData fact_of(const std::string& name, const std::string& value, const std::s
 
 std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + format_significant(p, 2); }
 
-/// Where the largest correlation is, and what follows from it: correlation within its bound is chance, beyond it a
-/// dependence, and repetition only where all pairs agree.
+/// Words on the place of the largest correlation, and on what follows from it: correlation within its bound is chance,
+/// beyond it a dependence, and repetition only where all pairs agree.
 std::string correlation_words(const ColorAutocorrelation& correlation)
 {
     const std::string where =

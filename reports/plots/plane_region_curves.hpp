@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// How a series' curves are drawn.
+/// The style in which a series' curves are drawn.
 struct PlaneRegionCurves
 {
     std::size_t index = 0; ///< number of the series

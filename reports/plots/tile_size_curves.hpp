@@ -1,5 +1,5 @@
-// What tile sets have over their number of points a tile: points in the regions of corners and edges, and the relative
-// radius within tiles beside that of tilings.
+// Measures of tile sets over their number of points a tile: points in the regions of corners and edges, and the
+// relative radius within tiles beside that of tilings.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 6.24 and 6.11.
 #pragma once

@@ -20,7 +20,7 @@ class Completion : public test::CommandTest
 protected:
     Completion() : CommandTest("completion") {}
 
-    /// What bash offers for the last of these words.
+    /// The completions that bash offers for the last of these words.
     std::string offered(const std::string& words) const
     {
         std::ofstream(folder_.path() / "poissonlab.bash") << printed("bash");

@@ -43,8 +43,8 @@ protected:
         double memory = 0, addresses = 0; ///< the most, in MiB
     };
 
-    /// What the command takes of a system that grants so many MiB of addresses; 0: as many as there are. The address
-    /// sanitizer needs all of them.
+    /// The resources that the command takes of a system that grants so many MiB of addresses; 0: as many as there are.
+    /// The address sanitizer needs all of them.
     Taken taken_by(const std::string& arguments, [[maybe_unused]] int most_addresses = 0) const
     {
 #ifdef __SANITIZE_ADDRESS__

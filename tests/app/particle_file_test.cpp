@@ -25,7 +25,7 @@ protected:
         write_tile_set(folder_.path() / "plane.ptiles", random_tile_set(PoissonTileKind::corner, 2, 3, 9));
     }
 
-    /// What Python prints that has the file open as f.
+    /// The output of Python, which has the file open as f.
     std::string read_back(const std::string& file, const std::string& expression) const
     {
         folder_.write("script.py",

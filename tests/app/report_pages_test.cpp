@@ -45,7 +45,7 @@ std::vector<std::string> shipped_config_names(bool are_large)
     return names;
 }
 
-/// What reaches beyond the right edge of the page, but for what lies in a box that scrolls.
+/// The elements that reach beyond the right edge of the page, but for those in a box that scrolls.
 constexpr auto too_wide = R"((() => {
     const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
     const is_held = e => e !== document.body && (scrolls(e) || is_held(e.parentElement));

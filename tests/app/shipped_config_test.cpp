@@ -1,7 +1,6 @@
 // Every config that ships can be run.
 #include "experiment/config/collection.hpp"
 #include "experiment/config/plan.hpp"
-#include "experiment/config/plan_memory.hpp"
 #include "experiment/exhibits/exhibit.hpp"
 #include "tests/support/places.hpp"
 

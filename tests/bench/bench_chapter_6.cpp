@@ -15,7 +15,7 @@
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
-#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 
 namespace {

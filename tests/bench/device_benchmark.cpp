@@ -4,7 +4,6 @@
 // Usage: device_benchmark DEVICE. Ends with status 1 where the device makes other points than the plain twins.
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device_needs.hpp"
-#include "host/device/loop_limit.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"

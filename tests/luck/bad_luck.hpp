@@ -20,10 +20,10 @@ inline std::string preloaded(const std::string& library, const std::string& sett
     return "ASAN_OPTIONS=" + quoted(options) + " LD_PRELOAD=" + quoted(library) + " " + settings;
 }
 
-/// That of tests/luck/bad_luck.c.
+/// The environment that loads tests/luck/bad_luck.c.
 inline std::string bad_luck(const std::string& settings) { return preloaded(bad_luck_file(), settings); }
 
-/// That of tests/luck/small_device.c.
+/// The environment that loads tests/luck/small_device.c.
 inline std::string small_device(const std::string& settings) { return preloaded(small_device_file(), settings); }
 
 /// The words of a message are one line, on standard error alone.

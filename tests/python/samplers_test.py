@@ -136,12 +136,10 @@ class Errors(FolderTest):
     MISTAKES = [
         ("dart-throwing", "DartThrowing", {"relative_radius": 1.5}),
         ("dart-throwing", "DartThrowing", {"relative_radius": "wide"}),
-        ("lloyd", "Lloyd", {"iterations": -1}),
-        ("lloyd", "Lloyd", {"iterations": 2.5}),
+        ("lloyd", "Lloyd", {"iterations": -1}), ("lloyd", "Lloyd", {"iterations": 2.5}),
         ("lloyd", "Lloyd", {"start": "darts"}),
         ("lloyd", "Lloyd", {"start": {"sampler": "dart-throwing", "relative_radius": 2}}),
-        ("file", "File", {}),
-        ("file", "File", {"path": "nowhere\n.txt"}),
+        ("file", "File", {}), ("file", "File", {"path": "nowhere\n.txt"}),
     ]
 
     def test_have_the_words_of_the_program(self):

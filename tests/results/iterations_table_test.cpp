@@ -24,7 +24,7 @@ TEST(IterationsTable, IsReadAsItWasWritten)
     EXPECT_EQ(read[1][0].relative_radius, 0.2);
 }
 
-/// Of tiles a further column, of which all records have a number or none has.
+/// Tiles have a further column, in which all records have a number or none has.
 TEST(IterationsTable, HasRadiiWithinTilesWhereAllRecordsHave)
 {
     const TemporaryFolder folder;

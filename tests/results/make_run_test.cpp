@@ -1,4 +1,4 @@
-#include "experiment/run/make_run.hpp"
+#include "experiment/run/run_work.hpp"
 
 #include "results/statistic.hpp"
 

@@ -72,7 +72,7 @@ std::string box_script(const std::string& selector)
            ").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()";
 }
 
-/// Where a page has an element, as JavaScript: [x, y] of the place, or words on why it cannot be pointed at. Pictures
+/// JavaScript that finds the place of an element in a page: [x, y], or words on why it cannot be pointed at. Pictures
 /// that are loaded as they come near the window move what is below them, so the place is that of two frames after the
 /// last of them is there.
 std::string place_script(const std::string& selector, double across, double down)

@@ -26,7 +26,7 @@ std::vector<Settings> settings_in(const std::vector<Exhibit>& exhibits)
     return all;
 }
 
-/// What the kind of these settings makes of them, in a folder.
+/// Makes what the settings of a kind ask for, in a folder.
 template <class Settings>
 DistributionResult made_of(const Settings& settings, std::uint64_t seed, const std::filesystem::path& folder,
                            const DistributionPlace& place = {})

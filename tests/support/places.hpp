@@ -1,5 +1,5 @@
-// Where the build has put what tests start and read. The definitions are in places.cpp alone, so that compiled tests do
-// not depend on the folder they are built in.
+// The paths of files that the build has made, and that tests start and read. The definitions are in places.cpp alone,
+// so that compiled tests do not depend on the folder they are built in.
 #pragma once
 
 #include <string>

@@ -1,7 +1,6 @@
 #include "tiles/aperiodic/cylinder_search.hpp"
 
 #include "base/programs/interrupt.hpp"
-#include "tiles/aperiodic/row_graph.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "tiles/aperiodic/row_graph.hpp"
+#include "tiles/aperiodic/cylinder_search.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
@@ -35,8 +35,8 @@ WordNumber number_of_word(const std::vector<Color>& word, std::size_t first, Col
     return number;
 }
 
-/// Where the smallest rotation of a word begins. Two places are compared at a time; the one that is larger at the k-th
-/// colour is out, and so are the k places after it (Shiloach, Fast canonization of circular strings, 1981).
+/// The index at which the smallest rotation of a word begins. Two places are compared at a time; the one that is larger
+/// at the k-th colour is out, and so are the k places after it (Shiloach, Fast canonization of circular strings, 1981).
 std::size_t smallest_rotation(const std::vector<Color>& word)
 {
     const std::size_t n = word.size();

@@ -26,7 +26,7 @@ Color number_of(const std::vector<Value>& sorted, const Value& value)
 /// Pairs of corner colours as one number each: west (south) first.
 std::uint64_t pair_of(Color first, Color second) { return std::uint64_t{first} << 32 | second; }
 
-/// Where the values of each colour begin among sorted ones, and the end.
+/// The indices at which the values of each colour begin among sorted ones, and the end.
 std::vector<std::size_t> begins_of(const std::vector<ListPlace>& sorted, Color colors, auto color_at)
 {
     std::vector<std::size_t> begins(std::size_t{colors} + 1);

@@ -40,7 +40,7 @@ inline constexpr int least_cell_pixels = 2, most_cell_pixels = 256;
 inline constexpr std::size_t most_cell_colors = 6;      ///< 1296 cells
 inline constexpr std::uint32_t most_cell_weight = 1000; ///< of one colour
 
-/// How cells are drawn that have no drawing: a pixel has the colour of the corners that weigh most there by bilinear
+/// The rule for cells that have no drawing: a pixel has the colour of the corners that weigh most there by bilinear
 /// interpolation, which is marching squares where there are two; borders are lines beside which two colours weigh the
 /// same.
 struct CellRule

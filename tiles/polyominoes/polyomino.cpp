@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 

@@ -1,8 +1,6 @@
 #include "tiles/polyominoes/polyomino_table.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "tiles/polyominoes/point_pairs.hpp"
-#include "tiles/polyominoes/table_relaxation.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -9,10 +9,13 @@
 #pragma once
 
 #include "tiles/polyominoes/neighbourhoods.hpp"
+#include "tiles/polyominoes/point_pairs.hpp"
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,5 +104,25 @@ RowProof proof_of_row(const PolyominoTable& table, std::uint32_t row);
 
 /// The relative radius that this distance is of a row's density.
 double proven_relative_radius(const PolyominoTable& table, std::uint32_t row);
+
+// The corrections of a row of the table, by relaxation in all neighbourhoods at once.
+
+/// Corrections [class * kept + number]: see relaxed_points(). Published tables were relaxed by Lloyd's method, in
+/// patches. `frequencies`: see frequencies_of().
+std::vector<Correction> relaxed_row(const KeptTiles& tiles, const std::vector<double>& frequencies);
+
+// The table of corrections as a file, for the cache: only programs built from the same sources read it again.
+
+/// Writes bytes and their checksum. Throws StorageError.
+void write_with_checksum(const std::filesystem::path& file, const std::string& bytes);
+
+/// Returns no value where the file is missing or damaged. Throws InputError where it cannot be read.
+std::optional<std::string> read_with_checksum(const std::filesystem::path& file);
+
+/// Throws StorageError.
+void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table);
+
+/// No value where the file is missing, cannot be read, is damaged, or holds something else.
+std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& file);
 
 }

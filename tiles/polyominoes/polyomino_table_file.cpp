@@ -1,4 +1,4 @@
-#include "tiles/polyominoes/polyomino_table_file.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/files/byte_archive.hpp"

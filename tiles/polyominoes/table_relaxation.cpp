@@ -1,4 +1,4 @@
-#include "tiles/polyominoes/table_relaxation.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "tiles/polyominoes/pair_relaxation.hpp"

@@ -1,4 +1,4 @@
-// What tiles of a patch have to do with each other: how they meet along edges and around corners. All of it follows
+// The relations between tiles of a patch: how they meet along edges and around corners. All of it follows
 // from exact places, and so shows whether tiles fill the plane without gaps and overlaps.
 #pragma once
 

@@ -24,7 +24,7 @@ public:
         to_periods_ = {second[1] / area, -second[0] / area, -first[1] / area, first[0] / area};
     }
 
-    /// How many periods a place of the plane is away.
+    /// The number of periods that a place of the plane is away.
     std::array<double, 2> periods(const std::array<double, 2>& place) const
     {
         return {to_periods_[0] * place[0] + to_periods_[1] * place[1],

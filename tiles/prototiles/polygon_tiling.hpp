@@ -122,7 +122,7 @@ RingPlace quadruple_area(const RootRing& ring, const std::vector<RingPlace>& cor
 /// Returns the area of a prototile, with the lengths of the tiling's edges.
 double area_of(const PolygonTiling& tiling, std::size_t prototile);
 
-/// How much longer lengths of a tile are than those of its prototile: the absolute value of its turn.
+/// The factor by which lengths of a tile are longer than those of its prototile: the absolute value of its turn.
 double scale_of(const RootRing& ring, const TileMotion& motion);
 
 }

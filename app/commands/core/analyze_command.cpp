@@ -67,7 +67,7 @@ struct AnalyzeOptions
     std::string command;
 };
 
-/// How messages about files call the options.
+/// Messages about files call the options by these words.
 constexpr PointOptions option_words{.domain = "--domain {}:{}",
                                     .region = "--region 'rectangle {} {} {} {}'",
                                     .crs = "--set analysis.crs=EPSG:4326",

@@ -108,7 +108,7 @@ bool share_a_folder(Crew& crew, const fs::path& units)
     });
 }
 
-/// Where nothing can be kept between runs (no HOME, or a read-only one), tile sets are kept with the other work of the
+/// If nothing can be kept between runs (no HOME, or a read-only one), tile sets are kept with the other work of the
 /// run.
 void keep_tile_sets_near(const fs::path& units)
 {

@@ -3,8 +3,7 @@
 #include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/large_sets/scattered_points.hpp"
-#include "host/large_sets/slab_plan.hpp"
+#include "host/large_sets/slab_points.hpp"
 #include "host/large_sets/slab_relaxation.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 

@@ -11,7 +11,7 @@
 namespace poissonlab {
 namespace {
 
-/// What readers call the tables of configs, in the order of the page that lists them.
+/// The words for tables of configs, in the order of the page that lists them.
 constexpr std::array<std::array<const char*, 3>, 7> tables{{
     {"distribution", "Points and objects that follow densities", "poissonlab.distribute"},
     {"texture", "Texture tiles", "poissonlab.texture"},

@@ -5,7 +5,6 @@
 #include "base/regions/formats/typed_region.hpp"
 #include "base/regions/globe/globe_strip.hpp"
 #include "base/regions/globe/mapped_shapes.hpp"
-#include "base/regions/globe/source_system.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/polygon_sets.hpp"
 #include "base/regions/region_source.hpp"

@@ -20,7 +20,7 @@ void append_corner(RegionRing& ring, const Geom::Point& p)
     if (ring.empty() || ring.back() != corner) ring.push_back(corner);
 }
 
-/// How often each ring goes round a place just inside it, and just outside. Rings do not cross.
+/// The number of times that each ring goes round a place just inside it, and just outside. Rings do not cross.
 struct RingWinding
 {
     int outside = 0, inside = 0;

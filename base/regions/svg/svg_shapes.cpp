@@ -78,7 +78,7 @@ Geom::PathVector ellipse_of(const SvgAttributes& attributes, double rx, double r
     return path.peek();
 }
 
-/// Where only one radius is said, the other one is as large.
+/// If only one radius is given, the other one is as large.
 Geom::PathVector rectangle_of_svg(const SvgAttributes& attributes)
 {
     const double x = length_of(attributes, "x"), y = length_of(attributes, "y");

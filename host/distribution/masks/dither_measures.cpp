@@ -1,4 +1,4 @@
-// How even the pixels below a threshold are.
+// Measures that say how even the pixels below a threshold are.
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/spectra/cross_spectrum.hpp"
 #include "base/geometry/relative_radius.hpp"

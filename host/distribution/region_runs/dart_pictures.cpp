@@ -128,7 +128,7 @@ constexpr std::size_t most_dotted = 4000;
 constexpr std::array distance_colors{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
                                      "#28ae80", "#5ec962", "#addc30", "#fde725"};
 
-/// Where things of a region lie in its picture.
+/// Maps places of a region into its picture.
 class PicturePlaces
 {
 public:

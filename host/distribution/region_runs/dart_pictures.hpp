@@ -27,7 +27,7 @@ struct LandDots
 /// large as the first dots.
 MarkPicture land_picture(const RegionLand& land, const RegionBox& box, const std::vector<LandDots>& dots);
 
-/// How near the nearest points are, over what they are to keep: the share of points, as a density.
+/// The distance of nearest points over what they are to keep: the share of points, as a density.
 CurveChart nearest_chart(const VariedSet& set);
 
 }

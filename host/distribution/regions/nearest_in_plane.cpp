@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-/// Where a cell of the grid has more points than this, the set is too uneven for a grid.
+/// If a cell of the grid has more points than this, the set is too uneven for a grid.
 constexpr std::size_t most_in_a_cell = 64;
 
 /// Cells along each axis in which the share of the box that has points is looked for, for each root of their number.

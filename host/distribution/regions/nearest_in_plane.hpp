@@ -1,4 +1,4 @@
-// How far apart the nearest points of a set in the plane are, without a torus.
+// The distance of the nearest points of a set in the plane, without a torus.
 #pragma once
 
 #include "analysis/measures/distance_statistics.hpp"

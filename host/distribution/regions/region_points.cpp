@@ -40,7 +40,7 @@ RegionPolygon around_line(const std::array<double, 4>& line, double distance)
             polygon.outline.push_back(
                 {line[is_end ? 2 : 0] + distance * std::cos(angle), line[is_end ? 3 : 1] + distance * std::sin(angle)});
         }
-    // Where the line is a point, the halves meet in two corners, which come twice.
+    // If the line is a point, the halves meet in two corners, which come twice.
     if (line[0] == line[2] && line[1] == line[3]) {
         polygon.outline.pop_back();
         polygon.outline.erase(polygon.outline.begin() + half_corners);

@@ -87,7 +87,7 @@ std::string mark_label(const StippleSettings& s)
     return fmt::format("{} of {}", s.has_strokes ? "Hatching" : "Stippling", name_of_input(s.image));
 }
 
-/// How the marks found their places.
+/// Says how the marks found their places.
 std::string placing_words(const StippleSettings& settings, const Stippling& stippling)
 {
     if (settings.by == MarkPlaces::ranks)

@@ -27,7 +27,7 @@ public:
     /// The number of the point that the candidate is for.
     std::uint32_t point() const { return point_; }
 
-    /// How many there are for that point, and whether this one is the first or the last of them.
+    /// The number of candidates for that point, and whether this one is the first or the last of them.
     std::uint64_t count() const { return grows_ ? candidates_ * std::max(1u, point_) : candidates_; }
     bool is_first() const { return number_ == 0; }
     bool is_last() const { return number_ + 1 == count(); }

@@ -226,7 +226,7 @@ std::vector<std::string> words_of_needs(const Parameters& parameters)
     return *words;
 }
 
-/// Why the program cannot run here; nothing without `needs`, and where all is there.
+/// The reason why the program cannot run here; nothing without `needs`, and where all is there.
 std::optional<std::string> absence_of_program(const Parameters& parameters)
 {
     if (!parameters.is_given(needs_key)) return std::nullopt;

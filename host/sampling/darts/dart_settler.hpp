@@ -1,4 +1,4 @@
-// How the darts of a batch are settled among themselves: which of them become points.
+// The darts of a batch are settled among themselves: some of them become points.
 #pragma once
 
 #include "host/device/device.hpp"

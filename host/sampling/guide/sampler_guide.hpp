@@ -1,4 +1,4 @@
-// What readers choose methods by: where each comes from, when to use it, and when not.
+// Advice for choosing a method: where each comes from, when to use it, and when not.
 #pragma once
 
 #include <string>

@@ -86,7 +86,7 @@ std::vector<std::uint32_t> pairs_of(const AreaExchange& exchange, std::size_t& c
     return pairs;
 }
 
-/// What groups exchange with each other.
+/// The areas that groups exchange with each other.
 AreaExchange between_groups(const AreaExchange& exchange, const std::vector<std::uint32_t>& groups, std::size_t count)
 {
     std::vector<std::uint32_t> begins(count + 1), members(groups.size());

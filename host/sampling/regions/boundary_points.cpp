@@ -87,7 +87,7 @@ private:
         }
     }
 
-    /// How far along the edge the farthest end of a disk reaches in which the place is; 0: it is in none.
+    /// The length along the edge at which the farthest disk ends in which the place is; 0: it is in none.
     double end_of_disks(const FixedEdge& edge, double length, const TorusPoint<2>& place) const
     {
         double farthest = 0;

@@ -18,7 +18,7 @@ constexpr double cells_per_site = 16;
 /// Squares by which listed cells are found at most.
 constexpr std::size_t most_listed_squares = std::size_t{1} << 22;
 
-/// How far a site is looked for around each of them.
+/// The distance, in steps, up to which a site is looked for around each of them.
 constexpr std::int64_t most_steps_to_site = 64;
 
 }

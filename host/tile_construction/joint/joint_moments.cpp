@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Where a tile has a stored point.
+    /// The place of a stored point in a tile.
     struct Place
     {
         std::size_t entry;
@@ -119,7 +119,7 @@ private:
         return std::span(slopes_).subspan(entry * axes_ * count_, axes_ * count_);
     }
 
-    /// How many tiles have a stored point; 0: it does not move.
+    /// The number of tiles that have a stored point; 0: it does not move.
     std::size_t owners(std::size_t point) const { return first_place_[point + 1] - first_place_[point]; }
 
     /// The movements of stored points for multipliers of the conditions.

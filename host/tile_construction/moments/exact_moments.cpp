@@ -14,7 +14,7 @@ namespace {
 /// A reach is how far a point may move along an axis: in rough steps, and along y in the search that follows.
 constexpr int rough_reach = 1, upright_reach = 1;
 
-/// How far a search goes. Points move along y by a unit at most, and some of them along x. The ways to move those that
+/// The size of a search. Points move along y by a unit at most, and some of them along x. The ways to move those that
 /// are listed are in a table; it should fit into a fast memory, and ways of the others are looked up in it.
 struct SearchSize
 {

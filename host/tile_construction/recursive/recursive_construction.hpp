@@ -3,7 +3,7 @@
 // Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang tiles for real-time blue noise, SIGGRAPH 2006. The paper's
 // steps are: sets of points for edges and middles of tiles, which have the same points around corners; edges are laid
 // over middles (edge_merging.hpp); the order is mended; tiles are divided, and their points become points of their
-// divisions (self_similarity.hpp); the other points of these get an order (ranked_points.hpp).
+// divisions (self_similarity.cpp); the other points of these get an order.
 //
 // Departures: sets have somewhat more points than tiles, so that all tiles have N points; how an edge is divided is
 // chance (seed), and so is all that the paper's text leaves open.
@@ -58,5 +58,40 @@ std::array<std::vector<RankedPlace>, even_wang_tiles> merged_recursive_tiles(std
 /// any number of them.
 RecursiveTileSet build_recursive_tiles(std::uint32_t points_per_tile, std::uint64_t seed,
                                        const std::function<void(const std::string& what)>& on_step = {});
+
+// Orders of points in which every part is spread: the two that recursive Wang tiles need.
+
+/// The first `count` of merged points: by rank, but a point waits until it is no nearer to those before it than 0.6
+/// times what as many points could be apart.
+std::vector<RecursivePlace> mended_order(std::vector<RankedPlace> points, std::uint32_t count);
+
+/// For each tile the numbers of its other points, one after the other the one that is farthest from those that are
+/// there: the taken ones, and those before it, of the tile and of all tiles that may lie beside it. All tiles together,
+/// rank by rank; of equals the first. Every tile has as many places, of which as many are taken.
+std::array<std::vector<std::uint32_t>, even_wang_tiles>
+farthest_orders(const RecursivePlaces& places, const std::array<std::vector<bool>, even_wang_tiles>& taken);
+
+// Recursive Wang tiles, their division: which tiles the sixteen cells of a tile hold, and which of their points are
+// the tile's own.
+//
+// Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang tiles for real-time blue noise, SIGGRAPH 2006.
+
+using TileCells = std::array<std::uint8_t, recursive_cells>;
+using TileLinks = std::array<std::vector<RecursiveLink>, even_wang_tiles>;
+
+/// The cells of all tiles. An edge of either colour becomes four, two of each colour; which is chance, and differs for
+/// both colours. Inside of tiles all is chance as far as colours are even.
+std::array<TileCells, even_wang_tiles> random_divisions(std::uint64_t seed);
+
+/// The point of a cell for every point of every tile, which becomes its place. Rank by rank each tile takes the nearest
+/// one that is left and keeps away from those before it, of the tile and of all that may lie beside it: 0.6 times what
+/// as many points could be apart; or the one that comes nearest to that. As points move, so do those of the tiles
+/// around their tiles: what is then nearer than 0.5 times that chooses again, until nothing does.
+///
+/// Departure: the paper's points take the nearest one.
+TileLinks own_points(RecursivePlaces places, const std::array<TileCells, even_wang_tiles>& cells);
+
+/// The places of all points in the cells of a tile, cell by cell.
+std::vector<RecursivePlace> places_in_cells(const RecursivePlaces& places, const TileCells& cells);
 
 }

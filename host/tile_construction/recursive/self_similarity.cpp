@@ -1,4 +1,4 @@
-#include "host/tile_construction/recursive/self_similarity.hpp"
+#include "host/tile_construction/recursive/recursive_construction.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"

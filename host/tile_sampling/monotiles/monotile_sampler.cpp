@@ -8,7 +8,7 @@
 #include "code_hashes.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
-#include "tiles/polyominoes/polyomino_table_file.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,6 @@
 #include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "kernels/common/tile_sampling/polyominoes.h"
-#include "tiles/polyominoes/polyomino_table_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "host/tile_sampling/recursive/recursive_roots.hpp"
+#include "host/tile_sampling/recursive/recursive_points.hpp"
 
 #include "base/random/random_words.hpp"
 #include "tiles/tilings/even_wang_tiles.hpp"

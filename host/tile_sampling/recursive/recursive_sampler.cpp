@@ -5,7 +5,6 @@
 #include "base/random/random.hpp"
 #include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
-#include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "kernels/common/tile_sampling/recursive_tiles.h"
 

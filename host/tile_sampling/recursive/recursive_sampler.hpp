@@ -9,8 +9,12 @@
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_points.hpp"
+#include "tiles/recursive/recursive_tile_set.hpp"
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -40,5 +44,19 @@ private:
 };
 
 SamplerSpec recursive_wang_tile_sampler();
+
+// Recursive Wang tiles that were built before.
+
+struct CachedRecursiveTiles
+{
+    RecursiveTileSet tiles;
+    TileSetRecord record;
+    double waiting_seconds = 0; ///< for another process that was building them
+};
+
+/// The tiles from `folder`, or built and put there: see cached_tile_set(), which does the same for other tiles.
+CachedRecursiveTiles cached_recursive_tiles(std::uint32_t points_per_tile, std::uint64_t seed,
+                                            const std::filesystem::path& folder,
+                                            const std::function<void(const std::string& what)>& on_step = {});
 
 }

@@ -1,4 +1,4 @@
-#include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
+#include "host/tile_sampling/recursive/recursive_sampler.hpp"
 
 #include "code_hashes.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"

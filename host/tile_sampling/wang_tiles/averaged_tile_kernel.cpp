@@ -1,4 +1,4 @@
-#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 
 #include "base/random/random.hpp"
 #include "kernels/common/tile_sampling/averaged_tiles.h"

@@ -5,7 +5,7 @@
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
-#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <fmt/format.h>

@@ -14,8 +14,8 @@ enum
     DARTS_A_WORD = 64       ///< candidates are a bit a dart
 };
 
-/// A point as words: position, 1 + the number of the next point in the cell's chain, and with squares (REGION 2) the number
-/// of the square that its dart fell into.
+/// A point as words: position, 1 + the number of the next point in the cell's chain, and with squares (REGION 2) the
+/// number of the square that its dart fell into.
 DERIVED(POINT_WORDS, (size_t DIMENSION, size_t REGION), DIMENSION + 1 + (REGION == 2))
 
 /// A cell as words: the position of the last point in it, and a link: 1 + the number of that point, with the
@@ -26,7 +26,7 @@ enum
     CELL_WORDS
 };
 
-/// Where the algorithm is, as 64-bit words in global memory.
+/// The state of the algorithm, as 64-bit words in global memory.
 enum State
 {
     NEXT_DART,     ///< the first dart that is not decided

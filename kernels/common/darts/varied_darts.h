@@ -35,7 +35,7 @@ struct OpenCell
     uint least; ///< a lower bound of the distances in it; 0: there is no room
 };
 
-/// How distances are read and kept.
+/// The rule by which distances are read and kept.
 struct DistanceRule
 {
     uint columns; ///< cells of the field; 0: it has squares

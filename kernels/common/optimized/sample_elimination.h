@@ -39,7 +39,7 @@ struct Elimination
     uint stride;    ///< of coordinates
 };
 
-/// What the tiles count.
+/// Counts of the tiles.
 struct EliminationCounts
 {
     uint removed;  ///< points, so far

@@ -1,4 +1,4 @@
-// What the claims about accelerated dart throwing compare: radii and pictures with those of dart throwing.
+// The claims about accelerated dart throwing compare radii and pictures with those of dart throwing.
 #pragma once
 
 #include "reports/claims/paper_claims.hpp"

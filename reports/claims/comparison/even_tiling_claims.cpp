@@ -40,7 +40,7 @@ std::optional<double> power_below_tiles(const ReportSeries& series, double point
     return power ? std::optional(power->value) : std::nullopt;
 }
 
-/// How much less power tilings with equal moments have there than sets without tiles.
+/// Says how much less power tilings with equal moments have there than sets without tiles.
 std::string words_on_untiled(const ClaimSeries& report, const std::vector<SeriesPointer>& tilings)
 {
     std::vector<double> ratios;

@@ -17,7 +17,7 @@ std::vector<const ReportSeries*> recursive_series(const ClaimSeries& report, con
     return found;
 }
 
-/// Whether most realizations have so small a radius. Open where some have, and fewer than three are known.
+/// Tells whether most realizations have so small a radius. It is open where some have, and fewer than three are known.
 Finding is_mostly_tiny(const Statistic& radius)
 {
     constexpr double tiny = 0.001;

@@ -1,4 +1,4 @@
-// How good spectra of tilings are: between the peaks of their lattice, and on it.
+// Judges spectra of tilings between the peaks of their lattice, and on it.
 #pragma once
 
 #include "reports/claims/comparison/tile_spectra.hpp"
@@ -8,8 +8,8 @@
 
 namespace poissonlab {
 
-/// How many series lie within limits of anisotropy and of peaks, or beyond: shown, as the limits were chosen to tell
-/// apart what the dissertation calls good and bad.
+/// Counts the series that lie within limits of anisotropy and of peaks, or beyond: shown, as the limits were chosen to
+/// tell apart what the dissertation calls good and bad.
 std::optional<ClaimOutcome> shown_spectra(const std::vector<SeriesPointer>& all, bool good,
                                           const std::function<bool(SeriesPointer)>& selected);
 std::string calibration_criterion();

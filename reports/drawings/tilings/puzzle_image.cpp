@@ -9,7 +9,7 @@ constexpr double sheet_margin = 5;  // around all pieces
 constexpr double hairline = 0.1;    // what drivers of laser cutters take for a cut
 constexpr double piece_reach = 0.2; // of a knob beyond its tile, and some room
 
-/// Where pieces lie on the sheet, y downwards.
+/// Places pieces on the sheet, y downwards.
 class PuzzleSheet
 {
 public:

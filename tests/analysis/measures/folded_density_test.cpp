@@ -1,5 +1,5 @@
 // The density over the tile, of points whose places are known.
-#include "analysis/measures/folded_density.hpp"
+#include "analysis/measures/seam_density.hpp"
 
 #include "tests/support/point_patterns.hpp"
 

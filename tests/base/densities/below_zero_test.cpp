@@ -1,4 +1,4 @@
-// What rounding leaves below 0 in pictures, as programs write them: lossy DWA files by OpenEXR.
+// Rounding leaves numbers below 0 in pictures, as programs write them: lossy DWA files by OpenEXR.
 #include "base/densities/density.hpp"
 #include "base/densities/density_values.hpp"
 #include "tests/support/errors.hpp"

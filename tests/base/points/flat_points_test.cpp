@@ -33,7 +33,7 @@ std::string utk_of(const std::vector<double>& values, std::uint32_t points)
     return bytes;
 }
 
-/// What a file was read as, and what was said.
+/// The sets that were read from a file, and the notes on them.
 struct ReadSets
 {
     std::vector<PointSet> sets;

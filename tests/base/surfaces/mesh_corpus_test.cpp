@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-/// How large a mesh is; see right.txt.
+/// The size of a mesh; see right.txt.
 struct Extent
 {
     double triangles = 0, vertices = 0, area = 0, shadow = 0, volume = 0;

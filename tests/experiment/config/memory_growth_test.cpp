@@ -1,6 +1,6 @@
 // The law by which the memory of a sampler grows, held against what is planned for sets of 2^12, 2^16 and 2^20 points:
 // a sampler that takes N^1.5 works at every size that other tests can afford, and fails at a million points.
-#include "experiment/config/plan_memory.hpp"
+#include "experiment/config/plan.hpp"
 #include "host/settings/sampler_registry.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t small_set = 1 << 12, middle_set = 1 << 16, large_set = 1 << 20;
 
-/// What a config has to name of a method, beside its sampler.
+/// The keys that a config has to name of a method, beside its sampler.
 const std::map<std::string, std::string>& needed_keys()
 {
     static const std::map<std::string, std::string> keys{

@@ -1,6 +1,6 @@
 // The memory that samplers say that they take of a device, held against what they take; and plans that are too large
 // for one.
-#include "experiment/config/plan_memory.hpp"
+#include "experiment/config/plan.hpp"
 
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"

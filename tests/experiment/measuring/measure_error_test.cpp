@@ -116,7 +116,7 @@ class MeasureErrors : public testing::TestWithParam<Case>
 {
 };
 
-/// Of curves, the mean of the ratios of all places that have a spread.
+/// Curves are judged by the mean of the ratios of all places that have a spread.
 TEST_P(MeasureErrors, AreTheSpreadOfIndependentSeries)
 {
     Calibration calibration;

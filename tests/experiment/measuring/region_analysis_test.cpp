@@ -148,7 +148,7 @@ TEST(RegionAnalysis, MeasuresFirstPartsWithoutATorus)
     SeriesAnalysis analysis("s", false, options);
     analysis.add(six);
     analysis.measure_first();
-    // Of six points the first three: 1010 and 1100 are nearest, 400 x 100 is the area.
+    // The first three of six points: 1010 and 1100 are nearest, 400 x 100 is the area.
     const double distance = std::hypot(90, 40) / 200;
     EXPECT_NEAR(analysis.result().measures.numbers.at("prefix_relative_radius").value, relative_radius(distance, 3, 2),
                 1e-9);

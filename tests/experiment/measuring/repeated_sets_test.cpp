@@ -35,7 +35,7 @@ AnalysisOptions small_options()
     return options;
 }
 
-/// What an analysis comes to, with everything that it measures.
+/// The results of an analysis, with everything that it measures.
 struct Measured
 {
     Series series;
@@ -87,7 +87,7 @@ TEST(RepeatedSets, CountOnce)
     EXPECT_THAT(measured(sets).series.repeated, IsEmpty());
 }
 
-/// Of one set no error is known, however often it comes; but for a fit to single frequencies, which has its own.
+/// The error of one set is not known, however often it comes; but for a fit to single frequencies, which has its own.
 TEST(RepeatedSets, HaveNoErrorWhereThereIsOne)
 {
     const auto sets = random_sets(1);

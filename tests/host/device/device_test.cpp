@@ -1,7 +1,7 @@
 // The device layer: what it lists, what it opens, and what it says when something fails.
 #include "host/device/device.hpp"
 
-#include "host/device/loop_limit.hpp"
+#include "host/device/device_needs.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>

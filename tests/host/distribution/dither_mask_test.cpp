@@ -1,7 +1,7 @@
 // Masks of thresholds: void-and-cluster against a plain one, and tiles whose pixels have ranks.
 #include "host/distribution/masks/dither_mask.hpp"
-
 #include "host/distribution/masks/void_and_cluster.hpp"
+
 #include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// How sets are divided into slabs: by what processes share, of devices that this machine need not have.
-#include "host/large_sets/slab_plan.hpp"
+// Sets are divided into slabs by what processes share, of devices that this machine need not have.
+#include "host/large_sets/slab_relaxation.hpp"
 
 #include <gmock/gmock.h>
 

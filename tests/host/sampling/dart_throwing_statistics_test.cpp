@@ -69,7 +69,7 @@ TEST(DartThrowingStatistics, RadialPowerIsTheTextbooks)
 
 TEST(DartThrowingStatistics, PointsDoNotKnowTheCellsTheyWereThrownIn)
 {
-    // Where points lie within cells of level 0: uniform, for single axes and for quarters and sixteenths of a
+    // Places of points within cells of level 0 are uniform, for single axes and for quarters and sixteenths of a
     // cell. The textbook's points do not know that grid at all, so a preference shows as a difference.
     const std::uint32_t cells = cell_hierarchy(min_distance(), 2).size;
     expect_same_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });

@@ -140,7 +140,7 @@ TEST(RelaxationDartThrowingStatistics, RadialPowerIsTheTextbooks)
 
 TEST(RelaxationDartThrowingStatistics, PointsDoNotKnowTheCellsOfTheGrids)
 {
-    // Where points lie in the whole torus and in cells of the grids, which are powers of two: uniform.
+    // Places of points are uniform in the whole torus and in cells of the grids, which are powers of two.
     for (const double cells : {1.0, 4.0, 32.0}) {
         SCOPED_TRACE(cells);
         expect_same_relaxation_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });

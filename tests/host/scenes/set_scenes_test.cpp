@@ -1,5 +1,5 @@
 // Steps of point sets: they end with the points of the samplers, and what each says of distances is so.
-#include "host/scenes/set_scenes.hpp"
+#include "host/scenes/construction_panels.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"

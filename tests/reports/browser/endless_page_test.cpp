@@ -91,7 +91,7 @@ TEST_F(EndlessPage, HasThePointsOfTheHeader)
     EXPECT_NE(shown("-3, 2, 7, 5"), expected(1, {-3, 2}, 7, 5));
 }
 
-/// What is said of the view is longer far away; at any width the button stays where it is pressed.
+/// The sentence on the view is longer far away; at any width the button stays where it is pressed.
 TEST_F(EndlessPage, KeepsItsControlsInPlace)
 {
     for (const int width : {1400, 800, 390}) {

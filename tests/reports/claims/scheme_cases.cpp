@@ -7,7 +7,7 @@ namespace {
 using Kind = ClaimCase::Kind;
 using Numbers = std::map<std::string, double>;
 
-/// What is counted has no errors: another number, or none.
+/// Counts have no errors: another number, or none.
 ClaimCase exact(const char* id, const char* kind, const Numbers& agree, const Numbers& disagree)
 {
     return {id, [=](MadeUpReport& r, Told what) { r.add_scheme(kind, told(what, agree, disagree, Numbers{})); },

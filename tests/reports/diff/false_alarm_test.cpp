@@ -12,8 +12,8 @@
 namespace poissonlab {
 namespace {
 
-/// Of 200 pairs with a level of 1 %, 5 and more are changed in one of twenty tests at most, of 40 pairs 3 and more in
-/// one of a hundred: seeds are fixed.
+/// Five and more of 200 pairs, with a level of 1 %, are changed in one of twenty tests at most, of 40 pairs 3 and more
+/// in one of a hundred: seeds are fixed.
 struct AlarmCase
 {
     std::string name, method;

@@ -17,7 +17,7 @@ namespace {
 
 const std::string south_grey = "#ebebeb", east_grey = "#d6d6d6";
 
-/// Where a place of space is seen: 32 units an edge, x to the lower right and y to the upper right by 30
+/// The projection of space: 32 units an edge, x to the lower right and y to the upper right by 30
 /// degrees. `left` and `top` are the margins of the block, `depth` and `height` its sizes in y and z.
 struct View
 {

@@ -11,7 +11,7 @@
 
 namespace poissonlab::test {
 
-/// What made-up results are to say of a claim.
+/// The finding that made-up results should lead to.
 enum class Told
 {
     agreement,

@@ -6,7 +6,6 @@
 #include "tests/tiles/aperiodic/sat_tiling.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
-#include "tiles/aperiodic/row_graph.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

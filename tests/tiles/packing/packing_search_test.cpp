@@ -4,8 +4,6 @@
 #include "tests/support/chi_square.hpp"
 #include "tests/support/errors.hpp"
 #include "tiles/packing/closed_packing.hpp"
-#include "tiles/packing/euler_packing.hpp"
-#include "tiles/packing/printed_packings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What equal moments do to numbers of points in windows, by brute force: many random tilings of sets made by hand,
-// whose moments agree up to a known order, counted in windows of known variance.
+// Equal moments make numbers of points in windows even. This is counted by brute force: many random tilings of sets
+// made by hand, whose moments agree up to a known order, counted in windows of known variance.
 //
 // The numbers below 2^(m + 1) with an even and with an odd number of ones in binary have equal sums of powers up to m
 // (Prouhet 1851; Thue and Morse): points in two rows of these make two tiles that agree up to order m and no further.

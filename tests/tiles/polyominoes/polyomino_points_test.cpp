@@ -8,8 +8,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/polyominoes/point_pairs.hpp"
 #include "tiles/polyominoes/polyomino_table.hpp"
-#include "tiles/polyominoes/polyomino_table_file.hpp"
-#include "tiles/polyominoes/table_relaxation.hpp"
 
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>

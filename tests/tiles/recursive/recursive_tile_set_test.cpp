@@ -2,7 +2,7 @@
 #include "tiles/recursive/recursive_tile_set.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/tile_construction/recursive/self_similarity.hpp"
+#include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 

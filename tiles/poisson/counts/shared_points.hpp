@@ -1,4 +1,4 @@
-// How much the tiles of a set have in common.
+// The share of points that the tiles of a set have in common.
 #pragma once
 
 #include "tiles/poisson/poisson_tile_set.hpp"

@@ -144,9 +144,9 @@ TEST(FarthestPoint, ReachesTheDistancesOfThePaper)
     }
 }
 
-/// How much the periodogram of a ring is of the six directions of a hexagonal lattice, whichever these are: the
-/// squared size of the sum of P exp(6 i angle) over that of the sum of P, times the number of frequencies (a half of
-/// the ring, as the other half repeats it). It is 1 on average where powers are independent, with an exponential
+/// The share of the periodogram of a ring that is in the six directions of a hexagonal lattice, whichever these are:
+/// the squared size of the sum of P exp(6 i angle) over that of the sum of P, times the number of frequencies (a half
+/// of the ring, as the other half repeats it). It is 1 on average where powers are independent, with an exponential
 /// distribution, as those of sets without directions are.
 double six_directions(const PointSet& set, int ring)
 {

@@ -28,7 +28,7 @@ std::vector<std::int64_t> sums_of(const std::vector<StoredFromMiddle>& points, s
     return sums;
 }
 
-/// What is wanted is as far off as rounding of coordinates makes it.
+/// The moments that are wanted are as far off as rounding of coordinates makes it.
 std::vector<std::int64_t> wanted_near(std::vector<StoredFromMiddle> points, std::uint32_t order, int dimension,
                                       std::mt19937_64& random)
 {

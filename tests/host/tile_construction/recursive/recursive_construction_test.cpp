@@ -4,8 +4,6 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
-#include "host/tile_construction/recursive/ranked_points.hpp"
-#include "host/tile_construction/recursive/self_similarity.hpp"
 
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>

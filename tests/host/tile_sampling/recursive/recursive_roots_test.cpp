@@ -1,5 +1,5 @@
 // The tilings of small tori with recursive Wang tiles: all that fit, counted by trying every one.
-#include "host/tile_sampling/recursive/recursive_roots.hpp"
+#include "host/tile_sampling/recursive/recursive_points.hpp"
 
 #include "tiles/tilings/even_wang_tiles.hpp"
 

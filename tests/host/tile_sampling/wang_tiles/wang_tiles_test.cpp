@@ -6,7 +6,7 @@
 #include "base/random/random.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/settings/sampler_registry.hpp"
-#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 

@@ -1,4 +1,4 @@
-// What tiles have in common, against sets where that is known.
+// Points that tiles have in common, against sets where that is known.
 #include "tiles/poisson/counts/shared_points.hpp"
 
 #include "tests/support/random_tile_set.hpp"
