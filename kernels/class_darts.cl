@@ -5,7 +5,8 @@
 // is far enough from all points of slots before becomes its point:
 //
 //   find_darts          a work-item a slot: its first dart that no point of former batches rejects
-//   settle_class_darts  a work-item: slot after slot, the first dart from there on that no point of this batch rejects
+//   settle_class_darts  a work-item: slot after slot, that dart if no point of this batch rejects it, else the first one
+//                       after it that no point rejects
 //   cover_cells         a work-item a cell: which of its children no single point's disk covers
 //
 // Darts fall into cells that may have room for their class, uniformly. When TRIES darts of a slot failed, the batch
@@ -65,11 +66,11 @@ ulong squared_farthest(const Position* point, const Position* low, uint extent)
     return sum;
 }
 
-/// Is the box nearer to one point of a class than `pair` says, all of it?
-bool is_covered_by(const ClassedPoints* all, uint other, const Position* low, uint extent)
+/// Is the box nearer to one point of a class than `pair` says, all of it? Points before number `since` do not count; those
+/// of a cell are linked from the last to the first.
+bool is_covered_by(const ClassedPoints* all, struct ClassPair pair, const Position* low, uint extent, uint since)
 {
-    const struct ClassPair pair = all->pairs[other];
-    const struct ClassGrid grid = all->grids[other];
+    const struct ClassGrid grid = all->grids[pair.other];
     CellRange ranges[DIMENSION];
     FOR_EACH_AXIS(k) ranges[k] = cells_around(low->c[k], extent, pair.reach, grid.bits);
     const uint last = (1u << grid.bits) - 1;
@@ -84,7 +85,7 @@ bool is_covered_by(const ClassedPoints* all, uint other, const Position* low, ui
             const uint row = (slice | ((ranges[1].first + y) & last)) << grid.bits;
             for (uint x = 0; x < ranges[0].count; ++x) {
                 const uint cell = row | ((ranges[0].first + x) & last);
-                for (uint link = all->heads[grid.first + cell]; link != 0;
+                for (uint link = all->heads[grid.first + cell]; link > since;
                      link = all->points[(link - 1) * POINT_WORDS + NEXT_WORD]) {
                     const Position point = point_at(all->points, link - 1);
                     if (squared_farthest(&point, low, extent) < pair.squared) return true;
@@ -96,10 +97,10 @@ bool is_covered_by(const ClassedPoints* all, uint other, const Position* low, ui
 }
 
 /// Is the box nearer to one point of any class than the class's pair says, all of it?
-bool is_covered(const ClassedPoints* all, const Position* low, uint extent)
+bool is_covered(const ClassedPoints* all, const Position* low, uint extent, uint since)
 {
-    for (uint other = 0; other < all->classes; ++other)
-        if (is_covered_by(all, other, low, extent)) return true;
+    for (uint pair = 0; pair < all->classes; ++pair)
+        if (is_covered_by(all, all->pairs[pair], low, extent, since)) return true;
     return false;
 }
 
@@ -155,7 +156,7 @@ uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, g
 {
     for (; number < TRIES; ++number) {
         const Position dart = dart_of(darts->slot, darts->skipped + number, darts->own, darts->list, cells, darts->key);
-        if (!is_outside(region, &dart, 0) && !is_covered(all, &dart, 0)) break;
+        if (!is_outside(region, &dart, 0) && !is_covered(all, &dart, 0, 0)) break;
     }
     return number;
 }
@@ -213,10 +214,15 @@ kernel void settle_class_darts(struct SlotBatch batch, global const uint* slot_c
     for (; id < batch.slots; ++id) {
         const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
         const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
-        const uint number = first_free(&darts, candidates[id], &all, cells, &region);
-        if (number != candidates[id]) ++counters[REDRAWN];
+        uint number = candidates[id];
         if (number == TRIES) break;
-        const Position dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+        Position dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+        if (is_covered(&all, &dart, 0, batch.first)) {
+            ++counters[REDRAWN];
+            number = first_free(&darts, number + 1, &all, cells, &region);
+            if (number == TRIES) break;
+            dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+        }
         insert(&dart, darts.slot, darts.own, grids[darts.own], heads, points);
     }
     counters[SETTLED] = id;
@@ -243,7 +249,7 @@ kernel void cover_cells(struct SlotBatch batch, uint own, struct ClassCells list
             const ulong cell = cells[(list.first + id) * DIMENSION + k];
             low.c[k] = (uint)((is_split ? 2 * cell + (child >> k & 1) : cell) << (32 - level));
         }
-        if (!is_outside(&region, &low, extent) && !is_covered(&all, &low, extent)) bits |= 1u << child;
+        if (!is_outside(&region, &low, extent) && !is_covered(&all, &low, extent, 0)) bits |= 1u << child;
     }
     kept[id] = bits;
 }

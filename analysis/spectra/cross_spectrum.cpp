@@ -1,7 +1,5 @@
 #include "analysis/spectra/cross_spectrum.hpp"
 
-#include "analysis/spectra/nonuniform_transform.hpp"
-
 #include <cmath>
 
 namespace poissonlab {
@@ -27,23 +25,19 @@ std::vector<double> ring_means(int reach, const Value& value)
 
 }
 
-CrossSpectra cross_spectra(const std::vector<PointSet>& sets, int reach)
+CrossSpectra spectra_of_planes(const std::vector<HalfPlane>& planes, const std::vector<double>& counts)
 {
-    NonuniformTransform transform(reach);
-    std::vector<HalfPlane> planes;
+    const int reach = planes.front().reach;
     HalfPlane all(reach);
     double points = 0;
-    for (const PointSet& set : sets) {
-        planes.push_back(transform.forward(set));
-        for (std::size_t i = 0; i < all.values.size(); ++i) all.values[i] += planes.back().values[i];
-        points += static_cast<double>(set.size());
-    }
     CrossSpectra spectra;
-    for (std::size_t a = 0; a < sets.size(); ++a) {
-        const auto own = static_cast<double>(sets[a].size());
-        spectra.power.push_back(ring_means(reach, [&](int u, int v) { return std::norm(planes[a].at(u, v)) / own; }));
+    for (std::size_t a = 0; a < planes.size(); ++a) {
+        for (std::size_t i = 0; i < all.values.size(); ++i) all.values[i] += planes[a].values[i];
+        points += counts[a];
+        spectra.power.push_back(
+            ring_means(reach, [&](int u, int v) { return std::norm(planes[a].at(u, v)) / counts[a]; }));
         for (std::size_t b = 0; b < a; ++b) {
-            const double scale = 1 / std::sqrt(own * static_cast<double>(sets[b].size()));
+            const double scale = 1 / std::sqrt(counts[a] * counts[b]);
             spectra.cross.push_back(ring_means(reach, [&](int u, int v) {
                 return scale * (planes[a].at(u, v) * std::conj(planes[b].at(u, v))).real();
             }));
@@ -51,6 +45,18 @@ CrossSpectra cross_spectra(const std::vector<PointSet>& sets, int reach)
     }
     spectra.power.push_back(ring_means(reach, [&](int u, int v) { return std::norm(all.at(u, v)) / points; }));
     return spectra;
+}
+
+CrossSpectra cross_spectra(const std::vector<PointSet>& sets, int reach)
+{
+    NonuniformTransform transform(reach);
+    std::vector<HalfPlane> planes;
+    std::vector<double> counts;
+    for (const PointSet& set : sets) {
+        planes.push_back(transform.forward(set));
+        counts.push_back(static_cast<double>(set.size()));
+    }
+    return spectra_of_planes(planes, counts);
 }
 
 }

@@ -5,6 +5,7 @@
 // nothing of each other, negative where one has its points between those of the other.
 #pragma once
 
+#include "analysis/spectra/nonuniform_transform.hpp"
 #include "base/geometry/point_set.hpp"
 
 #include <cstddef>
@@ -23,5 +24,8 @@ struct CrossSpectra
 
 /// The spectra of sets in 2D, none of them empty, up to frequency `reach`.
 CrossSpectra cross_spectra(const std::vector<PointSet>& sets, int reach);
+
+/// The spectra of sets of `counts` points whose transforms F_a are `planes`, of equal reach.
+CrossSpectra spectra_of_planes(const std::vector<HalfPlane>& planes, const std::vector<double>& counts);
 
 }

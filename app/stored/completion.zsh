@@ -5,7 +5,7 @@ _poissonlab()
     local -A following
     following=(
         '.' 'run merge analyze report export diff tiling packing tiles points aperiodic distribute isohedral texture devices samplers kinds completion manual help'
-        'analyze' '--out --label --domain --particles --region --along --surface --channel --periodic --gallery --in-pieces --set --threads --quiet --help'
+        'analyze' '--out --label --domain --particles --region --along --surface --classes --channel --periodic --gallery --in-pieces --set --threads --quiet --help'
         'aperiodic' 'sets convert verify tile tables'
         'aperiodic convert' '--construction --repeat --out --json --help'
         'aperiodic sets' '--json --help'

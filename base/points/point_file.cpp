@@ -141,7 +141,7 @@ bool has_first_bytes(const std::filesystem::path& path, std::string_view bytes)
 
 PointFileContent content_of(const std::filesystem::path& path, std::string_view bytes, const PointReading& how)
 {
-    return {path.string(), bytes, {}, how.told, how.options, how.degrees_sentence};
+    return {path.string(), bytes, {}, how.told, how.options, how.degrees_sentence, how.classes};
 }
 
 /// The sets of a file as they are there; `domain` becomes that of their coordinates.

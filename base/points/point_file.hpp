@@ -81,6 +81,15 @@ struct PointOptions
     const char* particles = ""; ///< of the type of particles
 };
 
+/// The classes of points (also called marks), where they are asked for: text, tables, PLY and GeoJSON have them.
+struct PointClasses
+{
+    /// The name of the column, or of the property; of tables without names the number of the column, counted from 1;
+    /// empty: classes are left out.
+    std::string column{};
+    std::function<void(std::string_view name)> take{}; ///< is called with the class of each point, in their order
+};
+
 /// Options for reading a file.
 struct PointReading
 {
@@ -96,6 +105,7 @@ struct PointReading
     std::function<void(const std::string& sentence)> told{};
 
     PointOptions options{};
+    PointClasses classes{};
 
     /// The sentence that is told of columns of longitude and latitude; empty: none. With a domain that has ends they
     /// are refused, because degrees are no lengths.

@@ -25,6 +25,9 @@ struct PointFileContent
     std::function<void(const std::string& sentence)> told = {};
     PointOptions options = {};
     std::string degrees_sentence = {};
+    PointClasses classes = {};
+
+    bool has_classes() const { return !classes.column.empty(); }
 
     void tell(const std::string& sentence) const
     {

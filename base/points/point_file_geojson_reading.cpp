@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <optional>
+#include <string>
+
 namespace poissonlab {
 namespace {
 
@@ -47,6 +50,7 @@ private:
         if (*type == "GeometryCollection") return for_each(object, "geometries", [&](const auto& each) { add(each); });
         if (*type == "Feature") {
             const auto geometry = object.find("geometry");
+            if (file_.has_classes()) find_class(object);
             if (geometry != object.end() && !geometry->is_null()) add(*geometry);
         } else if (*type == "MultiPoint") {
             for_each(object, "coordinates", [&](const auto& each) { add_position(each); });
@@ -56,6 +60,19 @@ private:
         } else {
             ++left_out_;
         }
+    }
+
+    /// The class of all points of a feature.
+    void find_class(const nlohmann::json& feature)
+    {
+        const auto properties = feature.find("properties");
+        class_.reset();
+        if (properties == feature.end() || !properties->is_object()) return;
+        const auto found = properties->find(file_.classes.column);
+        if (found == properties->end() || found->is_null()) return;
+        if (found->is_structured())
+            refuse(*found, fmt::format("the property {} must be a text or a number", file_.classes.column));
+        class_ = found->is_string() ? found->get<std::string>() : found->dump();
     }
 
     template <class Take>
@@ -74,6 +91,12 @@ private:
         if (set_.dimension == 0) set_.dimension = static_cast<int>(axes);
         if (axes != static_cast<std::size_t>(set_.dimension))
             refuse(position, fmt::format("must have {} numbers as the first point has", set_.dimension));
+        if (file_.has_classes()) {
+            if (!class_)
+                refuse(position,
+                       fmt::format("must be of a feature with the property {}, its class", file_.classes.column));
+            file_.classes.take(*class_);
+        }
         for (std::size_t axis = 0; axis < axes; ++axis) {
             const nlohmann::json& number = position[axis];
             if (!number.is_number()) refuse(position, "must be a position: two numbers, or three in space");
@@ -92,6 +115,7 @@ private:
     UnitCoordinates unit_;
     PointSet set_{0, {}};
     std::size_t left_out_ = 0;
+    std::optional<std::string> class_; ///< of the feature that is read
 };
 
 }

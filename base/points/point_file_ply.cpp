@@ -19,6 +19,7 @@ struct Vertices
     std::size_t element = 0; ///< index in the header
     const PlyElement* table = nullptr;
     std::vector<std::size_t> columns; ///< of x, y and, where there is one, z
+    std::size_t class_column = 0;     ///< if classes are asked for
 };
 
 Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
@@ -40,8 +41,13 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
             fail("PLY header", "the element `vertex` must have the properties x and y");
         }
     }
-    if (std::ranges::find(table->properties, "class", &PlyProperty::name) != table->properties.end())
-        file.tell("the classes of the points are left out");
+    const std::string wanted = file.has_classes() ? file.classes.column : "class";
+    const auto found = std::ranges::find(table->properties, wanted, &PlyProperty::name);
+    vertices.class_column = static_cast<std::size_t>(found - table->properties.begin());
+    const bool is_there = found != table->properties.end();
+    if (is_there && !file.has_classes()) file.tell("the classes of the points are left out");
+    if (!is_there && file.has_classes())
+        fail("PLY header", fmt::format("the element `vertex` must have the property {} with the classes", wanted));
     if (table->has_lists) fail("PLY header", "the element `vertex` must not have lists");
     if (table->count == 0) fail("no points", "the element `vertex` must have at least one row");
     return vertices;
@@ -100,6 +106,7 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
                 return CoordinatePlace{lines.number(), std::string(word)};
             }));
         }
+        if (file.has_classes()) file.classes.take(row[vertices.class_column]);
     }
     units.finish();
 
@@ -147,6 +154,10 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
             coordinates.push_back(units(value, axis, rounding_of(property.type),
                                         [&] { return place_at_byte(file.bytes.size() - bytes.size(), value); }));
         }
+        if (!file.has_classes()) continue;
+        const PlyProperty& property = vertices.table->properties[vertices.class_column];
+        const std::string_view bytes = body.substr(i * row_bytes + property.offset);
+        file.classes.take(fmt::format("{}", load_ply_value(bytes, property.type, header.byte_order)));
     }
     units.finish();
 

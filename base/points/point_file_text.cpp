@@ -107,6 +107,7 @@ private:
             fail_in_point_file(file_, line, fmt::format("{} coordinates", count),
                                fmt::format("must be {}, as on the lines before", dimension_));
         }
+        if (file_.has_classes()) file_.classes.take(table_.class_name());
     }
 
     bool is_before_points() const { return current_.empty() && sets_.empty() && handed_on_ == 0; }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -192,7 +193,10 @@ void TextTable::take_names(int number)
         const auto axis = is_counted && !names_[i].empty() ? std::optional(i - (names_.size() - count))
                           : of_globe                       ? globe_axis_of(names_[i])
                                                            : axis_of(names_[i]);
-        if (!axis) {
+        if (!axis && file_.has_classes() && names_[i] == file_.classes.column) {
+            if (class_column_) fail_in_point_file(file_, number, names_[i], "two columns have this name");
+            class_column_ = i;
+        } else if (!axis) {
             others.push_back(names_[i].empty() ? "one without a name" : names_[i]);
         } else if (found[*axis]) {
             fail_in_point_file(file_, number, names_[i], "two columns have this name");
@@ -204,10 +208,14 @@ void TextTable::take_names(int number)
         fail_in_point_file(file_, number, names_in_words(),
                            "is no point, nor names of columns: among these must be x and y, of points in space z, or "
                            "longitude and latitude");
+    if (file_.has_classes() && !class_column_)
+        fail_in_point_file(file_, number, file_.classes.column,
+                           fmt::format("is no column with classes; other columns than coordinates: {}",
+                                       others.empty() ? "none" : fmt::format("{}", fmt::join(others, ", "))));
     if (of_globe) degrees_line_ = number;
     for (const auto& column : found)
         if (column) columns_.push_back(*column);
-    if (!others.empty())
+    if (!others.empty() && !file_.has_classes())
         file_.tell(fmt::format("only the columns {} are read; left out: {}",
                                of_globe   ? "longitude and latitude"
                                : found[2] ? "x, y and z"
@@ -225,9 +233,11 @@ std::span<const std::string_view> TextTable::coordinates(std::string_view line, 
     if (!has_decimal_commas() && columns_.size() == names_.size()) check_commas(line, number);
     split(line, number);
     if (!names_.empty()) check_fields(line, number);
+    if (file_.has_classes()) find_class_by_number(line, number);
     words_.clear();
     for (const std::size_t column : columns_) words_.push_back(fields_[column + has_row_names_]);
     if (columns_.empty()) words_.assign(fields_.begin(), fields_.end());
+    if (columns_.empty() && class_column_) words_.erase(words_.begin() + static_cast<std::ptrdiff_t>(*class_column_));
     if (has_decimal_commas() || !columns_.empty())
         if (const auto empty = std::ranges::find(words_, ""); empty != words_.end())
             fail_in_point_file(file_, number, "nothing between separators",
@@ -237,6 +247,24 @@ std::span<const std::string_view> TextTable::coordinates(std::string_view line, 
                                                  names_[columns_[static_cast<std::size_t>(empty - words_.begin())]]));
     if (has_decimal_commas()) mend_decimals(number);
     return words_;
+}
+
+/// A table without names has its classes in the column of this number.
+void TextTable::find_class_by_number(std::string_view line, int number)
+{
+    if (!names_.empty()) return;
+    std::size_t column = 0;
+    const std::string& typed = file_.classes.column;
+    const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), column);
+    if (error != std::errc() || end != typed.data() + typed.size() || column == 0)
+        fail_in_point_file(
+            file_, number, line,
+            fmt::format("the first line has no names of columns, so that the column with classes must be "
+                        "given by its number, counted from 1, and not by its name, {}",
+                        typed));
+    if (column > fields_.size())
+        fail_in_point_file(file_, number, line, fmt::format("has no column {}, which the classes are in", column));
+    class_column_ = column - 1;
 }
 
 /// R writes names of rows in a first column, which has no name itself.

@@ -10,6 +10,7 @@
 #include "base/points/point_file_formats.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ public:
 
     /// The words of a point's coordinates, until the next line. Throws InputError.
     std::span<const std::string_view> coordinates(std::string_view line, int number);
+
+    /// The class in the line whose coordinates were taken last, if classes are asked for.
+    std::string_view class_name() const { return fields_[*class_column_ + has_row_names_]; }
 
     /// The number of the line that names the columns longitude and latitude; 0: none does.
     int degrees_line() const { return degrees_line_; }
@@ -53,12 +57,14 @@ private:
     void check_fields(std::string_view line, int number);
     void check_commas(std::string_view line, int number) const;
     void mend_decimals(int number);
+    void find_class_by_number(std::string_view line, int number);
 
     const PointFileContent& file_;
     Separator separator_ = Separator::unknown;
     std::vector<std::string> names_;
     std::vector<std::size_t> columns_; ///< of the coordinates; empty: all
-    bool has_row_names_ = false;       ///< a column in front that has no name
+    std::optional<std::size_t> class_column_;
+    bool has_row_names_ = false; ///< a column in front that has no name
     bool is_first_point_ = true;
     int degrees_line_ = 0;
     int comma_line_ = 0, point_line_ = 0; ///< the first numbers with decimal commas, and with points

@@ -63,6 +63,7 @@ enum class Purpose : std::uint32_t
     surface_darts = 100,
     surface_candidates = 101,
     surface_coverage = 102,
+    class_labels = 103,
 };
 
 /// The 64-bit key of one independent stream.

@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// For each point of the plane the id of the first feature that it lies in, as JSON; null where it lies in none.
+/// For each point of the plane the RegionFeature::id of the first feature that it lies in; null where it lies in none.
 std::vector<std::string> ids_of_features(const std::vector<RegionFeature>& features, const PointSet& points);
 
 }

@@ -10,6 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
 
 namespace poissonlab {
 namespace {
@@ -43,6 +46,41 @@ TEST(DistributeClasses, WritesPointsWithClassesAndSpectra)
                              feature.at("properties").at("class").get<int>());
     }
     EXPECT_EQ(table, points);
+}
+
+/// Tables, PLY and GeoJSON of a set give the same numbers. It is measured on the torus, and in the square as a region.
+TEST(AnalyzeClasses, MeasuresEachClassAllPointsAndPairs)
+{
+    const TemporaryFolder folder;
+    const Outcome made = run_program(folder.path(), {"distribute", "classes", "--engine", "reference", "--points", "20",
+                                                     "80", "--distances", "0.1", "0.05", "--out", "a.csv", "--out",
+                                                     "a.ply", "--out", "a.geojson"});
+    ASSERT_EQ(made.status, 0) << made.error;
+    for (const bool is_torus : {true, false}) {
+        nlohmann::json first;
+        std::vector<std::string> files{"a.csv"};
+        if (is_torus) files.insert(files.end(), {"a.ply", "a.geojson"});
+        for (const std::string& file : files) {
+            std::vector<std::string> arguments{"analyze", file, "--classes", "class", "--out", "out", "--quiet"};
+            if (!is_torus) arguments.insert(arguments.end(), {"--periodic", "no"});
+            const Outcome outcome = run_program(folder.path(), arguments);
+            ASSERT_EQ(outcome.status, 0) << outcome.error;
+            const auto json = nlohmann::json::parse(read_whole_file(folder.path() / "out/results.json"));
+            ASSERT_EQ(json.at("series").size(), 3U);
+            EXPECT_EQ(json.at("series").at(0).at("points"), 100);
+            EXPECT_EQ(json.at("series").at(1).at("label"), "0");
+            EXPECT_EQ(json.at("series").at(1).at("points"), 20);
+            EXPECT_EQ(json.at("series").at(2).at("points"), 80);
+            const auto& numbers = json.at("distributions").at(0).at("numbers");
+            if (first.is_null()) first = numbers;
+            EXPECT_EQ(numbers, first) << file;
+            std::map<std::string, double> values;
+            for (const auto& number : numbers) values[number.at("key")] = number.at("value");
+            EXPECT_GE(values.at("least_0"), 0.1);
+            EXPECT_GE(values.at("least_1"), 0.05);
+            EXPECT_GE(values.at("least_0_1"), 1 / std::sqrt(100 + 400.0) - 1e-9);
+        }
+    }
 }
 
 TEST(DistributeMasks, WriteFilesOfOtherPrograms)

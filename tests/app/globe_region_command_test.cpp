@@ -108,7 +108,7 @@ TEST_F(GlobeRegionFiles, AreWhatMethodsOfConfigsStore)
 TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
 {
     folder_.write("layer.geojson", R"({"type": "FeatureCollection", "features": [
-        {"type": "Feature", "id": "west", "geometry": {"type": "Polygon", "coordinates": [[[4.70, 50.86], [4.705, 50.86],
+        {"type": "Feature", "id": "west", "properties": {"name": "oak \"wood\"", "id": 7, "soil": {"ph": 5}}, "geometry": {"type": "Polygon", "coordinates": [[[4.70, 50.86], [4.705, 50.86],
             [4.705, 50.87], [4.70, 50.87], [4.70, 50.86]]]}},
         {"type": "Feature", "id": "east", "geometry": {"type": "Polygon", "coordinates": [[[4.705, 50.86], [4.71, 50.86],
             [4.71, 50.87], [4.705, 50.87], [4.705, 50.86]]]}}]})");
@@ -120,6 +120,32 @@ TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
     EXPECT_GT(features.size(), 200U);
     for (const json& feature : features)
         EXPECT_EQ(feature["properties"]["feature"], feature["geometry"]["coordinates"][0] < 4.705 ? "west" : "east");
+    // Attributes of the layer's features, which are copied.
+    for (const char* command : {"darts", "classes"}) {
+        const std::string file = std::string(command) + ".geojson";
+        const Outcome copied =
+            command == std::string("darts")
+                ? run({"distribute", "darts", "--region", "layer.geojson", "--min-distance", "60", "--out", file})
+                : run({"distribute", "classes", "--region", "layer.geojson", "--distances", "90", "60", "--out", file});
+        ASSERT_EQ(copied.status, 0) << copied.error;
+        std::size_t id = 0, west = 0;
+        const json written = json::parse(content_of(folder_.path() / file)).at("features");
+        for (const json& feature : written) {
+            json expected{{"id", id++}, {"feature", "east"}};
+            if (feature["geometry"]["coordinates"][0] < 4.705) {
+                ++west;
+                expected = {{"id", id - 1},
+                            {"feature", "west"},
+                            {"name", "oak \"wood\""},
+                            {"feature_id", 7},
+                            {"soil", {{"ph", 5}}}};
+            }
+            if (feature["properties"].contains("class")) expected["class"] = feature["properties"]["class"];
+            EXPECT_EQ(feature["properties"].contains("class"), command == std::string("classes"));
+            EXPECT_EQ(feature["properties"], expected);
+        }
+        EXPECT_GT(west, 20U);
+    }
     EXPECT_EQ(read("a.geojson").size(), features.size());
 }
 

@@ -103,6 +103,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[distribution]]\nkind = \"darts\"\n", "regions"},
              {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
              {"[[distribution]]\nkind = \"mesh-set\"\n", "surface_spectra"},
+             {"[[distribution]]\nkind = \"class-set\"\n", "classes"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
              {"tiles = 2\n[[method]]\nsampler = \"random\"\n", "tile_measures"},
@@ -119,11 +120,13 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
     folder_.write("a.ply", "ply\nformat ascii 1.0\n");
     folder_.write("a.h5", "\x89HDF\r\n\x1a\n");
     folder_.write("a.png", "\x89PNG\r\n\x1a\n");
+    folder_.write("a.csv", "x,y,class\n0.1,0.2,0\n0.5,0.6,1\n");
     for (const auto& [arguments, module] : std::vector<std::pair<std::string, std::string>>{
              {"tiles build corner", "tiles"},
              {"run c.toml --set 'engine=\"reference\"' --out out", "reference"},
              {"analyze a.ply --out out", "point_formats"},
              {"analyze a.png --out out", "distributions"},
+             {"analyze a.csv --classes class --out out", "classes"},
              {"analyze a.h5 --out out", "particles"},
              {"help texture map", "textures"},
              {"distribute darts --help", "regions"},

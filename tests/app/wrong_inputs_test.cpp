@@ -134,6 +134,11 @@ protected:
         folder_.write("degrees.geojson", R"({"type": "MultiPoint", "coordinates": [[4.35, 50.85], [4.36, 50.84]]})");
         folder_.write("far.csv", "x,y\n4.35,50.85\n4.36,50.84\n");
         folder_.write("fields.csv", "id,x,y\n1,0.5\n");
+        folder_.write("trees.csv", "x,y,kind,one\n0.1,0.2,oak,a\n0.5,0.5,ash,a\n");
+        folder_.write("holes.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,\n");
+        folder_.write("trees.geojson",
+                      R"({"type": "FeatureCollection", "crs": null, "features": [{"type": "Feature", )"
+                      R"("properties": {"kind": [1]}, "geometry": {"type": "Point", "coordinates": [0.1, 0.2]}}]})");
         folder_.write("mixed.csv", "x;y\n0,5;0.25\n");
         folder_.write("wide.csv", "x,y\n120.5,8\n511.7,300\n12,64.5\n88,500.5\n");
         write_points(folder_.path() / "glass.hdf5", {3, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}});

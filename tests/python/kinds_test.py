@@ -1,5 +1,6 @@
 """Kinds of work in Python: what they make is what the program makes, and refuses."""
 
+import csv
 import json
 import pathlib
 import shutil
@@ -12,6 +13,8 @@ from xml.etree import ElementTree
 import numpy
 import pyproj
 import scipy.spatial
+import shapely.affinity
+import shapely.geometry
 
 import poissonlab
 from poissonlab import _poissonlab, distribute, kinds
@@ -73,6 +76,56 @@ class Kinds(unittest.TestCase):
         self.assertAlmostEqual(made.numbers["mean_nearest"], nearest.mean(), places=9)
         self.assertAlmostEqual(made.numbers["gap_variation"], gaps.std() / gaps.mean(), places=9)
         self.assertAlmostEqual(made.numbers["jamming_share"], gaps.min() / (50 / 40) / 0.7475979202534114, places=9)
+
+    def test_classes_are_measured_as_numpy_and_shapely_do(self):
+        # The sides of the frame are a power of two: corners are whole parts of 2^31 of it.
+        region = shapely.geometry.Polygon([(2, 1), (18, 1), (18, 5), (7, 5), (7, 9), (2, 9)],
+                                          [[(3, 2), (5, 2), (5, 4), (3, 4)]])
+        random = numpy.random.default_rng(3)
+        points = random.uniform((2, 1), (18, 9), (150, 2))
+        points = points[[region.contains(shapely.geometry.Point(point)) for point in points]]
+        species = random.choice(["oak", "ash", "10"], len(points), p=[0.5, 0.3, 0.2])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "trees.csv"
+            file.write_text("id,x,y,species\n" + "".join(
+                f"{i},{x!r},{y!r},{name}\n" for i, ((x, y), name) in enumerate(zip(points.tolist(), species))))
+            made = distribute.class_set(set=file, classes="species", region=region.wkt)
+            with self.assertRaisesRegex(poissonlab.InputError, "genus: is no column with classes.*: id, species"):
+                distribute.class_set(set=file, classes="genus", region=region.wkt)
+        names = ["10", "ash", "oak"]  # numbers before words
+        found = {}
+        with open(next(f for f in made.files if f.name == "pairs.csv"), newline="") as rows:
+            for row in csv.DictReader(rows):
+                found.setdefault((row["first"], row["second"]), []).append((float(row["distance"]), float(row["g"])))
+        self.assertEqual(set(found), {("", "")} | {(a, b) for i, a in enumerate(names) for b in names[i:]})
+        distance = scipy.spatial.distance.cdist(points, points)
+        common = numpy.array([[region.intersection(shapely.affinity.translate(region, *(p - q))).area
+                               for q in points] for p in points])
+        for (a, b), curve in found.items():
+            first, second = (species == a) | (a == ""), (species == b) | (b == "")
+            n, m = first.sum(), second.sum()
+            together = n if a == b else n + m
+            half = 0.15 * (region.area / together)**0.5
+            pairs = numpy.outer(first, second) & (distance > 0)
+            d, weight = distance[pairs], region.area**2 / common[pairs] / pairs.sum()
+            for r, g in curve[::7]:
+                kernel = numpy.maximum(0, 0.75 * (1 - ((r - d) / half)**2)) / half
+                self.assertAlmostEqual(g, (weight * kernel / (2 * numpy.pi * d)).sum(), delta=1e-11 * max(1, g))
+        for i, a in enumerate(names):
+            for j, b in enumerate(names):
+                between = numpy.where(distance == 0, numpy.inf, distance)[species == a][:, species == b]
+                key = f"mean_nearest_{i}" if i == j else f"mean_nearest_{i}_{j}"
+                self.assertAlmostEqual(made.numbers[key], between.min(axis=1).mean(), places=12)
+        own = sum((species == a).sum() * ((species == a).sum() - 1) for a in names) / len(points) / (len(points) - 1)
+        half = 0.15 * (region.area / len(points))**0.5
+        pairs = distance > 0
+        d, weight = distance[pairs], 1 / common[pairs] / distance[pairs]
+        same = numpy.equal.outer(species, species)[pairs]
+        marks = numpy.genfromtxt(next(f for f in made.files if f.name == "marks.csv"), delimiter=",", names=True)
+        for row in marks[50::11]:
+            kernel = weight * numpy.maximum(0, 1 - ((row["distance"] - d) / half)**2)
+            self.assertAlmostEqual(row["mark_correlation"], kernel[same].sum() / kernel.sum() / own, places=10)
+            self.assertLessEqual(row["low"], row["high"])
 
     def test_mask_pictures_are_measured_as_numpy_does(self):
         height, width = 24, 40
@@ -142,7 +195,8 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set", "mesh_set", "cells",
+                          "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set", "mesh_set", "class_set",
+                          "cells",
                           "textured_surface", "surface_objects"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)

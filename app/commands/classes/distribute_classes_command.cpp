@@ -49,7 +49,7 @@ struct ClassOptions : KindOptions
 void write_class_output(const std::filesystem::path& file, const ClassSet& set, const std::string& comment)
 {
     if (std::ranges::find(class_file_ends(), file.extension().string()) != class_file_ends().end())
-        return write_class_file(file, set.as_in_files(), comment, set.region());
+        return write_class_file(file, set.as_in_files(), comment, set.region(), set.features());
     write_picture_file(file, draw_marks(class_picture(set), {}));
 }
 

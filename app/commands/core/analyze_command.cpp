@@ -1,4 +1,5 @@
 // poissonlab analyze: point sets made elsewhere, through the same analysis and report.
+#include "app/commands/class_series.hpp"
 #include "app/commands/command.hpp"
 #include "app/commands/core/finish_report.hpp"
 #include "base/crew/thread_limit.hpp"
@@ -31,6 +32,7 @@ with a range for each axis where the sides of a periodic box differ: `# domain 0
   poissonlab analyze set-*.dat --label "My method" --out mine
   poissonlab analyze lamps.csv --region roads.geojson --along
   poissonlab analyze points.csv --surface bunny.obj
+  poissonlab analyze trees.csv --classes species --region park.geojson
 A picture is measured as a mask of thresholds, for dithering or as a texture of blue noise: the power of its values,
 their histogram, and the pixels below thresholds.
   poissonlab analyze blue-noise.png --channel R
@@ -57,6 +59,7 @@ struct AnalyzeOptions
     std::string region;   ///< as for read_region(); empty: sets fill their square
     bool along = false;   ///< whether points lie on the region's lines
     std::string surface;  ///< the mesh that points lie on; empty: they lie on none
+    std::string classes;  ///< the column that has the class of each point; empty: points have none
     std::string channel;  ///< of a picture
     std::string periodic; ///< yes or no; empty: what the closest pairs say
     std::vector<std::string> overrides;
@@ -157,8 +160,8 @@ std::string quoted(const std::string& text) { return nlohmann::json(text).dump()
 
 void check_printable(const AnalyzeOptions& options)
 {
-    for (const std::string& typed :
-         {options.files.front().string(), options.label, options.channel, options.region, options.surface})
+    for (const std::string& typed : {options.files.front().string(), options.label, options.channel, options.region,
+                                     options.surface, options.classes})
         if (printable(typed) != typed)
             throw InputError(fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8",
                                          printable(typed)));
@@ -174,8 +177,8 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
     const bool is_mesh = !options.surface.empty(), has_region = !options.region.empty();
     if (options.along && !has_region) throw InputError("analyze: --along needs --region");
     const bool has_others = is_picture ? is_mesh || has_region : !options.channel.empty() || (is_mesh && has_region);
-    if (has_others || !options.domain.empty() || options.particles != no_type || !options.periodic.empty() ||
-        options.gallery || options.in_pieces || options.files.size() > 1)
+    if (has_others || !options.classes.empty() || !options.domain.empty() || options.particles != no_type ||
+        !options.periodic.empty() || options.gallery || options.in_pieces || options.files.size() > 1)
         throw InputError(fmt::format(
             "analyze: {}--out, --label, --set, --threads and --quiet can be given with it",
             is_picture
@@ -205,6 +208,27 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
     finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
 }
 
+/// The keys of kind = "class-set" that measure a file as these options do. What is not about how a region is read is
+/// about the series of each class.
+std::string class_set_keys_of(const AnalyzeOptions& options)
+{
+    check_printable(options);
+    std::string keys =
+        fmt::format("set = {}\nclasses = {}\n", quoted(options.files.front().string()), quoted(options.classes));
+    if (!options.region.empty()) keys += fmt::format("region = {}\n", quoted(options.region));
+    if (!options.domain.empty()) keys += fmt::format("domain = {}\n", quoted(options.domain));
+    if (options.periodic == "no" || std::ranges::count(options.overrides, "analysis.window=true") > 0)
+        keys += "window = true\n";
+    for (const std::string& text : options.overrides) {
+        if (text.starts_with("analysis.box="))
+            throw InputError("analyze: --set " + text +
+                             ": cannot be combined with --classes: --domain gives the sides");
+        for (const char* key : {"region", "planar", "crs", "overlap", "buffer"})
+            if (text.starts_with(fmt::format("analysis.{}=", key))) keys += text.substr(text.find('.') + 1) + "\n";
+    }
+    return keys;
+}
+
 void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
@@ -223,6 +247,12 @@ void analyze(const AnalyzeOptions& options)
     check_periodic(options);
     PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
+    if (!options.classes.empty()) {
+        if (options.files.size() > 1 || options.in_pieces || options.particles != no_type)
+            throw InputError("analyze: --classes measures one file: it cannot be combined with others, --in-pieces and "
+                             "--particles");
+        how.classes = {options.classes, [](std::string_view) {}};
+    }
     ConfigTable entries;
     if (!options.region.empty()) entries = entry_of("--region", "region", options.region, options.region);
     auto region = overridden_region(options.overrides, entries);
@@ -237,8 +267,8 @@ void analyze(const AnalyzeOptions& options)
     if (domain && domain->dimension() == 2 && options.periodic == "no" && !has_measures_of_squares(options))
         take_as_region();
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
-    const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
-                             options.in_pieces};
+    LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out, options.in_pieces};
+    if (!options.classes.empty()) large = {};
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
                                    : import_points(options.files, options.label, how, large);
     const std::vector<double> sides = experiment.analysis.box_sides;
@@ -253,6 +283,7 @@ void analyze(const AnalyzeOptions& options)
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
     experiment.analysis.is_periodic = options.periodic == "yes";
     check_imported(experiment);
+    if (!options.classes.empty()) add_class_series(experiment, class_set_keys_of(options));
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
@@ -288,6 +319,10 @@ Command analyze_command(const std::string& typed)
               "REGION"},
              {"--along", &o->along, "Measure the points along the lines and outlines of the region"},
              {"--surface", &o->surface, "The mesh that points lie on, whose eigenfunctions give the spectrum", "MESH"},
+             {"--classes", &o->classes,
+              "The column or property that has the class of each point: each class is measured alone and all together, "
+              "and how they lie to each other",
+              "COLUMN"},
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "

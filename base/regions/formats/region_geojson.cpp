@@ -11,6 +11,21 @@ namespace {
 
 using GeoJson = nlohmann::json;
 
+/// The id of a feature, as JSON, and behind it its properties as further members, which points in it have as well.
+/// Those with names that points use themselves are called feature_NAME.
+std::string members_of_feature(const GeoJson& feature, std::size_t number)
+{
+    const auto id = feature.find("id"), properties = feature.find("properties");
+    const bool has_id = id != feature.end() && (id->is_string() || id->is_number());
+    std::string members = has_id ? id->dump() : std::to_string(number);
+    if (properties == feature.end() || !properties->is_object()) return members;
+    for (const auto& [key, value] : properties->items()) {
+        const bool is_taken = key == "id" || key == "feature" || key == "class";
+        members += fmt::format(",{}:{}", GeoJson(is_taken ? "feature_" + key : key).dump(), value.dump());
+    }
+    return members;
+}
+
 class GeoJsonReader
 {
 public:
@@ -67,9 +82,7 @@ private:
     /// A feature without a geometry is located nowhere, as RFC 7946 has it.
     void add_feature(const GeoJson& feature, const std::string& member)
     {
-        const auto id = feature.find("id");
-        const bool has_id = id != feature.end() && (id->is_string() || id->is_number());
-        found.ids.push_back(has_id ? id->dump() : std::to_string(found.ids.size()));
+        found.ids.push_back(members_of_feature(feature, found.ids.size()));
         if (feature.contains("geometry") && !feature["geometry"].is_null())
             add(feature["geometry"], member + "geometry.");
     }

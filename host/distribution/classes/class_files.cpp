@@ -39,7 +39,8 @@ std::string header_of(const std::string& format, int dimension, std::size_t poin
                       const PlaneRegion* region)
 {
     if (format == ".geojson")
-        return geojson_begin("FeatureCollection", region ? region->crs : "", comment) + ",\"features\":[\n";
+        return geojson_begin("FeatureCollection", region ? crs_in_files(*region) : crs_of_lengths, comment) +
+               ",\"features\":[\n";
     const bool is_solid = dimension == 3;
     if (format == ".csv" && region && is_mapped(*region)) return fmt::format("{},class\n", csv_header_globe);
     if (format == ".csv") return is_solid ? "x,y,z,class\n" : "x,y,class\n";
@@ -63,7 +64,7 @@ const std::vector<std::string>& class_file_ends()
 
 void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
                         const std::string& comment, const std::function<void(const ClassedPointSink&)>& source,
-                        const PlaneRegion* region)
+                        const PlaneRegion* region, const std::vector<std::string>& features)
 {
     const std::string format = file.extension().string();
     const auto axes = static_cast<std::size_t>(dimension);
@@ -75,10 +76,12 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
             std::string piece;
             for (std::size_t i = 0; i < classes.size(); ++i) {
                 const auto at = coordinates.subspan(i * axes, axes);
-                if (is_geojson)
-                    piece += geojson_feature(id++, fmt::format(",\"class\":{}", classes[i]), at);
-                else
+                if (!is_geojson) {
                     append_point(piece, format, at, classes[i]);
+                    continue;
+                }
+                const std::string of_feature = features.empty() ? "" : ",\"feature\":" + features[id];
+                piece += geojson_feature(id++, fmt::format(",\"class\":{}{}", classes[i], of_feature), at);
             }
             sink(piece);
         });
@@ -87,7 +90,7 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
 }
 
 void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment,
-                      const PlaneRegion* region)
+                      const PlaneRegion* region, const std::vector<std::string>& features)
 {
     const std::size_t count = points.classes.size();
     const auto axes = static_cast<std::size_t>(points.points.dimension);
@@ -98,7 +101,7 @@ void write_class_file(const std::filesystem::path& file, const ClassedPoints& po
                  std::span(points.classes).subspan(begin, some));
         }
     };
-    write_class_pieces(file, points.points.dimension, count, comment, in_pieces, region);
+    write_class_pieces(file, points.points.dimension, count, comment, in_pieces, region, features);
 }
 
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points)

@@ -19,9 +19,10 @@ namespace poissonlab {
 const std::vector<std::string>& class_file_ends();
 
 /// Writes points in one of these formats, whole or not at all. Numbers read back are the same doubles. Throws
-/// StorageError. Coordinates are those of the region's file, if there is a region.
+/// StorageError. Coordinates are those of the region's file, if there is a region. `features` has what GeoJSON says of
+/// the feature of the region's file that each point lies in, see RegionFeature::id; empty: nothing.
 void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment,
-                      const PlaneRegion* region = nullptr);
+                      const PlaneRegion* region = nullptr, const std::vector<std::string>& features = {});
 
 /// Takes some points, coordinate after coordinate, and the class of each.
 using ClassedPointSink =
@@ -31,7 +32,7 @@ using ClassedPointSink =
 /// of the region's file, if there is a region.
 void write_class_pieces(const std::filesystem::path& file, int dimension, std::size_t points,
                         const std::string& comment, const std::function<void(const ClassedPointSink&)>& source,
-                        const PlaneRegion* region = nullptr);
+                        const PlaneRegion* region = nullptr, const std::vector<std::string>& features = {});
 
 /// The classes alone, as a NumPy array of uint32.
 void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points);

@@ -1,5 +1,6 @@
 #include "host/distribution/classes/class_pictures.hpp"
 
+#include "base/files/whole_file.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
 
 #include <fmt/format.h>
@@ -19,12 +20,19 @@ constexpr double shown_radius = 0.16;
 /// Pairs whose curves a picture has room for.
 constexpr std::size_t most_curves = 18;
 
-std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used)
+std::string class_name(std::uint32_t number, const std::vector<std::string>& names)
 {
-    std::vector<std::string> names;
+    return names.empty() ? fmt::format("class {}", number) : names[number];
+}
+
+std::vector<std::string> pair_names(const std::vector<std::uint32_t>& used, const std::vector<std::string>& names)
+{
+    std::vector<std::string> pairs;
     for (std::size_t i = 0; i < used.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) names.push_back(fmt::format("{}, {}", used[j], used[i]));
-    return names;
+        for (std::size_t j = 0; j < i; ++j)
+            pairs.push_back(names.empty() ? fmt::format("{}, {}", used[j], used[i])
+                                          : fmt::format("{} and {}", names[used[j]], names[used[i]]));
+    return pairs;
 }
 
 /// Makes a curve that leaves out places where no value is known.
@@ -75,6 +83,27 @@ MarkPicture picture_in_region(const ClassSet& set)
     return land_picture(*set.work.land, set.work.request.region->box(), dots);
 }
 
+/// Mean radial power of each class and of all points.
+CurveChart power_chart(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& names)
+{
+    const std::vector<std::uint32_t>& used = spectra.classes;
+    const double unit = root_of_number(points);
+    std::vector<ChartCurve> curves{curve_of("all", "#000000", spectra.mean.power.back(), unit)};
+    for (std::size_t i = 0; i < std::min(used.size(), most_curves); ++i)
+        curves.push_back(curve_of(class_name(used[i], names), class_color(used[i]), spectra.mean.power[i], unit));
+    return {frequency_axis(spectra.mean, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves};
+}
+
+CurveChart cross_chart(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& class_names)
+{
+    const std::vector<std::string> names = pair_names(spectra.classes, class_names);
+    const double unit = root_of_number(points);
+    std::vector<ChartCurve> curves;
+    for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
+        curves.push_back(curve_of(names[i], class_color(i), spectra.mean.cross[i], unit));
+    return {frequency_axis(spectra.mean, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves};
+}
+
 }
 
 MarkPicture class_picture(const ClassSet& set)
@@ -99,24 +128,19 @@ CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins)
     return cross_spectra(sets, bins > 0 ? static_cast<int>(bins) : static_cast<int>(reach));
 }
 
-CurveChart power_chart(std::size_t points, const ClassSpectra& spectra)
+void add_class_spectra(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& names,
+                       DistributionFiles& files, DistributionResult& result)
 {
-    const std::vector<std::uint32_t>& used = spectra.classes;
-    const double unit = root_of_number(points);
-    std::vector<ChartCurve> curves{curve_of("all", "#000000", spectra.mean.power.back(), unit)};
-    for (std::size_t i = 0; i < std::min(used.size(), most_curves); ++i)
-        curves.push_back(curve_of(fmt::format("class {}", used[i]), class_color(used[i]), spectra.mean.power[i], unit));
-    return {frequency_axis(spectra.mean, unit), {"radially averaged power", 0, 3, 0.5}, 1, curves};
-}
-
-CurveChart cross_chart(std::size_t points, const ClassSpectra& spectra)
-{
-    const std::vector<std::string> names = pair_names(spectra.classes);
-    const double unit = root_of_number(points);
-    std::vector<ChartCurve> curves;
-    for (std::size_t i = 0; i < std::min(names.size(), most_curves); ++i)
-        curves.push_back(curve_of(names[i], class_color(i), spectra.mean.cross[i], unit));
-    return {frequency_axis(spectra.mean, unit), {"radially averaged cross power", -1.5, 1.5, 0.5}, 0, curves};
+    const std::string of = spectra.sets == 1 ? "of this set alone" : fmt::format("the mean of {} sets", spectra.sets);
+    files.add_curves("power", power_chart(points, spectra, names),
+                     fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
+    if (!spectra.mean.cross.empty())
+        files.add_curves("cross-power", cross_chart(points, spectra, names),
+                         fmt::format("Cross power of pairs of classes, {}: 0 where they are independent of each other, "
+                                     "below 0 where one has its points between those of the other.",
+                                     of),
+                         result);
+    write_whole_file(files.add("spectra.csv", result), spectra_csv(spectra));
 }
 
 }

@@ -5,10 +5,12 @@
 #include "host/distribution/classes/class_points.hpp"
 #include "host/sampling/classes/class_darts.hpp"
 #include "results/pictures/curve_chart.hpp"
+#include "results/pictures/distribution_files.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -24,10 +26,9 @@ std::vector<std::uint32_t> used_classes(const ClassedPoints& points);
 /// interest. 2D only.
 CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins = 0);
 
-/// Mean radial power of each class and of all points, of which there are so many in a set.
-CurveChart power_chart(std::size_t points, const ClassSpectra& spectra);
-
-/// Mean radial cross power of each pair of classes.
-CurveChart cross_chart(std::size_t points, const ClassSpectra& spectra);
+/// Adds pictures of the mean radial power of each class and of all points, of which there are so many in a set, and of
+/// the cross power of each pair of classes, and spectra.csv. `names` are those of all classes; empty: their numbers.
+void add_class_spectra(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& names,
+                       DistributionFiles& files, DistributionResult& result);
 
 }

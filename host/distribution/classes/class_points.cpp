@@ -6,6 +6,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/regions/region_features.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
@@ -250,6 +251,13 @@ ClassedPoints ClassSet::in_units() const
     ClassedPoints own = points;
     own.points = in_units_of(*work.request.region, points.points);
     return own;
+}
+
+std::vector<std::string> ClassSet::features() const
+{
+    const bool has_features = work.land && work.land->whole.source && !work.land->whole.source->features.empty();
+    if (!has_features) return {};
+    return ids_of_features(work.land->whole.source->features, in_units().points);
 }
 
 ClassedPoints ClassSet::as_in_files() const

@@ -76,6 +76,9 @@ struct ClassSet
     /// are.
     ClassedPoints in_units() const;
     ClassedPoints as_in_files() const;
+    /// What points say of the features of the region's file, see write_class_file().
+    std::vector<std::string> features() const;
+
     const PlaneRegion* region() const { return work.land ? &work.land->whole : nullptr; }
 
     /// The area, or volume, that the points lie in, in powers of these units.

@@ -136,22 +136,6 @@ std::vector<std::string> facts_of(const ClassSettings& s)
             s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
 }
 
-void add_class_spectra(std::size_t points, const ClassSpectra& spectra, DistributionFiles& files,
-                       DistributionResult& result)
-{
-    const std::string of = spectra.sets == 1 ? "of this set alone" : fmt::format("the mean of {} sets", spectra.sets);
-    files.add_curves("power", power_chart(points, spectra),
-                     fmt::format("Radially averaged power of each class and of all points, {}.", of), result);
-    if (!spectra.mean.cross.empty())
-        files.add_curves("cross-power", cross_chart(points, spectra),
-                         fmt::format("Cross power of pairs of classes, {}: 0 where they are independent of each other, "
-                                     "below 0 where one has its points between those of the other.",
-                                     of),
-                         result);
-    write_whole_file(files.add("spectra.csv"), spectra_csv(spectra));
-    result.files.push_back("spectra.csv");
-}
-
 DistributionResult make_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files)
 {
@@ -180,7 +164,7 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
         for (const std::string& note : notes_of(set.work.land->whole)) result.facts.push_back(note);
         add_region_curves(set.work.land->rest, set.in_units().points, files, result);
     } else if (settings.dimension == 2)
-        add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), files, result);
+        add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), {}, files, result);
     result.numbers = class_numbers(set);
     result.tables.push_back(distance_table(set));
     return result;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace poissonlab {
@@ -137,14 +138,20 @@ OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& ke
     return open;
 }
 
-std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances)
+std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances,
+                                                          const std::vector<double>& shares)
 {
     std::vector<contract::class_darts::ClassPair> pairs;
-    for (std::size_t i = 0; i < distances.classes(); ++i)
-        for (std::size_t j = 0; j < distances.classes(); ++j) {
+    for (std::size_t i = 0; i < distances.classes(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(pairs.size());
+        for (std::uint32_t j = 0; j < distances.classes(); ++j) {
             const std::uint64_t squared = squared_threshold(distances.at(i, j));
-            pairs.push_back({.squared = squared, .reach = square_root_above(squared)});
+            pairs.push_back({.squared = squared, .reach = square_root_above(squared), .other = j, .unused = 0});
         }
+        std::ranges::stable_sort(pairs.begin() + first, pairs.end(), std::greater{}, [&](const auto& pair) {
+            return shares[pair.other] * std::pow(distances.at(i, pair.other), 2);
+        });
+    }
     return pairs;
 }
 

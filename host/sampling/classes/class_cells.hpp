@@ -68,8 +68,9 @@ OpenCells all_cells(std::uint32_t level, int dimension);
 /// The children of cells, one level below, whose bits are set; at the last level, the cells themselves.
 OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension);
 
-/// The pairs of a class with all classes, class after class.
-std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances);
+/// The pairs of a class with all classes, class after class; `shares` of the points, as a request has them.
+std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances,
+                                                          const std::vector<double>& shares);
 
 /// Grids with about a point a cell at most, and the number of their cells.
 struct ClassGrids

@@ -72,7 +72,7 @@ public:
         cover_ = device.kernel(program, "cover_cells");
         reserve(device, class_buffers(buffers, request));
         const ClassGrids grids = class_grids(request);
-        buffers.pairs.write(class_pairs(distances_));
+        buffers.pairs.write(class_pairs(distances_, request.shares));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
         if (request.region) buffers.region.write(*request.region);
@@ -186,7 +186,7 @@ private:
         if (request_.points.empty() || request_.factor >= 1) return false;
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
-        buffers_.pairs.write(class_pairs(distances_));
+        buffers_.pairs.write(class_pairs(distances_, request_.shares));
         start_anywhere();
         return true;
     }

@@ -41,7 +41,7 @@ class ThrowingInSlots
 public:
     explicit ThrowingInSlots(const ClassDartRequest& request)
         : request_(request), order_(request.shares, request.points), distances_(request.distances),
-          pairs_(class_pairs(distances_)), open_(request.distances.classes())
+          pairs_(class_pairs(distances_, request.shares)), open_(request.distances.classes())
     {
         start_anywhere();
         for (const ClassGrid& grid : class_grids(request).grids) {
@@ -111,7 +111,7 @@ private:
         if (request_.points.empty() || request_.factor >= 1) return false;
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
-        pairs_ = class_pairs(distances_);
+        pairs_ = class_pairs(distances_, request_.shares);
         start_anywhere();
         return true;
     }
@@ -159,9 +159,9 @@ private:
     /// Is the box nearer to one point than its class and class `own` are to be, all of it?
     bool is_covered(const ClassBox<D>& box, std::uint32_t own) const
     {
-        for (std::size_t other = 0; other < open_.size(); ++other) {
-            const ClassPair& pair = pairs_[own * open_.size() + other];
-            if (any_near(box, pair.reach, other,
+        for (std::size_t number = 0; number < open_.size(); ++number) {
+            const ClassPair& pair = pairs_[own * open_.size() + number];
+            if (any_near(box, pair.reach, pair.other,
                          [&](const TorusPoint<D>& point) { return squared_farthest_of<D>(point, box) < pair.squared; }))
                 return true;
         }

@@ -22,11 +22,14 @@ DERIVED(CLASS_WORD, (size_t DIMENSION), DIMENSION)
 DERIVED(NEXT_WORD, (size_t DIMENSION), DIMENSION + 1)
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 2)
 
-/// How far two classes keep apart.
+/// How far a class keeps from another. The pairs of a class begin with those whose points cover most of the place: they
+/// reject most darts.
 struct ClassPair
 {
     ulong squared; ///< in units of 2^-64
     ulong reach;   ///< the least length whose square is no less, in units of 2^-32
+    uint other;    ///< the other class
+    uint unused;
 };
 
 /// Cells of points of one class, 2^bits along each axis.

@@ -1,0 +1,15 @@
+// Points with classes that `poissonlab analyze` is given.
+#pragma once
+
+#include "experiment/series/experiment.hpp"
+
+#include <string>
+
+namespace poissonlab {
+
+/// Adds a series of each class to the experiment of one set, whose points are those of a file, and what the classes
+/// have to do with each other. `keys` are lines of a [[distribution]] of kind = "class-set", which reads that file. A
+/// class of one point has no series, with a note. Throws InputError for what that kind refuses.
+void add_class_series(Experiment& experiment, const std::string& keys);
+
+}

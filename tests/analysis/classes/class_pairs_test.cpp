@@ -1,0 +1,257 @@
+// Pairs of points with classes, against all pairs one by one and against closed forms.
+#include "analysis/classes/class_pairs.hpp"
+
+#include "base/regions/region_text.hpp"
+#include "tests/support/statistics.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+PointSet random_set(std::size_t count, std::mt19937_64& random)
+{
+    std::uniform_real_distribution<double> uniform;
+    PointSet set{2, {}};
+    for (std::size_t i = 0; i < 2 * count; ++i) set.coordinates.push_back(uniform(random));
+    return set;
+}
+
+/// A rectangle in its frame, whose longest side is 1: areas in common have a closed form.
+ClassPlace rectangle(double height)
+{
+    const PlaneRegion region{{{{{0, 0}, {1, 0}, {1, height}, {0, height}}}}};
+    return ClassPlace(std::make_shared<const FramedRegion>(region, "rectangle"));
+}
+
+PointSet squeezed(PointSet set, double height)
+{
+    for (std::size_t i = 1; i < set.coordinates.size(); i += 2) set.coordinates[i] *= height;
+    return set;
+}
+
+/// The sum over all pairs of a set and another, or of a set with itself. `sides` of a torus, all of whose images within
+/// `reach` count; `box` of a rectangle.
+std::vector<double> brute_force_g(const PointSet& a, const PointSet& b, const ClassDistanceSteps& steps,
+                                  const std::array<double, 3>* sides, const RegionBox& box)
+{
+    const bool is_same = &a == &b;
+    const double n = static_cast<double>(a.size()), m = static_cast<double>(b.size()) - is_same;
+    std::vector<double> g(steps.count);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j)
+            for (int across = -1; across <= 1; ++across)
+                for (int up = -1; up <= 1; ++up) {
+                    if ((is_same && i == j) || (!sides && (across != 0 || up != 0))) continue;
+                    double x = a[i][0] - b[j][0] + across, y = a[i][1] - b[j][1] + up;
+                    if (sides) x *= (*sides)[0], y *= (*sides)[1];
+                    const double area = sides ? 1 : box.width() * box.height();
+                    const double common = sides ? 1 : (box.width() - std::abs(x)) * (box.height() - std::abs(y));
+                    const double d = std::hypot(x, y);
+                    for (std::size_t k = 0; k < steps.count; ++k) {
+                        const double t = (steps.step * static_cast<double>(k + 1) - d) / steps.half_width;
+                        if (std::abs(t) < 1)
+                            g[k] += area * area / (n * m) / common * 0.75 * (1 - t * t) / steps.half_width /
+                                    (2 * std::numbers::pi * d);
+                    }
+                }
+    return g;
+}
+
+void expect_same(const std::vector<double>& found, const std::vector<double>& expected)
+{
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_NEAR(found[k], expected[k], 1e-12 * std::max(1.0, expected[k])) << k;
+}
+
+TEST(ClassPairs, AreSumsOverAllPairs)
+{
+    std::mt19937_64 random(3);
+    const std::vector<double> sides{3, 2};
+    const PeriodicBox boxes[]{{}, periodic_box(sides)};
+    for (const auto& [n, m] : {std::pair{1, 1}, {1, 2}, {2, 3}, {3, 40}, {60, 25}}) {
+        const PointSet a = random_set(static_cast<std::size_t>(n), random),
+                       b = random_set(static_cast<std::size_t>(m), random);
+        for (const PeriodicBox& box : boxes) {
+            const ClassPlace torus(box);
+            const ClassDistanceSteps steps = class_distance_steps(torus, a.size() + b.size());
+            expect_same(class_pair_correlation(a, b, torus, steps), brute_force_g(a, b, steps, &box.sides, {}));
+            if (n > 1)
+                expect_same(class_pair_correlation(a, a, torus, steps), brute_force_g(a, a, steps, &box.sides, {}));
+        }
+        // The frame is a little larger than the rectangle.
+        for (const double height : {1.0, 0.6}) {
+            const PointSet c = squeezed(a, height), d = squeezed(b, height);
+            const ClassPlace region = rectangle(height);
+            const RegionBox framed = box_of(region.region()->polygons());
+            const ClassDistanceSteps steps = class_distance_steps(region, a.size() + b.size());
+            expect_same(class_pair_correlation(c, d, region, steps), brute_force_g(c, d, steps, nullptr, framed));
+            if (m > 1)
+                expect_same(class_pair_correlation(d, d, region, steps), brute_force_g(d, d, steps, nullptr, framed));
+        }
+    }
+}
+
+TEST(ClassPairs, NearestDistancesAreThoseOfAllPairs)
+{
+    std::mt19937_64 random(4);
+    const std::vector<double> sides{1, 7};
+    for (const PeriodicBox& box : {PeriodicBox{}, periodic_box(sides)})
+        for (const auto& [n, m] : {std::pair{1, 1}, {5, 1}, {2, 3}, {40, 300}}) {
+            const PointSet a = random_set(static_cast<std::size_t>(n), random),
+                           b = random_set(static_cast<std::size_t>(m), random);
+            double least = 1e9, sum = 0;
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                double nearest = 1e9;
+                for (std::size_t j = 0; j < b.size(); ++j) {
+                    double x = std::abs(a[i][0] - b[j][0]), y = std::abs(a[i][1] - b[j][1]);
+                    x = std::min(x, 1 - x) * box.sides[0], y = std::min(y, 1 - y) * box.sides[1];
+                    nearest = std::min(nearest, std::hypot(x, y));
+                }
+                least = std::min(least, nearest);
+                sum += nearest;
+            }
+            const CrossNearest found = cross_nearest(a, b, ClassPlace(box));
+            EXPECT_NEAR(found.least, least, 1e-13);
+            EXPECT_NEAR(found.mean, sum / n, 1e-13);
+        }
+    const PointSet none{2, {}}, one{2, {0.5, 0.5}}, copied{2, {0.5, 0.5}};
+    EXPECT_EQ(cross_nearest(none, one, ClassPlace(PeriodicBox{})).mean, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(cross_nearest(one, one, ClassPlace(PeriodicBox{})).mean, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(cross_nearest(one, copied, ClassPlace(PeriodicBox{})).mean, 0);
+    EXPECT_TRUE(std::isnan(class_pair_correlation(one, one, ClassPlace(PeriodicBox{}),
+                                                  class_distance_steps(ClassPlace(PeriodicBox{}), 1))[0]));
+}
+
+/// Independent random points: g is 1 from the kernel's half width on, in every place. 200 distances of 2 places are
+/// looked at, and no z-score of 20 seeds may be beyond 5 (Student's t with 19 degrees: 8e-5 twice 180 times is 0.03).
+TEST(ClassPairs, OfIndependentClassesAreOne)
+{
+    constexpr int seeds = 20;
+    for (const bool is_torus : {true, false}) {
+        const ClassPlace place = is_torus ? ClassPlace(PeriodicBox{}) : rectangle(0.6);
+        const ClassDistanceSteps steps = class_distance_steps(place, 500);
+        std::vector<std::vector<double>> curves;
+        for (int seed = 0; seed < seeds; ++seed) {
+            std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 100);
+            const PointSet a = random_set(200, random), b = random_set(300, random);
+            curves.push_back(
+                class_pair_correlation(is_torus ? a : squeezed(a, 0.6), is_torus ? b : squeezed(b, 0.6), place, steps));
+        }
+        const auto first = static_cast<std::size_t>(std::ceil(steps.half_width / steps.step));
+        for (std::size_t k = first; k < steps.count; k += 10) {
+            double mean = 0, squares = 0;
+            for (const auto& curve : curves) mean += curve[k] / seeds;
+            for (const auto& curve : curves) squares += std::pow(curve[k] - mean, 2);
+            EXPECT_LT(std::abs(mean - 1) / std::sqrt(squares / (seeds - 1) / seeds), 5) << k;
+        }
+    }
+}
+
+/// A copy that is shifted has n pairs at the shift, beside those of independent points.
+TEST(ClassPairs, OfAShiftedCopyHaveTheShiftsPeak)
+{
+    std::mt19937_64 random(5);
+    const ClassPlace torus{PeriodicBox{}};
+    // A lattice, whose other distances are far from the shift.
+    PointSet a{2, {}};
+    for (int x = 0; x < 20; ++x)
+        for (int y = 0; y < 20; ++y) a.coordinates.insert(a.coordinates.end(), {x / 20.0, y / 20.0});
+    PointSet b = a;
+    constexpr double shift = 0.015;
+    for (std::size_t i = 0; i < b.coordinates.size(); i += 2)
+        b.coordinates[i] = std::fmod(b.coordinates[i] + shift, 1.0);
+    ClassDistanceSteps steps{.step = shift / 10, .count = 15, .half_width = 0.004};
+    const std::vector<double> g = class_pair_correlation(a, b, torus, steps);
+    // 1 / n^2 times n pairs of 3 / (4 h) / (2 pi shift).
+    EXPECT_NEAR(g[9], 0.75 / 0.004 / (2 * std::numbers::pi * shift) / 400, 1e-9);
+    EXPECT_EQ(std::ranges::max_element(g) - g.begin(), 9);
+    EXPECT_EQ(g[3], 0);
+}
+
+/// Classes given at random: pairs of any two classes are those of all points, and the mean of the mark correlation over
+/// all labellings is exactly 1, so that of 400 it is within five standard errors.
+TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
+{
+    std::mt19937_64 random(6);
+    constexpr std::size_t points = 120, count = 400;
+    const PointSet all = squeezed(random_set(points, random), 0.6);
+    const ClassPlace place = rectangle(0.6);
+    const ClassDistanceSteps steps = class_distance_steps(place, points);
+    const std::vector<double> of_union = class_pair_correlation(all, all, place, steps);
+    std::vector<std::uint8_t> labels(points);
+    for (std::size_t i = 0; i < points; ++i) labels[i] = i < 50 ? 0 : i < 90 ? 1 : 2;
+    std::vector<double> marks, crosses, p_values;
+    for (std::size_t l = 0; l < count; ++l) {
+        std::ranges::shuffle(labels, random);
+        PointSet sets[2]{{2, {}}, {2, {}}};
+        for (std::size_t i = 0; i < points; ++i)
+            if (labels[i] < 2)
+                sets[labels[i]].coordinates.insert(sets[labels[i]].coordinates.end(), all[i].begin(), all[i].end());
+        const MarkCorrelation found = mark_correlation(all, labels, place, steps, l < 100 ? 19 : 0);
+        marks.push_back(found.values[150]);
+        crosses.push_back(class_pair_correlation(sets[0], sets[1], place, steps)[150]);
+        if (l < 100) p_values.push_back(found.p_value);
+        EXPECT_EQ(found.low.size(), l < 100 ? steps.count : 0);
+    }
+    const auto expect_mean = [&](const std::vector<double>& values, double expected) {
+        double mean = 0, squares = 0;
+        for (const double value : values) mean += value / count;
+        for (const double value : values) squares += (value - mean) * (value - mean);
+        EXPECT_LT(std::abs(mean - expected), 5 * std::sqrt(squares / (count - 1) / count));
+        EXPECT_GT(squares, 0);
+    };
+    expect_mean(marks, 1);
+    expect_mean(crosses, of_union[150]);
+    // p-values are uniform over 1/20 .. 20/20: of 100, the least one comes 5 times, with a deviation of 2.2.
+    const auto least = std::ranges::count_if(p_values, [](double p) { return p < 0.051; });
+    EXPECT_LE(least, 16);
+}
+
+TEST(ClassPairs, MarkCorrelationIsTheShareOfPairsOfOneClass)
+{
+    std::mt19937_64 random(7);
+    const PointSet all = random_set(80, random);
+    const ClassPlace place{PeriodicBox{}};
+    const ClassDistanceSteps steps = class_distance_steps(place, 80);
+    std::vector<std::uint8_t> labels(80);
+    PointSet sets[3]{{2, {}}, {2, {}}, {2, {}}};
+    for (std::size_t i = 0; i < 80; ++i) {
+        labels[i] = static_cast<std::uint8_t>(all[i][0] < 0.5 ? 0 : 1 + i % 2);
+        sets[labels[i]].coordinates.insert(sets[labels[i]].coordinates.end(), all[i].begin(), all[i].end());
+    }
+    const MarkCorrelation found = mark_correlation(all, labels, place, steps, 39);
+    const std::vector<double> g = class_pair_correlation(all, all, place, steps);
+    std::vector<double> expected(steps.count);
+    double same = 0;
+    for (const PointSet& set : sets) {
+        const auto n = static_cast<double>(set.size());
+        same += n * (n - 1);
+        const std::vector<double> own = class_pair_correlation(set, set, place, steps);
+        for (std::size_t k = 0; k < steps.count; ++k) expected[k] += n * (n - 1) * own[k];
+    }
+    for (std::size_t k = 0; k < steps.count; ++k)
+        EXPECT_TRUE(g[k] == 0 || std::abs(found.values[k] - expected[k] / same / g[k]) < 1e-11) << k;
+    EXPECT_LE(found.p_value, 0.1); // classes lie apart
+}
+
+TEST(ClassPairs, AreTheSameBytesOnAnyNumberOfThreads)
+{
+    std::mt19937_64 random(8);
+    const PointSet a = random_set(500, random), b = random_set(700, random);
+    const ClassPlace place{PeriodicBox{}};
+    const ClassDistanceSteps steps = class_distance_steps(place, 1200);
+    const std::vector<double> g = class_pair_correlation(a, b, place, steps);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(class_pair_correlation(a, b, place, steps), g);
+}
+
+}
+}
