@@ -360,10 +360,11 @@ RingPlace MonotilePoints::tile_at(const PlanePlace& point) const
     return tile->tile.motion.at;
 }
 
-std::vector<PlanePlace> MonotilePoints::square(const RingPlace& middle, double side, std::uint32_t kept) const
+std::vector<PlanePlace> MonotilePoints::square(const RingPlace& middle, double side, std::uint32_t kept,
+                                               const PlanePlace& shift) const
 {
     const PolygonTiling& tiling = *table_.states.tiling;
-    const double radius = side * std::sqrt(0.5) + overhang_;
+    const double radius = side * std::sqrt(0.5) + overhang_ + length_of(shift);
     std::vector<PlanePlace> found;
     for (const auto& [tile, address] :
          substitution_.tiles_near(depth, middle, radius, std::numeric_limits<std::size_t>::max())) {
@@ -375,7 +376,7 @@ std::vector<PlanePlace> MonotilePoints::square(const RingPlace& middle, double s
             const RingPlace place =
                 moved(tiling.ring, from_middle, ring_place(table_.places[state * table_.points + i]));
             const auto [x, y] = point_of(tiling, place);
-            const double unit = side * place_units, u = x / unit, v = y / unit;
+            const double u = (x / place_units - shift[0]) / side, v = (y / place_units - shift[1]) / side;
             if (u >= -0.5 && u < 0.5 && v >= -0.5 && v < 0.5) found.push_back({u, v});
         }
     }

@@ -80,9 +80,11 @@ public:
     /// tiles are small integers, and so exact as doubles; those of other places of the ring need not be.
     RingPlace tile_at(const std::array<double, 2>& point) const;
 
-    /// The points with numbers below `kept` in a square around the place of a tile, from -1/2 to 1/2 of its side, which
-    /// is in units of the lengths. In the order of the addresses of their tiles.
-    std::vector<std::array<double, 2>> square(const RingPlace& middle, double side, std::uint32_t kept) const;
+    /// The points with numbers below `kept` in a square whose middle is `shift` away from the place of a tile, from
+    /// -1/2 to 1/2 of its side. Shift and side are in units of the lengths. In the order of the addresses of their
+    /// tiles.
+    std::vector<std::array<double, 2>> square(const RingPlace& middle, double side, std::uint32_t kept,
+                                              const std::array<double, 2>& shift = {}) const;
 
     static constexpr double farthest = 0x1p31;
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -89,9 +90,13 @@ public:
         for (std::uint32_t attempt = 0; set.size() == 0; ++attempt) {
             const auto words =
                 philox({attempt, 0, 0, 0}, stream_key(request_.seed, Purpose::isohedral_points, realization, window));
-            const auto somewhere = [](std::uint32_t word) { return (word * 0x1p-32 - 0.5) * MonotilePoints::farthest; };
-            const RingPlace middle = points_->tile_at({somewhere(words[0]), somewhere(words[1])});
-            for (const auto& [x, y] : points_->square(middle, side(), kept_))
+            const auto part = [&](std::size_t i) { return words[i] * 0x1p-32 - 0.5; };
+            const std::array<double, 2> place{part(0) * MonotilePoints::farthest, part(1) * MonotilePoints::farthest};
+            const RingPlace tile = points_->tile_at(place);
+            // Windows lie anywhere, not only around the places of tiles.
+            const PolygonTiling& tiling = *table_.states.tiling;
+            const auto [x_away, y_away] = point_of(tiling, place_near(tiling, place) - tile);
+            for (const auto& [x, y] : points_->square(tile, side(), kept_, {x_away + part(2), y_away + part(3)}))
                 set.coordinates.insert(set.coordinates.end(), {x + 0.5, y + 0.5});
         }
         return set;

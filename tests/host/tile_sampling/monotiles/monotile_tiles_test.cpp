@@ -165,6 +165,10 @@ TEST(MonotileTiles, WindowsShowThePartsOfOneTiling)
     EXPECT_EQ(found, small.size());
     EXPECT_GT(found, 80U);
     EXPECT_EQ(all.square(middle, 60, 2), large);
+    // A square that is moved has the points of one that is not.
+    for (const MonotilePoint& p : all.square(middle, 20, 2, away))
+        EXPECT_TRUE(std::ranges::any_of(
+            small, [&](const MonotilePoint& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) < 1e-9; }));
 }
 
 TEST(MonotileTiles, SquaredLengthsAreExact)
