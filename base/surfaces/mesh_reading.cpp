@@ -123,10 +123,10 @@ PolygonSoup read_polygons(const std::filesystem::path& file, MeshParts parts)
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts parts)
 {
     PolygonSoup soup = read_polygons(file, parts);
+    if (soup.normal_corners.empty()) take_normals(soup);
     TriangleMesh mesh;
     mesh.vertices = std::move(soup.points);
     mesh.texture_points = std::move(soup.texture_points);
-    if (soup.normal_corners.empty()) take_normals(soup);
     mesh.normals = std::move(soup.normals);
     mesh.columns = std::move(soup.columns);
     mesh.notes = std::move(soup.notes);

@@ -2,6 +2,8 @@
 
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/distribution/surfaces/surface_set.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +13,9 @@
 
 namespace poissonlab {
 namespace {
+
+/// Points of files may be off the surface by this part of the minimum distance.
+constexpr double off_surface = 0.1;
 
 SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position)
 {
@@ -78,6 +83,39 @@ GivenPoints points_on_surface(const FixedSurface& surface, const TriangleMesh& m
                         file.string(), off, places.size(), off == 1 ? "is" : "are", tolerance, first + 1,
                         places[first][0], places[first][1], places[first][2], first_off));
     return given;
+}
+
+std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh)
+{
+    if (settings.beginning) return settings.beginning;
+    auto beginning = std::make_shared<SurfaceBeginning>();
+    beginning->least = INFINITY;
+    if (settings.start.empty() && settings.obstacles.empty()) return beginning;
+    const FixedSurface& surface = mesh.surface;
+    const TriangleMesh triangles = triangles_of(surface);
+    const double distance = surface_distance(settings, mesh);
+    const auto read = [&](const std::filesystem::path& file) {
+        return file.empty()
+                   ? std::vector<SurfacePoint>{}
+                   : points_on_surface(surface, triangles, points_in_space(file), off_surface * distance, file).points;
+    };
+    beginning->start = read(settings.start);
+    beginning->obstacles = read(settings.obstacles);
+    const std::vector<SurfacePoint>& start = beginning->start;
+    const bool is_kept = settings.min_distance || settings.relative_radius;
+    if (settings.points && start.size() > *settings.points)
+        throw InputError(fmt::format("{}: has {} points, and the set is to have {}", settings.start.string(),
+                                     start.size(), *settings.points));
+    if (start.size() < 2) return beginning;
+    beginning->least =
+        surface_distances(surface, start, least_cosine(settings.normal_angle), surface.area).least * (1 - 0x1p-40);
+    if (is_kept && !keep_distance(surface, start, distance, least_cosine(settings.normal_angle)))
+        throw InputError(fmt::format("{}: two of its points are {:.6g} apart, nearer than the minimum distance, {:.6g}",
+                                     settings.start.string(), beginning->least, distance));
+    if (beginning->least < least_part_of_size * surface.size)
+        throw InputError(fmt::format("{}: two of its points are {:.6g} apart: must be at least {:.4g}",
+                                     settings.start.string(), beginning->least, least_part_of_size * surface.size));
+    return beginning;
 }
 
 }

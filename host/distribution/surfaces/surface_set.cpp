@@ -3,7 +3,6 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
-#include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -25,9 +24,6 @@ namespace {
 
 /// Distances that shrink begin so many times larger than that at which darts saturate with as many points.
 constexpr double first_part = 1.02;
-
-/// Points of files may be off the surface by this part of the minimum distance.
-constexpr double off_surface = 0.1;
 
 /// Places at which it is looked whether a set leaves them uncovered.
 constexpr std::uint64_t looked_at = 1 << 16;
@@ -225,39 +221,6 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
     if (const double count = saturated_count(surface.area, distance); is_filled && count > max_points)
         throw InputError(fmt::format("there would be some {:.3g} points; at most {} are possible", count, max_points));
     return std::min(distance, most);
-}
-
-std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh)
-{
-    if (settings.beginning) return settings.beginning;
-    auto beginning = std::make_shared<SurfaceBeginning>();
-    beginning->least = INFINITY;
-    if (settings.start.empty() && settings.obstacles.empty()) return beginning;
-    const FixedSurface& surface = mesh.surface;
-    const TriangleMesh triangles = triangles_of(surface);
-    const double distance = surface_distance(settings, mesh);
-    const auto read = [&](const std::filesystem::path& file) {
-        return file.empty()
-                   ? std::vector<SurfacePoint>{}
-                   : points_on_surface(surface, triangles, points_in_space(file), off_surface * distance, file).points;
-    };
-    beginning->start = read(settings.start);
-    beginning->obstacles = read(settings.obstacles);
-    const std::vector<SurfacePoint>& start = beginning->start;
-    const bool is_kept = settings.min_distance || settings.relative_radius;
-    if (settings.points && start.size() > *settings.points)
-        throw InputError(fmt::format("{}: has {} points, and the set is to have {}", settings.start.string(),
-                                     start.size(), *settings.points));
-    if (start.size() < 2) return beginning;
-    beginning->least =
-        surface_distances(surface, start, least_cosine(settings.normal_angle), surface.area).least * (1 - 0x1p-40);
-    if (is_kept && !keep_distance(surface, start, distance, least_cosine(settings.normal_angle)))
-        throw InputError(fmt::format("{}: two of its points are {:.6g} apart, nearer than the minimum distance, {:.6g}",
-                                     settings.start.string(), beginning->least, distance));
-    if (beginning->least < least_part_of_size * surface.size)
-        throw InputError(fmt::format("{}: two of its points are {:.6g} apart: must be at least {:.4g}",
-                                     settings.start.string(), beginning->least, least_part_of_size * surface.size));
-    return beginning;
 }
 
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
