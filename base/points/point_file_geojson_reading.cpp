@@ -115,7 +115,7 @@ private:
     UnitCoordinates unit_;
     PointSet set_{0, {}};
     std::size_t left_out_ = 0;
-    std::optional<std::string> class_; ///< that the feature that is read has
+    std::optional<std::string> class_; ///< the class of the feature that is read
 };
 
 }

@@ -75,11 +75,11 @@ struct MeshPointSettings
     std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
     bool faces = false;          ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
     std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points
-    std::optional<double> tiles_per_unit;                ///< of texture coordinates
-    QuadSettings quads;                                  ///< of method quads
-    std::uint32_t colors = 1;                            ///< of the vertices of quads
+    std::optional<double> tiles_per_unit;                ///< tiles along a unit of texture coordinates
+    QuadSettings quads;                                  ///< settings of method quads
+    std::uint32_t colors = 1;                            ///< colours of the vertices of quads
     std::shared_ptr<const SurfaceMesh> read{};           ///< the mesh, where it was read already
-    std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the same of the tiles
+    std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the tiles, where they were read already
     std::shared_ptr<const SurfaceBeginning> beginning{}; ///< start and obstacles, where they were read already
 };
 
@@ -112,7 +112,7 @@ struct SurfaceSet
     std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
     bool follows_density = false;
     std::vector<SurfacePoint> obstacles{}; ///< points from which darts keep away
-    std::vector<std::string> notes{};      ///< what a person should know of it, beside its mesh
+    std::vector<std::string> notes{};      ///< sentences on the set for users; those on its mesh are separate
 
     PointSet places() const { return points_of(mesh->surface, points); }
 };

@@ -210,8 +210,7 @@ TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
     };
     expect_mean(marks, 1);
     expect_mean(crosses, of_union[150]);
-    // p-values are uniform over 1/20 .. 20/20: among 100, the least one occurs 5 times on average, with a deviation
-    // of 2.2.
+    // p-values are uniform over 1/20 .. 20/20: among 100, the least one occurs 5 +- 2.2 times.
     const auto least = std::ranges::count_if(p_values, [](double p) { return p < 0.051; });
     EXPECT_LE(least, 16);
 }
