@@ -66,8 +66,8 @@ ulong squared_farthest(const Position* point, const Position* low, uint extent)
     return sum;
 }
 
-/// Is the box nearer to one point of a class than `pair` says, all of it? Points before number `since` do not count; those
-/// of a cell are linked from the last to the first.
+/// Returns true if the whole box is nearer to one point of a class than `pair` says. Points before number `since` do
+/// not count; the points of a cell are linked from the last to the first.
 bool is_covered_by(const ClassedPoints* all, struct ClassPair pair, const Position* low, uint extent, uint since)
 {
     const struct ClassGrid grid = all->grids[pair.other];

@@ -135,15 +135,15 @@ const std::vector<Measure>& texture_measures()
                     "The mean difference of quantiles of steps between neighbours, as of colours."),
         texture_row(
             "edge_loss", "lost edges", "times what is natural", lower, three,
-            "By which part the mean of the largest tenth of all steps between neighbours is below the exemplar's. "
-            "Where small steps were gained meanwhile, as in blends, their gain is added, but at most as much "
-            "again. The unit is the mean gradient distance between windows of the exemplar, but at least 2.5 %. Blurs "
-            "and blends lose edges, cuts of large pieces lose hardly any."),
+            "The fraction by which the mean of the largest tenth of all steps between neighbours is below the "
+            "exemplar's. If small steps increase, as in blends, their gain is added, but at most doubles the loss. The "
+            "unit is the mean gradient distance between windows of the exemplar, but at least 2.5 %. Blurs and many "
+            "blends lose edges; cuts of large pieces lose few."),
         texture_row(
             "edge_gain", "added edges", "times what is natural", lower, three,
-            "By how much more all steps between neighbours exceed a limit on average than the exemplar's do, for "
-            "the worst limit, in parts of the mean step and in the unit of lost edges. Seams that show add edges; "
-            "means of pixels never do, by Jensen's inequality."),
+            "The mean excess of all steps between neighbours over a limit, minus that of the exemplar, for the limit "
+            "with the largest difference. It is divided by the exemplar's mean step and by the unit of lost edges. "
+            "Visible seams add edges; means of pixels never do, by Jensen's inequality."),
         texture_row("structure_spread", "structure distance, in own spreads", "times the exemplar's own", lower, three,
                     "The difference of correlations of a steerable pyramid's magnitudes, between orientations, scales "
                     "and places (Portilla and Simoncelli 2000), as of colours, mean over four scales."),

@@ -30,8 +30,8 @@ struct TextureGate
     bool passes(double value) const { return value <= limit; }
 };
 
-/// Repetition, which a copy fails; lost edges, which a blend fails; added edges and new patches, which shuffled pieces
-/// fail.
+/// The gates reject repetition, as of copies; lost edges, as of blurs; and added edges and new patches, as of shuffled
+/// pieces.
 const std::vector<TextureGate>& texture_gates();
 
 /// The gate of a measure that has one. Throws std::out_of_range for others.

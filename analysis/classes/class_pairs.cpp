@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::size_t chunks = 64; ///< fixed, so that sums are the same with any number of threads
 constexpr double rows_per_distance = 50;
-constexpr double distances_shown = 4; ///< largest possible minimum distances
+constexpr double distances_shown = 4; ///< times the distance of the densest packing
 constexpr double stoyan = 0.15;       ///< the half width of the kernel over the mean spacing
-constexpr double least_overlap = 0.1; ///< of a region and the moved one, where curves end
-constexpr double first_margin = 8;    ///< mean spacings in which a nearest point nearly always is
+constexpr double least_overlap = 0.1; ///< curves end where a region and its moved copy have less in common
+constexpr double first_margin = 8;    ///< mean spacings within which nearly all points have a nearest one
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Points of a place in a grid, with copies beyond the border of a torus, up to a margin.
+/// A grid of points in a region, or on a torus with copies of points beyond the border up to a margin.
 class ClassNeighbours
 {
 public:
@@ -39,9 +39,9 @@ public:
         owners_ = std::move(owners);
     }
 
-    std::size_t size() const { return own_; } ///< of the points, without copies
+    std::size_t size() const { return own_; } ///< the number of points without copies
 
-    /// Where a point, coordinates as in its set, is in the grid.
+    /// Returns the place in the grid of a point with the coordinates of its set.
     std::array<double, 2> place_of(std::span<const double> point) const
     {
         if (margin_ == 0 && scale_ == 1) return {point[0], point[1]};
@@ -57,14 +57,14 @@ public:
         });
     }
 
-    /// The distance from the nearest point; other than number `left_out` of the set.
+    /// The distance from the nearest point that is not number `left_out` of the set.
     double nearest(const std::array<double, 2>& at, std::size_t left_out) const
     {
         return grid_.nearest(at, left_out < own_ ? grid_.number_of(left_out) : PlaneNeighbours::none) / scale_;
     }
 
 private:
-    /// The points, and behind them their copies, in the unit square.
+    /// Returns the points, followed by their copies, in the unit square.
     PointSet framed(const PointSet& points)
     {
         owners_.resize(points.size());
@@ -96,7 +96,7 @@ private:
     PlaneNeighbours grid_;
 };
 
-/// Numbers of points in the order of cells, so that neighbours follow each other in memory.
+/// Returns the numbers of points in the order of cells, so that neighbours follow each other in memory.
 std::vector<std::uint32_t> order_by_place(const PointSet& points)
 {
     std::vector<std::uint32_t> order(points.size());
@@ -117,8 +117,8 @@ void add_kernel(double distance, double weight, const ClassDistanceSteps& steps,
     }
 }
 
-/// Calls what(i, j, distance, 1 / common area) for pairs of which a chunk of `order` has the first; of one set each
-/// pair comes once.
+/// Calls what(i, j, distance, 1 / common area) for pairs whose first point is in a chunk of `order`; pairs of a single
+/// set come once each.
 template <class What>
 void visit_pairs(const PointSet& a, std::span<const std::uint32_t> order, const ClassNeighbours& b, bool is_same,
                  const ClassPlace& place, double reach, const What& what)
@@ -132,7 +132,7 @@ void visit_pairs(const PointSet& a, std::span<const std::uint32_t> order, const 
     }
 }
 
-/// Sums over pairs, by `collect(part of the order)`, which returns a list of sums.
+/// Returns sums over pairs; `collect(part of the order)` returns those of a part.
 template <class Collect>
 std::vector<double> sum_of_chunks(const std::vector<std::uint32_t>& order, const Collect& collect)
 {
@@ -147,14 +147,15 @@ std::vector<double> sum_of_chunks(const std::vector<std::uint32_t>& order, const
     return sums;
 }
 
-/// The classes of all points, then `labellings` permutations of them (Fisher and Yates), point after point.
+/// Returns for each point its class, then its class in each of `labellings` permutations (Fisher and Yates).
 std::vector<std::uint8_t> labels_of(std::span<const std::uint8_t> classes, std::uint32_t labellings)
 {
     const std::size_t n = classes.size(), stride = labellings + 1;
     std::vector<std::uint8_t> labels(n * stride);
     for (std::uint32_t l = 0; l <= labellings; ++l) {
         std::vector<std::uint8_t> some(classes.begin(), classes.end());
-        RandomWords words(stream_key(0, Purpose::class_labels, l), 0); // one seed, so that envelopes compare
+        // The seed is fixed, so that envelopes can be compared.
+        RandomWords words(stream_key(0, Purpose::class_labels, l), 0);
         if (l > 0)
             for (std::size_t i = n; i > 1; --i)
                 std::swap(some[i - 1], some[words.below(static_cast<std::uint32_t>(i))]);
@@ -228,7 +229,7 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
     const bool is_same = &a == &b;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (a.size() == 0 || b.size() < (is_same ? 2u : 1u)) return {infinity, infinity};
-    const double all = place.box().longest() / 2; // no nearest point of a torus is farther along an axis
+    const double all = place.box().longest() / 2; // a nearest point on a torus is not farther away along an axis
     double margin = std::min(all, first_margin / std::sqrt(static_cast<double>(b.size())));
     for (;; margin = all) {
         const ClassNeighbours neighbours(b, place, margin);
@@ -256,7 +257,7 @@ MarkCorrelation mark_correlation(const PointSet& points, std::span<const std::ui
     const std::vector<std::uint8_t> labels = labels_of(classes, labellings);
     const double reach = steps.reach() + steps.half_width;
     const ClassNeighbours neighbours(points, place, reach);
-    // Of each distance: the sum over all pairs, and over those of one class, by each labelling.
+    // Each distance has the sum over all pairs, then for each labelling the sum over pairs of one class.
     const std::vector<double> sums = sum_of_chunks(order_by_place(points), [&](std::span<const std::uint32_t> part) {
         std::vector<double> some(steps.count * (stride + 1)), is_one(stride);
         visit_pairs(points, part, neighbours, true, place, reach, [&](auto i, auto j, double distance, double w) {

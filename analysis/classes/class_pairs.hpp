@@ -1,16 +1,17 @@
-// Pairs of points of two classes: cross pair correlation, cross nearest distances, mark correlation.
+// Statistics of points of two classes: the cross pair correlation function, cross nearest-neighbour distances, and the
+// mark correlation function.
 //
 //   g_ab(r) = A^2 / (n_a n_b) sum over i in a, j in b of k(r - d_ij) w_ij / (2 pi d_ij)
 //
-// where k is Epanechnikov's kernel, as for one class (region_curves.hpp), and w_ij one over the set covariance at
+// where k is Epanechnikov's kernel, as for one class (region_curves.hpp), and w_ij is one over the set covariance at
 // x_i - x_j in a region (the translation correction, Ohser 1983; in spatstat, pcfcross(correction = "translate",
 // divisor = "d")) and 1 / A on a torus. It is 1 on average where classes are independent of each other and one of them
-// is uniform. Of one class the sum has i != j, and n_a (n_a - 1) in place of n_a n_b.
+// is uniform. For one class the sum has i != j, and n_a (n_a - 1) in place of n_a n_b.
 //
-// The mark correlation of classes, also called mark equality function, is the probability that two points at distance r
-// are of one class, over that of any two points of the set (Illian et al., Statistical Analysis and Modelling of
-// Spatial Point Patterns, 2008, section 5.3.3; in spatstat, markcorr with f(m, n) = 1 where m = n). It is 1 on average
-// where classes were given to points at random.
+// The mark correlation function of classes, also called mark equality function, is the probability that two points at
+// distance r are of one class, over that of any two points of the set (Illian et al., Statistical Analysis and
+// Modelling of Spatial Point Patterns, 2008, section 5.3.3; in spatstat, markcorr with f(m, n) = 1 where m = n). It is
+// 1 on average if classes were given to points at random.
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
@@ -26,7 +27,7 @@
 
 namespace poissonlab {
 
-/// Where points with classes lie: in a region, in its frame, or on a torus, whose lengths are roots of its area.
+/// The place of points with classes: a region in its frame, or a torus whose unit of length is the root of its area.
 class ClassPlace
 {
 public:
@@ -39,7 +40,7 @@ public:
     /// The longest distance of pairs, up to `most`: half of the torus' shortest side, or as regions have it.
     double reach(double most) const;
 
-    /// So many pairs up to a distance will be asked for.
+    /// Prepares for this number of pairs up to a distance.
     void expect(double pairs, double reach);
 
     /// The area that is left of the place if it is moved by (x, y) and cut with itself.
@@ -60,17 +61,17 @@ struct ClassDistanceSteps
 {
     double step = 0;
     std::size_t count = 0;
-    double half_width = 0; ///< of the kernel
+    double half_width = 0; ///< half the width of the kernel
 
     double reach() const { return step * static_cast<double>(count); }
 };
 
-/// The steps that suit so many points: 50 to the distance of the densest packing, up to four of these, or up to `reach`
-/// if it is not 0; the kernel has Stoyan's half width of 0.15 mean spacings.
+/// The steps that suit this number of points: 50 to the distance of the densest packing, up to four of these distances,
+/// or up to `reach` if it is not 0; the kernel has Stoyan's half width of 0.15 mean spacings.
 ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t points, double reach = 0);
 
-/// The pair correlation of two classes, or of one if both are the same object. Points that coincide are left out, as
-/// their direction is unknown. Any number of threads gives the same bytes. Classes without pairs have NaN.
+/// The pair correlation function of two classes, or of one if both are the same object. Points that coincide are left
+/// out, as their direction is unknown. Any number of threads gives the same bytes. Classes without pairs have NaN.
 std::vector<double> class_pair_correlation(const PointSet& a, const PointSet& b, const ClassPlace& place,
                                            const ClassDistanceSteps& steps);
 
@@ -85,13 +86,13 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
 
 struct MarkCorrelation
 {
-    std::vector<double> values;    ///< NaN where no pairs are, or no two points can be of one class
-    std::vector<double> low, high; ///< the least and the largest of so many random labellings; empty for none
-    double p_value = 1; ///< the share of sets, these and the own one, that are as far from 1: squares of differences,
-                        ///< weighted by pairs (the test of Diggle, Cressie, Loosmore and Ford)
+    std::vector<double> values;    ///< NaN where there are no pairs, or no two points have one class
+    std::vector<double> low, high; ///< the least and largest of the random labellings; empty without any
+    double p_value = 1; ///< the share of sets, these and the measured one, that are as far from 1, by squares of
+                        ///< differences weighted by pairs (the test of Diggle, Cressie, Loosmore and Ford)
 };
 
-/// The mark correlation of points whose classes are `classes`, below 255, beside `labellings` permutations of these.
+/// The mark correlation function of points with `classes` below 255, and of `labellings` permutations of these.
 MarkCorrelation mark_correlation(const PointSet& points, std::span<const std::uint8_t> classes, const ClassPlace& place,
                                  const ClassDistanceSteps& steps, std::uint32_t labellings);
 

@@ -1,4 +1,4 @@
-// The distances of points over those that they are to keep: these prove a set with distances that
+// Distances of points over the distances that they are to keep: these prove a set with distances that
 // vary.
 #pragma once
 

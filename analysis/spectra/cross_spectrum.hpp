@@ -25,7 +25,7 @@ struct CrossSpectra
 /// The spectra of sets in 2D, none of them empty, up to frequency `reach`.
 CrossSpectra cross_spectra(const std::vector<PointSet>& sets, int reach);
 
-/// The spectra of sets of `counts` points whose transforms F_a are `planes`, of equal reach.
+/// Returns the spectra of sets of `counts` points whose transforms F_a are `planes`, which have equal reach.
 CrossSpectra spectra_of_planes(const std::vector<HalfPlane>& planes, const std::vector<double>& counts);
 
 }

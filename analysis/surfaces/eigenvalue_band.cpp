@@ -43,7 +43,7 @@ Eigen::MatrixXd start_block(Eigen::Index rows, Eigen::Index first)
 /// columns of a block.
 constexpr Eigen::Index rows_at_once = 128;
 
-/// Calls `take(first, count)` for all rows, some at once.
+/// Calls `take(first, count)` for blocks of rows, until all rows were taken.
 template <typename Take>
 void for_rows(Eigen::Index rows, const Take& take)
 {
@@ -125,8 +125,8 @@ public:
 
 private:
     /// Makes a block orthonormal, in itself and to the basis, in two passes, and adds it. The coefficients go into the
-    /// projection of the inverse. But for rounding a new block shares something with the last two blocks alone: the
-    /// first pass takes that away, the second one what rounding has left of all blocks.
+    /// projection of the inverse. Without rounding, a new block would overlap only the last two blocks: the first pass
+    /// removes that overlap, and the second one removes the overlap with all blocks that rounding has left.
     void append(Eigen::MatrixXd block)
     {
         Eigen::MatrixXd of_last = Eigen::MatrixXd::Zero(std::min(size_, block_size), block_size),
@@ -143,7 +143,7 @@ private:
             if (root.info() != Eigen::Success || !(upper.diagonal().minCoeff() > 0)) { // nothing new is left
                 block = start_block(mass_.rows(), size_);
                 of_itself.setZero();
-                if (!is_replaced) passes = 3; // two are left, both with all blocks
+                if (!is_replaced) passes = 3; // two passes with all blocks follow
                 is_replaced = true;
                 continue;
             }

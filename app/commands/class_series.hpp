@@ -1,4 +1,4 @@
-// Points with classes that `poissonlab analyze` is given.
+// This function adds points with classes to an experiment of `poissonlab analyze`.
 #pragma once
 
 #include "experiment/series/experiment.hpp"
@@ -7,8 +7,8 @@
 
 namespace poissonlab {
 
-/// Adds a series of each class to the experiment of one set, whose points are those of a file, and what the classes
-/// have to do with each other. `keys` are lines of a [[distribution]] of kind = "class-set", which reads that file. A
+/// Adds a series of each class to the experiment of one set, whose points are those of a file, and the comparison of
+/// the classes. `keys` are lines of a [[distribution]] of kind = "class-set", which reads that file. A
 /// class of one point has no series, with a note. Throws InputError for what that kind refuses.
 void add_class_series(Experiment& experiment, const std::string& keys);
 

@@ -16,8 +16,8 @@
 
 namespace poissonlab {
 
-/// The variable that takes the value of an option. Its type says what is allowed: bool makes a flag, int is a number of
-/// threads from 1 to 4096, and the other integers may have any value of their type.
+/// The variable that takes the value of an option. Its type decides which values are allowed: bool makes a flag, int is
+/// a number of threads from 1 to 4096, and the other integers may have any value of their type.
 using OptionTarget =
     std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
                  std::vector<std::int64_t>*, std::vector<std::string>*, std::vector<std::filesystem::path>*>;

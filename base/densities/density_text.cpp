@@ -13,7 +13,8 @@ Density density_of_text(const std::string& text, const std::string& from, double
 {
     if (is_file_name(text)) return density_of_picture(read_linear_picture(text), from, text);
     if (from != "light")
-        throw InputError(fmt::format("{}: \"{}\" is for pictures, and this is none", shortened(text), printable(from)));
+        throw InputError(
+            fmt::format("{}: \"{}\" is for pictures, and this is not a picture", shortened(text), printable(from)));
     try {
         return density_of_formula(text, width, height);
     } catch (const InputError& error) {

@@ -81,10 +81,10 @@ struct PointOptions
     const char* particles = ""; ///< of the type of particles
 };
 
-/// The classes of points (also called marks), where they are asked for: text, tables, PLY and GeoJSON have them.
+/// The classes of points (also called marks) if they are requested: text, tables, PLY and GeoJSON can have them.
 struct PointClasses
 {
-    /// The name of the column, or of the property; of tables without names the number of the column, counted from 1;
+    /// The name of the column or of the property, or the number of the column, counted from 1, in tables without names;
     /// empty: classes are left out.
     std::string column{};
     std::function<void(std::string_view name)> take{}; ///< is called with the class of each point, in their order

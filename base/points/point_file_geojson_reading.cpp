@@ -62,7 +62,7 @@ private:
         }
     }
 
-    /// The class of all points of a feature.
+    /// Returns the class of all points of a feature.
     void find_class(const nlohmann::json& feature)
     {
         const auto properties = feature.find("properties");
@@ -93,8 +93,8 @@ private:
             refuse(position, fmt::format("must have {} numbers as the first point has", set_.dimension));
         if (file_.has_classes()) {
             if (!class_)
-                refuse(position,
-                       fmt::format("must be of a feature with the property {}, its class", file_.classes.column));
+                refuse(position, fmt::format("must belong to a feature with the property {}, which is its class",
+                                             file_.classes.column));
             file_.classes.take(*class_);
         }
         for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -115,7 +115,7 @@ private:
     UnitCoordinates unit_;
     PointSet set_{0, {}};
     std::size_t left_out_ = 0;
-    std::optional<std::string> class_; ///< of the feature that is read
+    std::optional<std::string> class_; ///< the class of the feature that is read
 };
 
 }

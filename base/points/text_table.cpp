@@ -210,7 +210,7 @@ void TextTable::take_names(int number)
                            "longitude and latitude");
     if (file_.has_classes() && !class_column_)
         fail_in_point_file(file_, number, file_.classes.column,
-                           fmt::format("is no column with classes; other columns than coordinates: {}",
+                           fmt::format("is not a column with classes; columns other than coordinates: {}",
                                        others.empty() ? "none" : fmt::format("{}", fmt::join(others, ", "))));
     if (of_globe) degrees_line_ = number;
     for (const auto& column : found)
@@ -249,7 +249,7 @@ std::span<const std::string_view> TextTable::coordinates(std::string_view line, 
     return words_;
 }
 
-/// A table without names has its classes in the column of this number.
+/// In a table without names, the column is given by its number.
 void TextTable::find_class_by_number(std::string_view line, int number)
 {
     if (!names_.empty()) return;
@@ -263,7 +263,7 @@ void TextTable::find_class_by_number(std::string_view line, int number)
                         "given by its number, counted from 1, and not by its name, {}",
                         typed));
     if (column > fields_.size())
-        fail_in_point_file(file_, number, line, fmt::format("has no column {}, which the classes are in", column));
+        fail_in_point_file(file_, number, line, fmt::format("has no column {}, which should have the classes", column));
     class_column_ = column - 1;
 }
 

@@ -12,8 +12,8 @@ namespace poissonlab {
 /// cannot be loaded: `need` begins the message, such as "pictures need OpenImageIO".
 void* function_of_module(const std::string& name, const char* function, const char* need);
 
-/// The folder share/poissonlab of an installed program, which holds its configs and tile sets. It need not exist: a
-/// program in a build folder has none.
+/// Returns the folder share/poissonlab of an installed program, which holds its configs and tile sets. It need not
+/// exist: a program in a build folder has none.
 std::filesystem::path installed_data_folder();
 
 }

@@ -33,7 +33,7 @@ public:
 /// A part of a region that its file has a name for.
 struct RegionFeature
 {
-    std::string id; ///< as JSON: that of a Feature, else its number from 0 on; then its properties as further members
+    std::string id; ///< JSON: the id of a Feature, or else its number from 0 on; then its properties as further members
     std::vector<RegionPolygon> polygons{}; ///< in the plane
 };
 

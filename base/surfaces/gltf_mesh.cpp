@@ -81,7 +81,7 @@ bool is_mirroring(const Movement& m)
            0;
 }
 
-/// A normal where its surface was moved: by the matrix of cofactors, which points inwards where the movement mirrors.
+/// Moves a normal with its surface by the matrix of cofactors, whose result points inwards if the movement mirrors.
 MeshPoint turned_by(const Movement& m, const MeshPoint& normal)
 {
     const double side = is_mirroring(m) ? -1 : 1;
@@ -216,7 +216,7 @@ private:
         }
     }
 
-    /// The numbers of an attribute, which has as many rows as there are vertices.
+    /// Returns the numbers of an attribute, which must have as many rows as there are vertices.
     std::vector<double> rows_of(const StoredObject& attributes, const char* name, std::size_t width, std::size_t count)
     {
         std::vector<double> numbers = numbers_.read(attributes, name, fmt::format("VEC{}", width), width);
@@ -225,7 +225,7 @@ private:
         return numbers;
     }
 
-    /// False where there are none.
+    /// Returns false if there are none.
     bool add_normals(const StoredObject& attributes, std::size_t count, const Movement& movement)
     {
         if (file_.parts != MeshParts::all || !attributes.has("NORMAL")) return false;

@@ -15,7 +15,7 @@ public:
     std::vector<double> read(const StoredObject& object, const std::string& member, const std::string& type,
                              std::size_t width);
 
-    /// How many numbers a row of the accessor that a member names has, where its type is VEC2, VEC3 or VEC4; else 1.
+    /// Returns the number of components of the accessor that a member names: 2 to 4 for VEC2 to VEC4, else 1.
     std::size_t width(const StoredObject& object, const std::string& member) const;
 
 private:

@@ -43,7 +43,7 @@ public:
 
     explicit FaceDivision(TriangleMesh& mesh) : mesh_(mesh) {}
 
-    /// `texture` and `normals` are numbers of those of these corners; empty: there are none.
+    /// `texture` and `normals` have the numbers of the texture points and normals of these corners; they may be empty.
     void add(Corners polygon, Corners texture, Corners normals)
     {
         const std::vector<std::uint32_t> corners = different_corners(polygon);
@@ -83,7 +83,7 @@ private:
     std::uint32_t face_ = 0;
 };
 
-/// Takes the normals of vertices out of the columns nx, ny and nz, where a file has them there.
+/// Moves the normals of vertices from the columns nx, ny and nz, if a file has these, to the normals of the mesh.
 void take_normals(PolygonSoup& soup)
 {
     VertexColumns& columns = soup.columns;

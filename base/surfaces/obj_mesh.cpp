@@ -1,5 +1,5 @@
-// OBJ: Wavefront, Advanced Visualizer, appendix B1. Vertices, texture coordinates, normals and faces, and colours,
-// which many programs write after coordinates; groups and materials are left alone.
+// OBJ: Wavefront, Advanced Visualizer, appendix B1. This reader takes vertices, texture coordinates, normals and faces,
+// and colours, which many programs write after coordinates; it skips groups and materials.
 #include "base/surfaces/mesh_words.hpp"
 #include "base/surfaces/polygon_soup.hpp"
 
@@ -69,7 +69,7 @@ private:
         if (has_all_) read_color();
     }
 
-    /// A vertex without colours has one number more than coordinates, its weight, or none.
+    /// A vertex without colours has at most one number after its coordinates, its weight.
     void read_color()
     {
         std::vector<double> numbers;
@@ -122,8 +122,8 @@ private:
         const auto count = static_cast<std::int64_t>(soup_.points.size());
         if (index == 0) words_.fail(fmt::format("\"{}\": vertices are counted from 1", words_.word()));
         if (index < -count || index > static_cast<std::int64_t>(most_in_mesh))
-            words_.fail(fmt::format("\"{}\": there is no such vertex before this line, of {}", shortened(words_.word()),
-                                    count));
+            words_.fail(fmt::format("\"{}\": there is no such vertex among the {} before this line",
+                                    shortened(words_.word()), count));
         if (index < 0) index += count + 1;
         if (index > count && static_cast<std::size_t>(index) > farthest_) {
             farthest_ = static_cast<std::size_t>(index);
@@ -132,7 +132,7 @@ private:
         return static_cast<std::uint32_t>(index - 1);
     }
 
-    /// The texts of the texture point and of the normal of a corner: 5 and 2 of "3/5/2"; they may be empty.
+    /// Returns the texts of the texture point and of the normal of a corner: 5 and 2 for "3/5/2"; they may be empty.
     static std::array<std::string_view, 2> indices_after(std::string_view word)
     {
         std::array<std::string_view, 2> indices{};
@@ -145,7 +145,7 @@ private:
         return indices;
     }
 
-    /// The number of a texture point or a normal, of which there are `size`; negative ones count from the last.
+    /// Returns the number of one of `size` texture points or normals; negative numbers count from the last.
     std::uint32_t other_index(std::string_view number, std::size_t size, std::string_view name) const
     {
         if (number.empty()) return no_texture_point;
@@ -153,8 +153,8 @@ private:
         const auto count = static_cast<std::int64_t>(size);
         if (index < 0) index += count + 1;
         if (index < 1 || index > count)
-            words_.fail(fmt::format("\"{}\": there is no such {} before this line, of {}", shortened(words_.word()),
-                                    name, count));
+            words_.fail(fmt::format("\"{}\": there is no such {} among the {} before this line",
+                                    shortened(words_.word()), name, count));
         return static_cast<std::uint32_t>(index - 1);
     }
 

@@ -46,7 +46,7 @@ std::optional<OffKeyword> off_keyword(std::string_view word)
     return keyword;
 }
 
-/// The columns of vertices, which have so many numbers for their colours.
+/// Returns the columns of vertices whose colours have `colors` numbers.
 VertexColumns columns_of(const OffKeyword& keyword, std::size_t colors)
 {
     VertexColumns columns;
@@ -247,7 +247,7 @@ private:
         if (has_all_) read_columns(i);
     }
 
-    /// Colours are three or four numbers, as the first vertex has them.
+    /// Colours have three or four numbers, as many as those of the first vertex.
     void read_columns(std::size_t i)
     {
         std::vector<double> numbers;

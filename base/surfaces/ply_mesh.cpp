@@ -227,7 +227,7 @@ private:
     PolygonSoup soup_;
     std::array<std::size_t, 3> columns_{};
     std::array<std::size_t, 2> texture_columns_{no_column, no_column};
-    std::vector<std::size_t> others_;                  ///< of vertices
+    std::vector<std::size_t> others_;                  ///< other columns of vertices
     std::vector<double> values_, list_, texture_list_; ///< of a row
     bool has_texture_lists_ = false;                   ///< then vertices' own texture coordinates are left alone
     std::map<std::array<double, 3>, std::uint32_t> texture_numbers_; ///< by vertex, u and v

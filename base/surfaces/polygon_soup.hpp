@@ -25,7 +25,7 @@ struct PolygonSoup
     std::vector<std::uint32_t> texture_corners; ///< as TriangleMesh has them, of each corner; empty: there are none
 
     std::vector<MeshPoint> normals;
-    std::vector<std::uint32_t> normal_corners; ///< numbers of normals, likewise; empty: columns may have them
+    std::vector<std::uint32_t> normal_corners; ///< numbers of normals; empty: columns may have the normals
     VertexColumns columns;
 
     std::size_t lines = 0;          ///< lines and points of the file, which have no area

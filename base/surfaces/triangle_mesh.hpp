@@ -20,11 +20,11 @@ using TexturePoint = std::array<double, 2>;
 /// This number stands for the texture point, or the normal, of a corner that has none.
 inline constexpr std::uint32_t no_texture_point = UINT32_MAX;
 
-/// Numbers that vertices have beside their places, such as colours: a row for each vertex, and a column for each name.
+/// Numbers of vertices beside their places, such as colours, have a row for each vertex and a column for each name.
 struct VertexColumns
 {
     std::vector<std::string> names;
-    std::vector<bool> are_bytes; ///< of each column: it has whole numbers from 0 to 255
+    std::vector<bool> are_bytes; ///< true for columns of whole numbers from 0 to 255
     std::vector<double> values;  ///< row after row; NaN where a vertex has no such number
 
     double at(std::size_t vertex, std::size_t column) const { return values[vertex * names.size() + column]; }
@@ -41,10 +41,10 @@ struct TriangleMesh
     /// Numbers of texture points, of each triangle, or no_texture_point. Empty: they were not read, or there are none.
     std::vector<MeshTriangle> texture_triangles = {};
 
-    std::vector<MeshPoint> normals = {};             ///< of vertices or corners; their lengths are as the file has them
+    std::vector<MeshPoint> normals = {}; ///< normals of vertices or corners, with the lengths that the file has
     std::vector<MeshTriangle> normal_triangles = {}; ///< numbers of normals, as for texture points
     VertexColumns columns = {};
-    std::vector<std::uint32_t> faces = {}; ///< of each triangle: the number of its face in the file, from 0
+    std::vector<std::uint32_t> faces = {}; ///< the number in the file, from 0, of the face of each triangle
 
     std::vector<std::string> notes = {}; ///< what of the file was left out, a sentence each
 };
@@ -53,12 +53,12 @@ struct TriangleMesh
 enum class MeshParts
 {
     faces,
-    faces_and_texture, ///< and texture coordinates, if there are any
-    all                ///< and normals, colours and all other numbers of vertices
+    faces_and_texture, ///< faces, and texture coordinates if there are any
+    all                ///< these, and normals, colours and all other numbers of vertices
 };
 
-/// Reads a mesh; the end of its name says the format: .off, .obj, .ply, .stl, .gltf or .glb. Materials are left alone.
-/// Colours are the columns red, green, blue and alpha, as the file has them; notes name skins and morph targets of
+/// Reads a mesh; the end of its name says the format: .off, .obj, .ply, .stl, .gltf or .glb. Materials are skipped.
+/// Colours are the columns red, green, blue and alpha, in the units of the file; notes name skins and morph targets of
 /// glTF, which are left out. Texture coordinates are `vt` of OBJ, s and t, u and v, or texture_u and texture_v of a PLY
 /// file's vertices or the list texcoord of its faces, and TEXCOORD_0 of glTF, whose v is counted from below as in OBJ;
 /// other formats have none. Vertices are those of the file, in its order; of STL, those at one place are one. Meshes of

@@ -103,8 +103,8 @@ ParsedConfig parse_file(const std::filesystem::path& file)
     std::error_code error;
     const auto installed = installed_data_folder() / file;
     if (!std::filesystem::exists(file, error) && file.is_relative() && std::filesystem::exists(installed, error))
-        throw InputError::at({file.string()}, "is not in this folder; the config of that name that was installed is " +
-                                                  installed.string());
+        throw InputError::at({file.string()},
+                             "is not in this folder; the installed config of this name is " + installed.string());
     if (std::filesystem::is_directory(file))
         throw InputError::at({file.string()}, "is a folder; a config file (.toml) is needed");
     std::string text = read_whole_file(file);

@@ -14,8 +14,8 @@ namespace poissonlab {
 /// Stores everything that was added, for load_part(). Throws StorageError.
 void store_part(const SeriesAnalysis& part, UnitStore& store, const UnitKey& key);
 
-/// Reads what store_part() stored into an analysis that was constructed alike; false where it is not there, or another
-/// process removes it just now.
+/// Reads what store_part() stored into an analysis that was constructed alike. Returns false if it is not there, also
+/// because another process removes it.
 bool load_part(SeriesAnalysis& part, const UnitStore& store, const UnitKey& key);
 
 /// Measures the means over all realizations and stores them with all images and tables. `metadata` goes into the

@@ -130,7 +130,7 @@ public:
     /// The density over the tile, of tilings of the plane.
     std::optional<SquareImage> folded_density() const;
 
-    /// The zone plate as sets sample it, with options.zone_plate; sets on disk do not.
+    /// The zone plate that sets in memory sample, with options.zone_plate.
     const ZonePlateAnalysis& zone_plate() const { return zone_plate_; }
 
     /// Adds the measures of the mean spectrum to the result.

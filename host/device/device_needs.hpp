@@ -34,8 +34,8 @@ void check_needs(const std::string& what, const KernelNeeds& needs, const Device
 /// as in work-groups of one, run loops as well: they read zeros, and their iterations count.
 bool ends_loops_early(const std::string& device_name);
 
-/// The reason why a device of this name is not used; empty: it is used. POISSONLAB_SHORT_LOOPS in the environment lets
-/// tests of small sets use it.
+/// Returns the reason for not using a device of this name; empty: it is used. POISSONLAB_SHORT_LOOPS in the environment
+/// lets tests of small sets use it.
 std::string why_loops_are_unreliable(const std::string& device_name);
 
 // A misfortune: PoCL ends the program, or has no devices, where the machine lacks what it needs.

@@ -1,5 +1,5 @@
-// Sets by tiles that chapter 6 compares Poisson disk tiles with: Penrose's, polyominoes, isohedral and recursive ones;
-// and by aperiodic monotiles.
+// This module has sets by tiles that chapter 6 compares with Poisson disk tiles, Penrose's, polyominoes, isohedral and
+// recursive ones, and sets by aperiodic monotiles.
 #include "host/modules/laboratory.hpp"
 #include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
 #include "host/tile_sampling/monotiles/monotile_sampler.hpp"

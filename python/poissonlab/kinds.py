@@ -29,8 +29,8 @@ class Made:
     distances: of points whose minimum distance varies: that at each, in the region's units
     classes: of points with classes: the class of each, uint32
     normals: of points on surfaces: the normal of each one's triangle, (n, 3)
-    columns: of points on surfaces: a structured array with a field for each column of their file, such as "x", and with
-        faces=True "face", "bary_0" and others
+    columns: of points on surfaces: a structured array with a field for each column of their file, such as "x"; with
+        faces=True also "face", "bary_0" and others
     mask: of masks: an array of shape (rows, columns)
     tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south
     files: the paths of all files, which are there as long as this object is; save() keeps them

@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-/// The verdict uses the first four of these measures; readers choose textures by the others as well.
+/// The verdict uses the first four of these measures.
 constexpr std::array shown_measures = {"recurrence", "edge_loss",        "edge_gain",   "novelty", "conspicuous_seams",
                                        "contrast",   "structure_spread", "atlas_bytes", "fetches", "pixel_nanoseconds"};
 

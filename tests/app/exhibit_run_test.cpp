@@ -1,5 +1,5 @@
-// A run makes pictures of tables beside its methods: they stand alone where a method is left out, and a label makes
-// nothing anew.
+// A run makes pictures of tables beside its methods: they stand alone where a method is left out, and after a
+// change of a label all results are reused.
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 

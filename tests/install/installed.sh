@@ -36,7 +36,7 @@ grep -q 'OpenImageIO' version || fail "the version does not say what was built i
   --out out --quiet
 [[ -s out/index.html ]] || fail "no report"
 "$program" run configs/quick.toml --out out 2>words && fail "there is no such config in this folder"
-grep -q "was installed is $prefix/share/poissonlab/configs/quick.toml" words || fail "no word on the config that was installed"
+grep -q "installed config of this name is $prefix/share/poissonlab/configs/quick.toml" words || fail "the message does not name the installed config"
 for file in "$prefix"/share/poissonlab/tile_sets/*-c3-*.ptiles; do "$program" tiles verify "$file" >/dev/null; done
 
 # The manual page has every command, and is written as man likes it.

@@ -90,7 +90,7 @@ class Kinds(unittest.TestCase):
             file.write_text("id,x,y,species\n" + "".join(
                 f"{i},{x!r},{y!r},{name}\n" for i, ((x, y), name) in enumerate(zip(points.tolist(), species))))
             made = distribute.class_set(set=file, classes="species", region=region.wkt)
-            with self.assertRaisesRegex(poissonlab.InputError, "genus: is no column with classes.*: id, species"):
+            with self.assertRaisesRegex(poissonlab.InputError, "genus: is not a column with classes.*: id, species"):
                 distribute.class_set(set=file, classes="genus", region=region.wkt)
         names = ["10", "ash", "oak"]  # numbers before words
         found = {}

@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// Divisions of the tiling from which points are taken; an even number, so that no level is mirrored.
+/// The number of divisions of the tiling; it is even, so that the tiling is not mirrored.
 constexpr int depth = 32;
 
 using PlanePlace = std::array<double, 2>;
@@ -20,7 +20,7 @@ __extension__ using WideInteger = __int128;
 
 constexpr double root_of_three = 1.7320508075688772;
 
-/// The motion of the second tile in the first one's own frame.
+/// Returns the motion of the second tile in the first one's own frame.
 TileMotion motion_between(const TileStates& states, const StatePair& pair)
 {
     const RootRing& ring = states.tiling->ring;
@@ -60,7 +60,7 @@ PlanePlace in_plane(const PolygonTiling& tiling, const MonotilePlace& place)
 
 double length_of(const PlanePlace& place) { return std::sqrt(place[0] * place[0] + place[1] * place[1]); }
 
-/// The largest distance of a point from the origin of its tile.
+/// Returns the largest distance of a point from the origin of its tile.
 double overhang_of(const MonotileTable& table)
 {
     double longest = 0;
@@ -69,8 +69,7 @@ double overhang_of(const MonotileTable& table)
     return longest;
 }
 
-// Places at which a tile's points are before they move: centroids of equal parts of the tile, by Lloyd's method on a
-// grid.
+// Before points move, they are at centroids of equal parts of the tile, by Lloyd's method on a grid.
 
 bool is_in_outline(const std::vector<PlanePlace>& outline, const PlanePlace& p)
 {
@@ -120,7 +119,7 @@ std::vector<PlanePlace> equal_parts(const PolygonTiling& tiling, std::size_t cou
             std::ranges::min_element(places, {}, [&](const PlanePlace& q) { return squared_between(p, q); }) -
             places.begin());
     };
-    while (places.size() < count) // the farthest place
+    while (places.size() < count) // adds the farthest place
         places.push_back(*std::ranges::max_element(
             grid, {}, [&](const PlanePlace& p) { return squared_between(p, places[nearest(p)]); }));
     for (int i = 0; i < iterations; ++i) {
@@ -137,7 +136,7 @@ std::vector<PlanePlace> equal_parts(const PolygonTiling& tiling, std::size_t cou
     return places;
 }
 
-// What is relaxed: pairs of points of all pairs of tiles.
+// These functions list the pairs of points of all pairs of tiles, which are relaxed.
 
 constexpr std::size_t orientations = 24; // twelfths of a turn, without and with a mirror
 
@@ -181,7 +180,7 @@ public:
     }
 
 private:
-    /// Pairs are there from either side: each gets half of the weight.
+    /// Each pair of tiles is listed twice, seen from either tile, and therefore gets half of the weight.
     void add(SharedPoints& shared, const StatePair& pair, double frequency, double reach) const
     {
         const PolygonTiling& tiling = *table_.states.tiling;
@@ -222,7 +221,7 @@ double spacing_of(const MonotileTable& table, std::uint32_t kept)
 
 constexpr SquaredLength no_distance{std::numeric_limits<std::int64_t>::max(), 0};
 
-/// The numbers of points in the order of the table: the last ones are left out first.
+/// Returns the numbers of points in the order of the table: the last ones are left out first.
 std::vector<std::uint32_t> even_order(const std::vector<SquaredLength>& least, std::uint32_t points)
 {
     std::vector<std::uint32_t> order(points);
@@ -247,7 +246,7 @@ std::vector<std::uint32_t> even_order(const std::vector<SquaredLength>& least, s
 
 std::strong_ordering SquaredLength::operator<=>(const SquaredLength& other) const
 {
-    // a + b sqrt3 against 0: the larger of |a| and |b| sqrt3 decides.
+    // The sign of a + b sqrt(3) is that of the term with the larger absolute value.
     const WideInteger a = WideInteger{whole} - other.whole, b = WideInteger{root} - other.root;
     const auto sign = [](WideInteger x) { return x < 0 ? -1 : x > 0 ? 1 : 0; };
     return (sign(a) == sign(b) ? sign(a) : a * a > 3 * b * b ? sign(a) : sign(b)) <=> 0;
@@ -260,7 +259,7 @@ double SquaredLength::length() const
 
 SquaredLength squared_length(const PolygonTiling& tiling, const RingPlace& difference)
 {
-    const auto& [a, b, c, d] = difference.c; // a + c w and z (b + d w), where w is a sixth of a turn and z a twelfth
+    const auto& [a, b, c, d] = difference.c; // a + c w + z (b + d w), w a sixth of a turn and z a twelfth
     const auto square = [&](std::size_t i) { return std::llround(tiling.lengths[i] * tiling.lengths[i]); };
     const std::int64_t even = a * a + a * c + c * c, odd = b * b + b * d + d * d, both = a * b + c * b + c * d;
     const std::int64_t first = square(0), second = square(1);
@@ -282,7 +281,7 @@ TileStates monotile_states(const PolygonTiling& tiling, std::uint32_t levels)
 
 std::vector<SquaredLength> least_distances(const MonotileTable& table)
 {
-    // Points are somewhere as near as in the densest packing, and tiles farther apart have no such points.
+    // Some points are at most as far apart as in the densest packing, and tiles farther apart have no such points.
     const TileStates& states = table.states;
     const RootRing& ring = states.tiling->ring;
     const double reach = spacing_of(table, 1) + 2 * overhang_of(table);
@@ -324,7 +323,7 @@ MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t po
     const auto report = [&](const char* what) {
         if (on_step) on_step(tiling.title + ": " + what);
     };
-    report("what lies around tiles");
+    report("the states of tiles");
     MonotileTable table{monotile_states(tiling, levels), points, {}, {}};
     std::vector<MonotilePlace> places;
     for (const PlanePlace& place : equal_parts(tiling, points)) places.push_back(rounded(tiling, place));

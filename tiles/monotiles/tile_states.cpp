@@ -17,7 +17,7 @@ constexpr int sixths = 6;
 
 int turned_by(int turn) { return (turn % sixths + sixths) % sixths; }
 
-/// The power of the ring's root that a unit is.
+/// Returns the exponent of the ring's root whose power a unit is.
 int steps_of(const RootRing& ring, const RingPlace& unit)
 {
     for (int k = 0; k < ring.order(); ++k)
@@ -37,7 +37,7 @@ RingPlace grown(const TileStates& states, const RingPlace& place)
     return states.flips ? tiling.ring.conjugate(image) : image;
 }
 
-/// The frame of a part of a tile.
+/// Returns the frame of a part of a tile.
 TileFrame frame_of_part(const TileStates& states, const TileFrame& whole, const TileFrame& part)
 {
     const RootRing& ring = states.tiling->ring;
@@ -45,8 +45,8 @@ TileFrame frame_of_part(const TileStates& states, const TileFrame& whole, const 
     return {grown(states, whole.at) + ring.times(ring.unit(2 * turn), part.at), turned_by(turn + part.turn)};
 }
 
-/// Calls `action` with each pair of a part of the one tile and a part of the other one, which are the same tile for
-/// two parts of one.
+/// Calls `action` with each pair of a part of the first tile and a part of the second one. If both are the same tile,
+/// the pairs are of different parts.
 template <class Action>
 void for_part_pairs(const TileStates& states, const StatePair& pair, const Action& action)
 {
@@ -62,8 +62,8 @@ void for_part_pairs(const TileStates& states, const StatePair& pair, const Actio
     }
 }
 
-/// How divisions enlarge places: by a factor along a linear map of the ring's numbers to the plane, which differs from
-/// the place in the plane by a bounded length.
+/// The growth of places by divisions: a linear map of the ring's numbers to the plane grows by a factor, and differs
+/// from the place in the plane by a bounded length.
 class Growth
 {
 public:
@@ -98,10 +98,10 @@ public:
                 for (const StatePart& part : parts) away = std::max(away, length(rest, part.frame.at));
             deviation_ += 2 * away;
         }
-        deviation_ += 2 * away; // of all further levels, each of which is less than half of the one before
+        deviation_ += 2 * away; // further levels, each of which adds less than half of the one before
     }
 
-    /// The reach by the limit's lengths that has all pairs of a reach in the plane, and the ancestors of all its pairs.
+    /// Returns the reach in lengths of the limit that includes all pairs of a reach in the plane and their ancestors.
     double reach_for(double in_plane) const
     {
         return std::max(nearest_reach_, in_plane + deviation_) * (1 + rounding) + rounding;
@@ -111,8 +111,8 @@ public:
 
 private:
     using Rows = std::array<std::array<double, 4>, 2>;
-    static constexpr double rounding = 1e-6;    // far above that of doubles here
-    static constexpr int levels = 40;           // after which nothing is left of what shrinks from level to level
+    static constexpr double rounding = 1e-6;    // far above the rounding of doubles here
+    static constexpr int levels = 40;           // enough for what shrinks from level to level to vanish
     static constexpr int shrinking_levels = 12; // rounding grows as the rest shrinks
 
     static double length(const Rows& rows, const RingPlace& place)
@@ -147,12 +147,12 @@ private:
         for (int level = 0; level < levels; ++level) limit_ = times_step(times_step(limit_, factor_), factor_);
     }
 
-    Rows plane_{}; ///< the place in the plane
-    Rows limit_{}; ///< a place's descendants over the factor, in the limit
+    Rows plane_{}; ///< maps to the place in the plane
+    Rows limit_{}; ///< maps to the place's descendants over the factor, in the limit
     std::array<std::array<double, 4>, 4> step_{};
     double factor_ = 1;
     double nearest_reach_ = 0;
-    double deviation_ = 0; ///< of differences of places in tilings
+    double deviation_ = 0; ///< the largest one of differences of places in tilings
 };
 
 struct StatePairHash
@@ -165,7 +165,7 @@ struct StatePairHash
     }
 };
 
-/// The distance of the farthest corner of any tile from its frame's origin.
+/// Returns the distance of the farthest corner of any tile from its frame's origin.
 double tile_reach(const PolygonTiling& tiling)
 {
     double reach = 0;
@@ -186,9 +186,9 @@ std::vector<RingPlace> corners_in_frame(const TileStates& states, std::uint32_t 
     return corners;
 }
 
-using NearPrototiles = std::set<StatePair>; ///< of prototiles
+using NearPrototiles = std::set<StatePair>; ///< states are prototiles
 
-/// Pairs of prototiles that touch, and those that have such descendants.
+/// Returns pairs of prototiles that touch, and pairs with descendants that touch.
 NearPrototiles near_prototiles(const TileStates& states)
 {
     std::vector<StatePair> all = pairs_within(states, 2 * tile_reach(*states.tiling)).pairs;
@@ -213,14 +213,14 @@ NearPrototiles near_prototiles(const TileStates& states)
     return near;
 }
 
-using PrototileCollar = std::vector<StatePart>; ///< of prototiles, ascending
+using PrototileCollar = std::vector<StatePart>; ///< ascending; states are prototiles
 
 class CollarSearch
 {
 public:
     explicit CollarSearch(TileStates states) : states_(std::move(states)), near_(near_prototiles(states_)) {}
 
-    /// All collars that follow from that of the tile around the origin.
+    /// Returns all collars that follow from that of the tile around the origin.
     TileStates run(std::size_t start)
     {
         constexpr int depth = 20; // an even number: the level is not mirrored
@@ -333,7 +333,7 @@ TileStates collared_states(const PolygonTiling& tiling, std::size_t start)
 TileStates with_parents(const TileStates& states)
 {
     TileStates result{states.tiling, states.flips, states.own, {}, {}};
-    std::vector<std::uint32_t> first; // of the states of a tile's parts
+    std::vector<std::uint32_t> first; // the first one of the states of a tile's parts
     std::uint32_t count = 0;
     for (const auto& parts : states.parts) {
         first.push_back(count);
@@ -371,7 +371,7 @@ StatePairs pairs_within(const TileStates& states, double reach)
     std::unordered_map<StatePair, std::uint32_t, StatePairHash> numbers;
     std::vector<StatePair> found;
     std::vector<std::array<std::uint32_t, 2>>
-        descents; // from a state, or from the number of states plus that of a pair
+        descents; // from a state, or from a pair, whose number is added to the number of states
     const auto divide = [&](std::uint32_t from, const StatePair& pair) {
         for_part_pairs(states, pair, [&](const StatePair& parts) {
             if (growth.length(parts.second.frame.at) > longest) return;
@@ -382,7 +382,7 @@ StatePairs pairs_within(const TileStates& states, double reach)
     };
     for (std::uint32_t i = 0; i < count; ++i) divide(i, {i, {i, {}}});
     for (std::uint32_t i = 0; i < found.size(); ++i) divide(count + i, StatePair(found[i]));
-    // Pairs that are made of the parts of a pair, over the growth of the number of tiles.
+    // Frequencies of pairs that come from a pair are divided by the growth of the number of tiles.
     constexpr int steps = 60;
     const std::vector<double> shares = frequencies_of(states);
     double factor = 0;

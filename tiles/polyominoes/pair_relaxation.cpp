@@ -12,7 +12,7 @@ constexpr double wanted_relative_radius = 0.8;
 constexpr int soft_iterations = 80;
 constexpr int hard_iterations = 80;
 constexpr double soft_step = 0.3;
-constexpr double hard_reach = 1.4; ///< in spacings, of pairs that may come too near while points are pushed apart
+constexpr double hard_reach = 1.4; ///< in spacings; pairs within it may come too near while points are pushed apart
 
 class PairRelaxation
 {
@@ -126,7 +126,7 @@ private:
     std::vector<EntryPair> pairs_;
     std::vector<Orientation> orientations_;
     std::vector<double> frequencies_;
-    double spacing_; ///< of the densest packing with as many points
+    double spacing_; ///< the distance in the densest packing with as many points
     std::size_t entries_;
     std::vector<PairVector> corrections_, pushes_;
     std::vector<double> weights_;

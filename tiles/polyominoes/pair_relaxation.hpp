@@ -1,4 +1,4 @@
-// Relaxation of a table of points that all tilings share, by the pairs that these points have in tilings.
+// Relaxes a table of points that all tilings share, by the pairs of these points in tilings.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct PairVector
     PairVector operator-() const { return {-x, -y}; }
 };
 
-/// An orthogonal matrix: xx xy, yx yy.
+/// An orthogonal matrix with the entries xx, xy, yx, yy.
 using Orientation = std::array<double, 4>;
 
 inline PairVector turned(const Orientation& by, const PairVector& v)
@@ -23,7 +23,7 @@ inline PairVector turned(const Orientation& by, const PairVector& v)
     return {by[0] * v.x + by[1] * v.y, by[2] * v.x + by[3] * v.y};
 }
 
-/// Turns back.
+/// Applies the inverse of an orientation.
 inline PairVector turned_back(const Orientation& by, const PairVector& v)
 {
     return {by[0] * v.x + by[2] * v.y, by[1] * v.x + by[3] * v.y};
@@ -34,29 +34,29 @@ struct EntryPair
 {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
-    std::uint32_t orientation = 0; ///< of the second one's tile
-    PairVector difference;         ///< of the places where the points are before they move
-    double weight = 0;             ///< how often it occurs
+    std::uint32_t orientation = 0; ///< the orientation of the second one's tile
+    PairVector difference;         ///< the difference of the places before points move
+    double weight = 0;             ///< the frequency of the pair
 };
 
 struct SharedPoints
 {
-    std::vector<EntryPair> pairs; ///< each from one side only
+    std::vector<EntryPair> pairs; ///< each pair comes once
     std::vector<Orientation> orientations;
-    std::vector<double> frequencies; ///< by entry, as those of pairs
-    double spacing = 0;              ///< of the densest packing with as many points
+    std::vector<double> frequencies; ///< the frequency of each entry, in the unit of weights
+    double spacing = 0;              ///< the distance in the densest packing with as many points
 };
 
 // These lengths are in spacings.
 
 inline constexpr double longest_correction = 0.5;
-inline constexpr double soft_reach = 2.2; ///< of pairs that are pushed while points are spread
+inline constexpr double soft_reach = 2.2; ///< the reach of forces while points are spread
 
-/// Movements [entry] of least energy, in which points are spread evenly, and then without pairs that are nearer than
-/// they have to be. First, an entry of the table moves by the mean force on its points, with the potential
-/// (1 - r)^4 (4 r + 1) of Wendland between all pairs, r in 2.5 mean spacings, which keeps low frequencies out as a
-/// Gaussian does (Ahmed, Ren and Wonka, Gaussian blue noise, 2022). Then each pair that is too near pushes both apart,
-/// and an entry moves by the mean of its pushes, heavier ones for nearer points.
+/// Returns movements [entry] that spread points evenly and then push pairs apart that are too near. First, an entry of
+/// the table moves by the mean force on its points, with the potential (1 - r)^4 (4 r + 1) of Wendland between all
+/// pairs, r in units of soft_reach, which keeps low frequencies out as a Gaussian does (Ahmed, Ren and Wonka, Gaussian
+/// blue noise, 2022). Then each pair that is too near pushes both apart, and an entry moves by the mean of its pushes,
+/// heavier ones for nearer points.
 std::vector<PairVector> relaxed_points(SharedPoints points);
 
 }

@@ -11,16 +11,16 @@
 namespace poissonlab {
 namespace {
 
-constexpr double enough = 1.6; ///< spacings of pairs that are taken into account whatever ancestors they have
+constexpr double enough = 1.6; ///< pairs within this reach, in spacings, count whatever ancestors they have
 
-/// Entries of the table that have points near each other, and how their tiles lie.
+/// Entries of the table that have points near each other, and the pose of their tiles.
 struct PosedPair
 {
     std::uint32_t first;
     std::uint32_t second;
     Pose pose;
-    PairVector difference; ///< of the middles, in cells
-    double weight;         ///< how often it occurs
+    PairVector difference; ///< the difference of the middles, in cells
+    double weight;         ///< the frequency of the pair
 
     auto key() const { return std::tie(first, second, pose); }
 };

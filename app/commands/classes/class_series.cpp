@@ -39,11 +39,11 @@ void add_class_series(Experiment& experiment, const std::string& keys)
     for (std::size_t i = 0; i < read->names.size(); ++i) {
         const PointSet some = points_of_class(all, *read, i);
         if (some.size() < 2) {
-            experiment.notes.push_back(fmt::format("class {} has one point, and no page of its own", read->names[i]));
+            experiment.notes.push_back(fmt::format("class {} has one point and therefore no page", read->names[i]));
             continue;
         }
         SeriesTask task = import_sets({some}, read->names[i]).series.front();
-        task.name = fmt::format("class-{}-{}", i, safe_name(read->names[i])); // other names could be those of the set
+        task.name = fmt::format("class-{}-{}", i, safe_name(read->names[i])); // a plain name could be that of the set
         task.parameters = experiment.series.front().parameters;
         experiment.series.push_back(std::move(task));
     }

@@ -208,8 +208,8 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
     finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
 }
 
-/// The keys of kind = "class-set" that measure a file as these options do. What is not about how a region is read is
-/// about the series of each class.
+/// Returns the keys of kind = "class-set" that measure a file as these options do. Options that do not say how a region
+/// is read apply to the series of each class.
 std::string class_set_keys_of(const AnalyzeOptions& options)
 {
     check_printable(options);
@@ -320,8 +320,8 @@ Command analyze_command(const std::string& typed)
              {"--along", &o->along, "Measure the points along the lines and outlines of the region"},
              {"--surface", &o->surface, "The mesh that points lie on, whose eigenfunctions give the spectrum", "MESH"},
              {"--classes", &o->classes,
-              "The column or property that has the class of each point: each class is measured alone and all together, "
-              "and how they lie to each other",
+              "The column or property that has the class of each point: classes are measured alone, together and in "
+              "pairs",
               "COLUMN"},
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,

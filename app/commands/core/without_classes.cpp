@@ -1,4 +1,4 @@
-// This function stands in for points with classes where a program lacks them: `analyze --classes` asks for the module.
+// This function replaces that of points with classes in a program without their module, and asks for the module.
 #include "app/commands/class_series.hpp"
 #include "base/errors/missing_module.hpp"
 

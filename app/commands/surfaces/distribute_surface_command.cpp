@@ -25,7 +25,7 @@ sides of a thin sheet are each even by themselves, and points of different sides
   --points N --method elimination --density "1 + z^2"
                                          N that follow a density: a formula, a number of the mesh's vertices such as red,
                                          or a picture over its texture coordinates
-  --start FILE, --obstacles FILE         darts begin with these points, which stay, and keep away from those
+  --start FILE, --obstacles FILE         the set begins with the points of the first file; others keep away from the second
   --tiles SET --tiles-per-unit T         the points of a tiling laid over texture coordinates (u, v) of the mesh, or
                                          --points N instead of T; with --min-distance D those are left out, in the order
                                          of ranks, that are nearer than D to others. What stretch and seams of the
@@ -37,8 +37,8 @@ Relative radii are those of a plane of the same area. Distances are checked in w
 .png (two views with z up, from the front on the left and from behind on the right, --pixels wide together), and point files
 such as .npy and text.
 With --faces, .ply and .csv have further columns: face (from 0, in the order of the file), vertex_0 to vertex_2, the
-barycentric coordinates bary_0 to bary_2, and what the mesh has at its vertices, between them: shading_nx, shading_ny,
-shading_nz, u, v, red, green, blue and all other numbers.
+barycentric coordinates bary_0 to bary_2, and the numbers of the vertices, interpolated: shading_nx, shading_ny,
+shading_nz, u, v, red, green, blue and all others.
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
   poissonlab distribute surface scan.ply --points 10000 --faces --out points.csv
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
@@ -57,7 +57,7 @@ void place_on_surface(const KindOptions& o)
 {
     const auto settings = o.read<MeshPointSettings>();
     if (settings.faces && std::ranges::none_of(o.outs.files(), has_surface_columns))
-        throw InputError("--faces: needs a file of .ply or .csv as --out: other files have no columns for it");
+        throw InputError("--faces: needs a .ply or .csv file as --out: other files have no such columns");
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     for (const std::string& note : set.notes) o.say_note(note);

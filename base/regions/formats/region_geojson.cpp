@@ -11,8 +11,8 @@ namespace {
 
 using GeoJson = nlohmann::json;
 
-/// The id of a feature, as JSON, and behind it its properties as further members, which points in it have as well.
-/// Those with names that points use themselves are called feature_NAME.
+/// Returns the id of a feature as JSON, followed by its properties as further members, which points in it have as well.
+/// Properties whose names points use themselves are called feature_NAME.
 std::string members_of_feature(const GeoJson& feature, std::size_t number)
 {
     const auto id = feature.find("id"), properties = feature.find("properties");

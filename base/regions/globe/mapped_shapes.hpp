@@ -41,7 +41,7 @@ double largest_distortion(const Obstacles& shapes, const LocalPlane& plane);
 /// name, and for WKT without SRID that looks like degrees.
 std::optional<MapSystem> source_system(const TypedRegion& typed, const RegionReading& reading);
 
-/// The system of obstacles, which WKT and files of points do not say: they have the region's.
+/// The coordinate system of obstacles. WKT and files of points do not name one: they have the region's.
 std::optional<MapSystem> obstacle_system(const TypedRegion& typed, const RegionReading& reading);
 
 /// The member `crs` of GeoJSON for points in this system; empty for that of the standard.

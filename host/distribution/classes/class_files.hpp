@@ -19,8 +19,8 @@ namespace poissonlab {
 const std::vector<std::string>& class_file_ends();
 
 /// Writes points in one of these formats, whole or not at all. Numbers read back are the same doubles. Throws
-/// StorageError. Coordinates are those of the region's file, if there is a region. `features` has what GeoJSON says of
-/// the feature of the region's file that each point lies in, see RegionFeature::id; empty: nothing.
+/// StorageError. Coordinates are those of the region's file, if there is a region. `features` has for each
+/// point the GeoJSON members of its feature of the region's file, see RegionFeature::id; it may be empty.
 void write_class_file(const std::filesystem::path& file, const ClassedPoints& points, const std::string& comment,
                       const PlaneRegion* region = nullptr, const std::vector<std::string>& features = {});
 

@@ -83,7 +83,7 @@ MarkPicture picture_in_region(const ClassSet& set)
     return land_picture(*set.work.land, set.work.request.region->box(), dots);
 }
 
-/// Mean radial power of each class and of all points.
+/// Draws the mean radial power of each class and of all points.
 CurveChart power_chart(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& names)
 {
     const std::vector<std::uint32_t>& used = spectra.classes;

@@ -26,8 +26,8 @@ std::vector<std::uint32_t> used_classes(const ClassedPoints& points);
 /// interest. 2D only.
 CrossSpectra class_spectra(const ClassedPoints& points, std::size_t bins = 0);
 
-/// Adds pictures of the mean radial power of each class and of all points, of which there are so many in a set, and of
-/// the cross power of each pair of classes, and spectra.csv. `names` are those of all classes; empty: their numbers.
+/// Adds pictures of the mean radial power of each class and of all points, and of the cross power of each pair of
+/// classes, and spectra.csv. A set has `points` points. `names` has the names of all classes; empty: their numbers.
 void add_class_spectra(std::size_t points, const ClassSpectra& spectra, const std::vector<std::string>& names,
                        DistributionFiles& files, DistributionResult& result);
 

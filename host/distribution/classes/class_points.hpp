@@ -76,7 +76,7 @@ struct ClassSet
     /// are.
     ClassedPoints in_units() const;
     ClassedPoints as_in_files() const;
-    /// What points say of the features of the region's file, see write_class_file().
+    /// Returns for each point the members of its feature of the region's file, see write_class_file().
     std::vector<std::string> features() const;
 
     const PlaneRegion* region() const { return work.land ? &work.land->whole : nullptr; }

@@ -21,14 +21,14 @@
 namespace poissonlab {
 namespace {
 
-/// Random labellings are left out where they would compare more pairs than this, which takes far longer than all other
-/// measures.
+/// Random labellings are left out if they would compare more pairs than this, since they would take far longer than all
+/// other measures.
 constexpr double most_comparisons = 1e9;
 
-/// The spectra of all classes together have so many frequencies at most, 16 bytes each.
+/// The spectra of all classes together have at most this many frequencies, of 16 bytes each.
 constexpr double most_frequencies = 1 << 26;
 
-/// Numbers before words, by size.
+/// Numbers come before words, in rising order.
 bool comes_before(const std::string& a, const std::string& b)
 {
     double x = 0, y = 0;
@@ -156,7 +156,7 @@ private:
                std::min(1.0, std::numbers::pi * reach * reach / place_.area());
     }
 
-    /// The covariance of the region is asked for of all pairs: the longest are of the two smallest classes.
+    /// All pairs need the covariance of the region: the two smallest classes have the longest distances.
     void expect_pairs()
     {
         double pairs = 0, longest = 0;
@@ -236,7 +236,7 @@ void number_classes(const std::vector<std::string>& class_of_point, const std::s
                             file, most_measured_classes, printable(shortened(class_of_point[i], 40))));
     }
     if (numbers.size() == 1)
-        throw InputError(fmt::format("{}: all points are of the class {}; there must be two classes or more", file,
+        throw InputError(fmt::format("{}: all points have the class {}; there must be two classes or more", file,
                                      printable(shortened(numbers.begin()->first, 40))));
     for (auto& [name, number] : numbers) {
         number = static_cast<std::uint8_t>(to.names.size());
@@ -256,7 +256,7 @@ std::shared_ptr<const ClassSetPoints> read_class_set(const ClassSetSettings& set
     settings.region.empty() ? put_on_torus(settings, how, set) : put_into_region(settings, how, set);
     const std::string name = settings.set.string();
     if (class_of_point.size() != set.points.size())
-        throw InputError(name + ": has no classes; text, tables, PLY and GeoJSON have them");
+        throw InputError(name + ": has no classes; only text, tables, PLY and GeoJSON can have them");
     number_classes(class_of_point, name, set);
     return std::make_shared<const ClassSetPoints>(std::move(set));
 }

@@ -1,4 +1,4 @@
-// Measures points with classes, made here or elsewhere: what classes have to do with each other.
+// Measures points with classes, made here or elsewhere, and compares the classes.
 #pragma once
 
 #include "analysis/classes/class_pairs.hpp"
@@ -24,29 +24,29 @@ struct ClassSetSettings
     std::string classes = "class"; ///< see PointClasses
     std::string region;            ///< empty: a torus
     RegionReading reading;
-    std::string domain;  ///< as for parse_domain(); empty: what the file says
+    std::string domain;  ///< a text for parse_domain(); empty: the file's domain
     bool window = false; ///< the domain is a region, whose sides do not meet
     std::optional<double> reach;
     std::uint32_t labellings = 39;
-    std::shared_ptr<const struct ClassSetPoints> read{}; ///< where they were read already
+    std::shared_ptr<const struct ClassSetPoints> read{}; ///< the points if they were read already
 };
 
-/// Points with classes, and where they lie.
+/// Points with classes, and their place.
 struct ClassSetPoints
 {
-    PointSet points;                   ///< coordinates as ClassPlace has them
-    std::vector<std::uint8_t> classes; ///< of each point
-    std::vector<std::string> names;    ///< of classes, in rising order if they are numbers, else in that of letters
+    PointSet points;                              ///< coordinates as ClassPlace has them
+    std::vector<std::uint8_t> classes;            ///< a number for each point
+    std::vector<std::string> names;               ///< numbers in rising order, then words in alphabetical order
     std::shared_ptr<const FramedRegion> region{}; ///< null: a torus
-    PeriodicBox box{};                            ///< of that
-    double unit = 1;                  ///< lengths of ClassPlace are so long, in units of the file or of the region
-    std::vector<std::string> notes{}; ///< sentences on what was made of the files
+    PeriodicBox box{};                            ///< sides of the torus
+    double unit = 1;                  ///< the unit of length of ClassPlace, in units of the file or of the region
+    std::vector<std::string> notes{}; ///< sentences on how the files were read
 
     PointSet of_class(std::size_t number) const;
     std::vector<PointSet> by_class() const;
 };
 
-/// A file has so many classes at most.
+/// A file has at most this many classes.
 inline constexpr std::size_t most_measured_classes = 64;
 
 /// Numbers the classes of points by their names. Throws InputError for a point without one, for fewer than two and for
@@ -60,22 +60,22 @@ std::shared_ptr<const ClassSetPoints> read_class_set(const ClassSetSettings& set
 struct ClassPairMeasures
 {
     std::size_t first = 0, second = 0;
-    double least = 0;       ///< distance; infinite where there is none. Lengths are in units of the file or the region
-    double mean_first = 0;  ///< distance of points of the first from their nearest ones of the second
-    double mean_second = 0; ///< and of the second from the first
+    double least = 0; ///< least distance; infinite if there is none. Lengths are in units of the file or the region
+    double mean_first = 0;      ///< mean distance of points of the first from their nearest ones of the second
+    double mean_second = 0;     ///< mean distance of points of the second from their nearest ones of the first
     ClassDistanceSteps steps;   ///< in lengths of ClassPlace
-    std::vector<double> values; ///< the pair correlation
+    std::vector<double> values; ///< the pair correlation function
 };
 
 struct ClassSetMeasures
 {
-    std::vector<ClassPairMeasures> own;   ///< of each class
-    ClassPairMeasures all;                ///< of all points
-    std::vector<ClassPairMeasures> cross; ///< of pairs (0, 1), (0, 2), (1, 2), (0, 3), ...
-    MarkCorrelation marks;                ///< over the distances of all.steps
+    std::vector<ClassPairMeasures> own;   ///< one for each class
+    ClassPairMeasures all;                ///< all points as one class
+    std::vector<ClassPairMeasures> cross; ///< pairs (0, 1), (0, 2), (1, 2), (0, 3), ...
+    MarkCorrelation marks;                ///< a function of the distances of all.steps
     std::uint32_t labellings = 0;
     std::optional<CrossSpectra> spectra; ///< none in a box whose sides differ
-    double covariance_error = 0;         ///< of areas in common, over the region's area
+    double covariance_error = 0;         ///< the error of common areas, over the region's area
 };
 
 ClassSetMeasures measure_class_set(const ClassSetPoints& set, const ClassSetSettings& settings,

@@ -17,10 +17,10 @@
 namespace poissonlab {
 namespace {
 
-/// Pages list the numbers of so many classes one by one; those of more are in the tables alone.
+/// Pages list the numbers of up to this many classes one by one; numbers of more classes are in the tables alone.
 constexpr std::size_t most_numbered_classes = 8;
 
-/// Pairs whose curves a picture has room for.
+/// A picture has room for the curves of this many pairs.
 constexpr std::size_t most_pairs_shown = 18;
 
 void class_set_keys(Keys& keys, ClassSetSettings& s)
@@ -34,13 +34,13 @@ void class_set_keys(Keys& keys, ClassSetSettings& s)
     keys.region("region", s.region, "the region that points lie in: a file, a formula, or a shape")
         .otherwise("a torus");
     region_reading_keys(keys, s.reading);
-    keys.text("domain", s.domain, "the range of coordinates, such as \"0:512\" or \"0:2 0:1\": a torus")
+    keys.text("domain", s.domain, "the range of coordinates, such as \"0:512\" or \"0:2 0:1\"; without window, a torus")
         .excludes("region")
         .otherwise("what the file says, or 0:1");
     keys.flag("window", s.window, "whether the domain is a region whose opposite sides do not meet").excludes("region");
     keys.number("reach", s.reach, {1e-12, 1e12}, "the distance up to which curves are measured")
         .unit("units of the points")
-        .otherwise("four times that of the densest packing of as many points");
+        .otherwise("four times the distance of the densest packing of as many points");
     keys.integer("labellings", s.labellings, 0, 999,
                  "random permutations of the classes that the mark correlation is compared with");
     if (!keys.is_read()) return;
@@ -60,7 +60,7 @@ std::string pair_name(const ClassSetPoints& set, const ClassPairMeasures& pair)
     return fmt::format("{} and {}", set.names[pair.first], set.names[pair.second]);
 }
 
-/// The mean distance of points from their nearest ones among `count` others, over that of independent ones.
+/// The mean distance of points from the nearest of `count` others, over the mean for independent points.
 double over_random(double mean, std::size_t count, double area)
 {
     return 2 * mean * std::sqrt(static_cast<double>(count) / area);
@@ -93,11 +93,10 @@ DistributionTable table_of_classes(const ClassSetPoints& set, const ClassSetMeas
 DistributionTable table_of_pairs(const ClassSetPoints& set, const ClassSetMeasures& measures,
                                  const std::vector<std::size_t>& counts)
 {
-    DistributionTable table{
-        "Pairs of classes: distances of points of the first from the nearest of the second, and back",
-        {"first", "second", "least distance", "mean nearest, first to second", "over independent ones",
-         "mean nearest, second to first", "over independent ones"},
-        {}};
+    DistributionTable table{"Pairs of classes: distances of points of one class from the nearest point of the other",
+                            {"first", "second", "least distance", "mean nearest, first to second",
+                             "over independent classes", "mean nearest, second to first", "over independent classes"},
+                            {}};
     const double area = area_in_units(set);
     for (const ClassPairMeasures& pair : measures.cross)
         table.rows.push_back(
@@ -113,9 +112,9 @@ DistributionNumbers class_set_numbers(const ClassSetPoints& set, const ClassSetM
     DistributionNumbers numbers{{"points", "Points", static_cast<double>(set.points.size()), "of all classes"},
                                 {"classes", "Classes", static_cast<double>(counts.size()), ""}};
     if (measures.labellings > 0)
-        numbers.push_back({"labels_p_value", "Chance of random classes", measures.marks.p_value,
-                           fmt::format("the share of sets with classes permuted at random, of {} and this one, whose "
-                                       "mark correlation is as far from 1",
+        numbers.push_back({"labels_p_value", "P-value of random labelling", measures.marks.p_value,
+                           fmt::format("the share of sets, {} with classes permuted at random and this one, whose mark "
+                                       "correlation is at least as far from 1 as here",
                                        measures.labellings)});
     if (measures.covariance_error > 0)
         numbers.push_back({"covariance_error", "Error of areas in common", measures.covariance_error,
@@ -191,8 +190,8 @@ public:
         };
         std::vector<ChartCurve> curves;
         if (measures_.labellings > 0)
-            curves = {band("least of random classes", measures_.marks.low),
-                      band("largest of random classes", measures_.marks.high)};
+            curves = {band("least of random labellings", measures_.marks.low),
+                      band("largest of random labellings", measures_.marks.high)};
         curves.push_back(curve_of_steps("points", "#2c728e", measures_.marks.values, measures_.all.steps,
                                         spacing(set_.points.size())));
         return chart(std::move(curves), "mark correlation", 3);
@@ -225,7 +224,7 @@ private:
     double area_;
 };
 
-/// Columns first, second, distance, g; one class with itself, all points and pairs of classes.
+/// Returns columns first, second, distance and g for all points, each class and each pair of classes.
 std::string pairs_csv(const ClassSetPoints& set, const ClassSetMeasures& measures)
 {
     std::string text = "first,second,distance,g\n";
@@ -295,19 +294,20 @@ DistributionResult measure_classes(const ClassSetSettings& settings, std::uint64
                     set.region ? "in " + set.region->name() : "on a torus"};
     for (const std::string& note : set.notes) result.facts.push_back(note);
     if (measures.labellings < settings.labellings)
-        result.facts.emplace_back("Random classes are left out: comparing so many pairs would take too long");
+        result.facts.emplace_back("Random labellings are left out: comparing so many pairs would take too long");
     if (!measures.spectra) result.facts.emplace_back("Cross spectra are left out: the sides of the box differ");
     files.add_marks("points.json", picture_of_classes(set, measures), "The points, a colour for each class.", result);
     const ClassSetCharts charts(set, measures, counts);
-    files.add_curves("cross-pairs", charts.cross(),
-                     "Cross pair correlation of classes: 1 where two classes are independent of each other, less where "
-                     "they avoid each other, more where they attract each other.",
-                     result);
-    files.add_curves("pairs", charts.own(), "Pair correlation of each class, and of all points.", result);
+    files.add_curves(
+        "cross-pairs", charts.cross(),
+        "Cross pair correlation functions: they are 1 on average where two classes are independent, below 1 where "
+        "they avoid each other, and above 1 where they attract each other.",
+        result);
+    files.add_curves("pairs", charts.own(), "Pair correlation functions of each class, and of all points.", result);
     files.add_curves(
         "marks", charts.marks(),
-        "Mark correlation: the probability that two points at a distance are of one class, over that of any "
-        "two points. It is 1 on average where classes are given to points at random.",
+        "Mark correlation function: the probability that two points at a distance are of one class, over that of any "
+        "two points. It is 1 on average if classes are given to points at random.",
         result);
     if (measures.spectra) add_spectra(set, *measures.spectra, files, result);
     write_whole_file(files.add("pairs.csv", result), pairs_csv(set, measures));

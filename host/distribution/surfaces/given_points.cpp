@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-/// Points of files may be off the surface by this part of the minimum distance.
+/// Points of files may be this part of the minimum distance away from the surface.
 constexpr double off_surface = 0.1;
 
 SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position)

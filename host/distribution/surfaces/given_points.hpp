@@ -12,10 +12,10 @@ namespace poissonlab {
 /// The triangles of a surface with shared corners, in the mesh's units.
 TriangleMesh triangles_of(const FixedSurface& surface);
 
-/// The only set of a file, in space. Throws InputError: the file is none of points, or has several sets.
+/// Reads the only set of a file, in space. Throws InputError if the file is not a point file or has several sets.
 PointSet points_in_space(const std::filesystem::path& file);
 
-/// Points of a surface, and the largest distance that they were moved.
+/// Points of a surface, and the largest distance by which they were moved.
 struct GivenPoints
 {
     std::vector<SurfacePoint> points;

@@ -20,21 +20,21 @@
 namespace poissonlab {
 namespace {
 
-/// Places at which the largest density, and its mean, are looked for.
+/// The number of places that estimate the largest density and its mean.
 constexpr std::uint64_t density_places = 1 << 17;
 
 constexpr std::uint64_t most_failed_candidates = 10'000'000;
 
-/// The pairs of points that have a weight. `distances` are those of points, in units of the grid; a pair's is the
-/// smaller one, and pairs nearer than `least` of it weigh no more.
+/// Returns the pairs of points that have a weight. `distances` has the distance of each point, in units of the grid; a
+/// pair has the smaller one of its two. Pairs nearer than the part `least` of it have the largest weight.
 std::vector<std::vector<reference::Partner>> density_partners(const FixedSurface& surface,
                                                               const std::vector<SurfacePoint>& points,
                                                               const std::vector<double>& distances, double least,
                                                               std::int32_t cosine)
 {
     std::vector<std::vector<reference::Partner>> partners(points.size());
-    // Points are in classes by octaves of their distances. Those of a class look at its points and at those of larger
-    // distances: the pair's distance is within the octave.
+    // Points are in classes by octaves of their distances. Points of a class look only at their class and at classes of
+    // larger distances, so that the pair's distance is within the octave.
     const double smallest = std::ranges::min(distances);
     std::vector<int> classes;
     for (const double d : distances) classes.push_back(std::ilogb(d / smallest));
@@ -81,7 +81,8 @@ SurfaceDensity::SurfaceDensity(const std::string& text, const std::string& from,
         picture_ = density_of_text(text, from, 1, 1);
         return;
     }
-    if (from != "light") throw InputError(fmt::format("{}: \"{}\" is for pictures, and this is none", text, from));
+    if (from != "light")
+        throw InputError(fmt::format("{}: \"{}\" is for pictures, and this is not a picture", text, from));
     const auto found = std::ranges::find(mesh.columns.names, text);
     column_ = static_cast<std::size_t>(found - mesh.columns.names.begin());
     if (found != mesh.columns.names.end()) return;
@@ -146,7 +147,8 @@ DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity
     candidates.integral = sum / density_places * surface.area;
     for (std::uint64_t i = 0, last = 0; candidates.points.size() < count; ++i) {
         if (i - last > most_failed_candidates)
-            throw InputError("is above 0 in too small a part of the mesh: ten million places in a row are outside");
+            throw InputError(
+                "is large in too small a part of the mesh: ten million random places in a row were rejected");
         const SurfacePoint point = dart(i);
         const double value = std::min(density.at(surface, point), largest);
         const auto words = philox({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i >> 32), 1, 0}, stream);

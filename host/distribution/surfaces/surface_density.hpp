@@ -2,7 +2,7 @@
 //
 // Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, section 4.3 (adaptive sampling), as in
 // host/sampling/varied/varied_elimination.hpp: candidates are random points of that density, and distances of pairs
-// count over the smaller of the distances that densest packings of the densities at the two points have.
+// are divided by the smaller of the distances that densest packings of the densities at the two points have.
 #pragma once
 
 #include "base/densities/density.hpp"
@@ -23,7 +23,7 @@ namespace poissonlab {
 class SurfaceDensity
 {
 public:
-    /// `text` is a column of the mesh, the name of a picture, of which `from` is taken, or a formula. Throws
+    /// `text` is a column of the mesh, a formula, or the name of a picture, whose channel is `from`. Throws
     /// InputError.
     SurfaceDensity(const std::string& text, const std::string& from, const TriangleMesh& mesh);
 
@@ -45,15 +45,15 @@ struct DensityCandidates
 {
     std::vector<SurfacePoint> points;
     std::vector<double> densities;
-    double integral = 0; ///< of the density over the surface, from some 10^5 places
+    double integral = 0; ///< the density's integral over the surface, from some 10^5 places
 };
 
-/// So many independent points. Peaks that none of these places meets are flattened. Throws InputError where the density
-/// is 0 everywhere, or nearly.
+/// Returns `count` independent points. Peaks that none of these places meets are flattened. Throws InputError if the
+/// density is 0 everywhere, or nearly.
 DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity& density, std::size_t count,
                                      const StreamKey& stream);
 
-/// So many of the candidates, in progressive order. By a heap, on the host.
+/// Returns `kept` of the candidates in progressive order. Uses a heap on the host.
 std::vector<SurfacePoint> eliminate_by_density(const FixedSurface& surface, const DensityCandidates& candidates,
                                                std::size_t kept, double angle);
 

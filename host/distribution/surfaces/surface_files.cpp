@@ -34,7 +34,7 @@ enum class ColumnType
     byte   ///< uint8
 };
 
-/// Columns of a table whose rows are points, and the numbers of a row.
+/// A table whose rows are points: the columns, and the numbers of a row.
 class SurfaceTable
 {
 public:
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /// A column of the mesh whose name another one has is called mesh_NAME.
+    /// Adds columns. A column of the mesh whose name is taken is called mesh_NAME.
     void add(const std::vector<std::string>& names, ColumnType type)
     {
         for (std::string name : names) {
@@ -90,7 +90,7 @@ private:
         row.push_back(mesh_->faces[face]);
         for (const std::uint32_t corner : corners) row.push_back(corner);
         append(row, shares);
-        // A number is linear between those of corners; it is that of a corner that has all of the point.
+        // Numbers are interpolated linearly; corners whose share is 0 are left out, since they may lack the number.
         const auto between = [&shares](const MeshTriangle& at, const auto& number_at) {
             double sum = 0;
             for (std::size_t k = 0; k < 3; ++k)
@@ -117,7 +117,7 @@ private:
     std::vector<std::pair<std::string, ColumnType>> columns_;
 };
 
-/// Writes a head and then the rows, some thousand at a time; `append_row` makes the bytes of one.
+/// Writes a head and then blocks of rows; `append_row` makes the bytes of a row.
 void write_rows(const std::filesystem::path& file, const SurfaceTable& table, const std::string& head,
                 const std::function<void(const std::vector<double>& row, std::string& to)>& append_row)
 {

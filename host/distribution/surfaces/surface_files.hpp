@@ -1,4 +1,4 @@
-// Files of points on a surface, and what is known of each point beside its place.
+// Files of points on a surface, with columns that describe each point.
 #pragma once
 
 #include "base/surfaces/triangle_mesh.hpp"
@@ -16,19 +16,19 @@ namespace poissonlab {
 ///
 /// With `mesh`, which the surface was made of, .ply and .csv have further columns: face, the number of the point's face
 /// in the mesh's file from 0; vertex_0 to vertex_2, the numbers of its triangle's vertices; bary_0 to bary_2, the
-/// barycentric coordinates; and what the mesh has at its vertices, linear between them: shading_nx, shading_ny and
-/// shading_nz, of length 1, u and v, and the mesh's columns under their names. Numbers that are not there are NaN.
+/// barycentric coordinates; and numbers of vertices, interpolated linearly: shading_nx, shading_ny and shading_nz, of
+/// length 1, u and v, and the mesh's columns under their names. Missing numbers are NaN.
 void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
                           const std::vector<SurfacePoint>& points, const std::string& comment,
                           const TriangleMesh* mesh = nullptr);
 
-/// True for files that have the further columns.
+/// Returns true for files that can have the further columns.
 bool has_surface_columns(const std::filesystem::path& file);
 
 /// Normals of points, three numbers each.
 PointSet normals_of(const FixedSurface& surface, const std::vector<SurfacePoint>& points);
 
-/// The shares of the three corners of a point's triangle: they add up to 1, exactly.
+/// The barycentric coordinates of a point in its triangle: they add up to exactly 1.
 MeshPoint barycentrics_of(const SurfacePoint& point);
 
 }

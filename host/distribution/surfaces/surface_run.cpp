@@ -22,7 +22,7 @@
 namespace poissonlab {
 namespace {
 
-/// All pairs of candidates are in memory where they follow a density, some hundred bytes of each.
+/// If candidates follow a density, all pairs of them are in memory: some hundred bytes for each candidate.
 constexpr std::size_t most_density_candidates = std::size_t{1} << 24;
 
 void check_tile_keys(Keys& keys, MeshPointSettings& s)
@@ -110,29 +110,30 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
     keys.picture_or_formula("density", s.density, s.density_from,
-                            "what points follow: a formula in x, y and z in the mesh's units; the name of a number of "
-                            "its vertices, such as red or quality; or a picture over its texture coordinates")
+                            "the density of the points: a formula in x, y and z in the mesh's units; the name of a "
+                            "number of its vertices, such as red or quality; or a picture over its texture coordinates")
         .otherwise("none")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
-    keys.flag("faces", s.faces,
-              "whether files of points (PLY, CSV) have the face, barycentric coordinates, and what the mesh has at its "
-              "vertices: normals, colours, texture coordinates and other numbers");
+    keys.flag(
+        "faces", s.faces,
+        "whether files of points (PLY, CSV) have the face, the barycentric coordinates, and the numbers that the mesh "
+        "has at its vertices: normals, colours, texture coordinates and others");
     keys.tiles(s.tiles);
     if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
         throw keys.invalid(
             "tiles", fmt::format("cannot be combined with {} {}", keys.name_of("method"), surface_methods[s.method]));
-    keys.file("start", s.start,
-              "points of the surface that the set begins with, and that stay: a file of points with three coordinates",
-              "a point file")
+    keys.file(
+            "start", s.start,
+            "points of the surface with which the set begins, and which stay: a file of points with three coordinates",
+            "a point file")
         .otherwise("none")
         .only_if(s.method == SurfaceMethod::darts, "method = darts");
-    keys.file(
-            "obstacles", s.obstacles,
-            "points of the surface that others keep away from by the minimum distance, and that are not of the set: a "
-            "file of points with three coordinates",
-            "a point file")
+    keys.file("obstacles", s.obstacles,
+              "points of the surface from which all others keep the minimum distance, and which do not belong to the "
+              "set: a file of points with three coordinates",
+              "a point file")
         .otherwise("none")
         .only_if(s.method == SurfaceMethod::darts, "method = darts");
     keys.word(
@@ -183,7 +184,7 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
     write_points(files.add("points.npy", result), set.places());
     write_points(files.add("normals.npy", result), normals_of(surface, set.points));
     if (!settings.start.empty())
-        result.facts.push_back(fmt::format("{} points to begin with", settings.beginning->start.size()));
+        result.facts.push_back(fmt::format("{} given points to begin with", settings.beginning->start.size()));
     if (!set.obstacles.empty()) result.facts.push_back(fmt::format("{} obstacles", set.obstacles.size()));
     result.numbers = surface_numbers(set, seed);
     return result;

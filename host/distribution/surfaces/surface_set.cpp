@@ -83,7 +83,7 @@ void check_distances(const SurfaceDartRequest& request, const SurfaceDarts& dart
     if (!is_kept) throw std::logic_error("darts are nearer to each other than they may be");
 }
 
-/// So many of these points, in an order whose first parts are even.
+/// Returns `kept` of these points, in an order whose first parts are even.
 std::vector<SurfacePoint> eliminated(const std::vector<SurfacePoint>& candidates, std::size_t kept,
                                      const MeshPointSettings& settings, const std::shared_ptr<const SurfaceMesh>& mesh,
                                      const DistributionPlace& place)
@@ -275,7 +275,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
                            "also of points whose normals are too far apart, such as those on two sides of a sheet"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});
-    if (set.follows_density) return numbers; // no one distance says how even it is
+    if (set.follows_density) return numbers; // no single distance measures the evenness of such a set
     numbers.push_back(
         {"relative_radius", "Relative radius", found.least / packed_distance(surface.area, set.points.size()),
          "least distance over that of the densest packing of as many points in a plane of the same area"});

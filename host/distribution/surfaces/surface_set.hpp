@@ -37,7 +37,7 @@ inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::d
                                                                {SurfaceMethod::tiles, "tiles"},
                                                                {SurfaceMethod::quads, "quads"}}}};
 
-/// The order of points: that in which they came, or one whose first parts are well spread.
+/// The order of points: as they were made, or one whose first parts are well spread.
 enum class SurfaceOrder
 {
     own,
@@ -51,11 +51,11 @@ struct SurfaceMesh;
 
 struct PoissonTileSet;
 
-/// Points that darts begin with, and those that they keep away from.
+/// Points with which darts begin, and points from which they keep away.
 struct SurfaceBeginning
 {
     std::vector<SurfacePoint> start, obstacles;
-    double least = 0; ///< the distance of the nearest two of the start that see each other; infinite where none do
+    double least = 0; ///< the least distance of points of the start that see each other; infinite where none do
 };
 
 /// kind = "surface": points on the triangles of a mesh, also those of tiles over its texture coordinates.
@@ -70,16 +70,16 @@ struct MeshPointSettings
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::filesystem::path start, obstacles;      ///< files of points; empty: none
-    SurfaceOrder order = SurfaceOrder::own;      ///< of darts
-    std::string density, density_from = "light"; ///< what points of elimination follow; empty: all the same
-    bool faces = false;          ///< files have faces, barycentric coordinates and what the mesh has at its vertices
+    std::filesystem::path start, obstacles;      ///< files of points; empty: there are none
+    SurfaceOrder order = SurfaceOrder::own;      ///< the order of darts
+    std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
+    bool faces = false;          ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
     std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points
-    std::optional<double> tiles_per_unit;                ///< of texture coordinates
-    QuadSettings quads;                                  ///< of method quads
-    std::uint32_t colors = 1;                            ///< of the vertices of quads
+    std::optional<double> tiles_per_unit;                ///< tiles along a unit of texture coordinates
+    QuadSettings quads;                                  ///< settings of method quads
+    std::uint32_t colors = 1;                            ///< colours of the vertices of quads
     std::shared_ptr<const SurfaceMesh> read{};           ///< the mesh, where it was read already
-    std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the same of the tiles
+    std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the tiles, where they were read already
     std::shared_ptr<const SurfaceBeginning> beginning{}; ///< start and obstacles, where they were read already
 };
 
@@ -111,8 +111,8 @@ struct SurfaceSet
     std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
     std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
     bool follows_density = false;
-    std::vector<SurfacePoint> obstacles{}; ///< that darts keep away from
-    std::vector<std::string> notes{};      ///< what a person should know of it, beside its mesh
+    std::vector<SurfacePoint> obstacles{}; ///< points from which darts keep away
+    std::vector<std::string> notes{};      ///< sentences on the set for users; those on its mesh are separate
 
     PointSet places() const { return points_of(mesh->surface, points); }
 };

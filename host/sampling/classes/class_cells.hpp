@@ -68,7 +68,7 @@ OpenCells all_cells(std::uint32_t level, int dimension);
 /// The children of cells, one level below, whose bits are set; at the last level, the cells themselves.
 OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension);
 
-/// The pairs of a class with all classes, class after class; `shares` of the points, as a request has them.
+/// Returns the pairs of a class with all classes, class after class; `shares` are the classes' shares of the points.
 std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances,
                                                           const std::vector<double>& shares);
 

@@ -104,7 +104,7 @@ public:
 private:
     bool is_full() const { return request_.points > 0 && result_.points.size() >= request_.points; }
 
-    /// Points that the engine has.
+    /// Returns the points that the engine has.
     std::size_t held() const { return request_.obstacles.size() + result_.points.size(); }
 
     std::size_t expected_points() const

@@ -228,7 +228,7 @@ EdgeChange edge_change(std::span<const WindowStatistics> texture, std::span<cons
         for (const WindowStatistics& window : windows) sum += window.steps[step];
         return sum / static_cast<double>(windows.size());
     };
-    // An integral of quantiles is a sum, over all limits, of the shares of steps that exceed them.
+    // The integral of quantiles is the sum, over all limits, of the shares of steps that exceed the limit.
     double mean = 0, large = 0, made_large = 0, above = 0, excess = 0, most_excess = 0;
     for (std::size_t step = 256; step-- > 0;) {
         const double made = 1 - mean_share(texture, step), own = 1 - mean_share(natural, step);

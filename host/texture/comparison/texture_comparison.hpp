@@ -88,15 +88,16 @@ struct WindowDistances
 
 WindowDistances window_distances(const WindowStatistics& window, const WindowStatistics& natural);
 
-/// How the steps of a texture differ from those of its exemplar. Cuts lose no edges, and means of pixels gain none: by
-/// Jensen's inequality their steps exceed no limit by more, on average.
+/// The change of steps from an exemplar to its texture. Blurs and many blends lose edges, and cuts of large pieces lose
+/// few. Means of pixels gain none: by Jensen's inequality, the mean excess of their steps over any limit is not larger.
 struct EdgeChange
 {
-    /// By which part the mean of the largest tenth of all steps is below the exemplar's. Blends turn large steps into
-    /// several small ones: what quantiles gain, in parts of the mean step, is added, but at most as much again.
+    /// The fraction by which the mean of the largest tenth of all steps is below the exemplar's. Blends turn large
+    /// steps into several small ones: the gain of quantiles, over the mean step, is added, but at most doubles the
+    /// loss.
     double lost = 0;
-    /// By how much more steps exceed a limit on average than the exemplar's do, for the worst limit, in parts of the
-    /// mean step.
+    /// The largest difference, over all limits, of the mean excess of steps over the limit from that of the exemplar;
+    /// in parts of the mean step.
     double gained = 0;
 };
 
@@ -114,7 +115,7 @@ struct TextureComparison
     WindowDistances distances; ///< from the exemplar's windows
     WindowDistances own;       ///< of the exemplar's windows from each other
     double contrast = 1;       ///< over the exemplar's
-    EdgeChange edges;          ///< of all windows
+    EdgeChange edges;          ///< over all windows
     double peak = 0;           ///< the largest correlation of the texture with itself, moved far
     double chance_peak = 0;    ///< how large that is by chance
     double contrast_peak = 0;  ///< the same of its contrast within squares
@@ -127,7 +128,7 @@ inline constexpr double least_peak_part = 0.25;
 inline constexpr int peak_contrast_side = 16;
 
 /// The change of edges that is natural, in parts of the mean step: the distance of the exemplar's windows from each
-/// other, but at least a fortieth, since eyes do not see twice that.
+/// other, but at least a fortieth, so that an exemplar with equal windows has limits, too.
 double natural_edge_change(const TextureComparison& comparison);
 
 /// The mean over scales of how many times farther structures are than the exemplar's windows are from each other.

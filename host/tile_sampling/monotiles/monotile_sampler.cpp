@@ -37,10 +37,10 @@ constexpr const char* points_key = "points_per_tile";
 constexpr const char* kept_key = "kept_points";
 constexpr const char* levels_key = "levels";
 
-/// The attempt of the stream of isohedral tiles that places windows: theirs is 1.
+/// The attempt of the stream that places windows; isohedral tiles, which share the stream, use 1.
 constexpr std::uint32_t window = 2;
 
-/// What a file has of a table; its states follow from the tiling.
+/// The numbers of a table that a file stores; its states follow from the tiling.
 struct StoredNumbers
 {
     std::vector<MonotilePlace> places;
@@ -86,14 +86,14 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         PointSet set;
-        // A window smaller than the room of a point may lie between points: then it lies elsewhere.
+        // A small window may lie between points: then another place is tried.
         for (std::uint32_t attempt = 0; set.size() == 0; ++attempt) {
             const auto words =
                 philox({attempt, 0, 0, 0}, stream_key(request_.seed, Purpose::isohedral_points, realization, window));
             const auto part = [&](std::size_t i) { return words[i] * 0x1p-32 - 0.5; };
             const std::array<double, 2> place{part(0) * MonotilePoints::farthest, part(1) * MonotilePoints::farthest};
             const RingPlace tile = points_->tile_at(place);
-            // Windows lie anywhere, not only around the places of tiles.
+            // The window is centred on the random place and not on the tile.
             const PolygonTiling& tiling = *table_.states.tiling;
             const auto [x_away, y_away] = point_of(tiling, place_near(tiling, place) - tile);
             for (const auto& [x, y] : points_->square(tile, side(), kept_, {x_away + part(2), y_away + part(3)}))
@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    /// Of a window, in units of the tiling.
+    /// The side of a window, in units of the tiling.
     double side() const { return std::sqrt(static_cast<double>(request_.points) / monotile_density(table_, kept_)); }
 
     SampleRequest request_;
@@ -128,21 +128,21 @@ SamplerSpec monotile_sampler(const std::string& tiling, const std::string& title
     SamplerSpec spec = plain_spec(tiling + "-tiles", title, summary, {2},
                                   {{.key = points_key,
                                     .kind = Kind::integer,
-                                    .help = "of the tile, which all tiles have",
+                                    .help = "number of points in each tile",
                                     .minimum = 1,
                                     .maximum = 16,
                                     .symbol = "n",
                                     .otherwise = std::int64_t{4}},
                                    {.key = kept_key,
                                     .kind = Kind::integer,
-                                    .help = "of each tile's points, the first ones, whose distance is proven as well",
+                                    .help = "number of points kept in each tile; their distance is proven as well",
                                     .minimum = 1,
                                     .maximum = 16,
                                     .symbol = "k",
                                     .unless_given = "all"},
                                    {.key = levels_key,
                                     .kind = Kind::integer,
-                                    .help = "ancestors of a tile that decide its points, beside the tiles around it",
+                                    .help = "number of ancestors that decide a tile's points, beside its neighbours",
                                     .minimum = 0,
                                     .maximum = 2,
                                     .otherwise = std::int64_t{1}}});
@@ -151,7 +151,7 @@ SamplerSpec monotile_sampler(const std::string& tiling, const std::string& title
             throw given.error(kept_key,
                               fmt::format("must be at most {}, which is {}", points_key, given.integer(points_key)));
     };
-    // A window cuts tiles: the number differs by about the points that a border of one tile's width has.
+    // A window cuts tiles: the number differs by at most about the points in a border of one tile's width.
     spec.most_points = [](const Parameters&, const SampleRequest& request) -> std::size_t {
         return request.points + static_cast<std::size_t>(8 * std::sqrt(static_cast<double>(request.points))) + 512;
     };
@@ -184,15 +184,15 @@ BuiltOnce<MonotileTable> cached_monotile_table(const std::string& tiling, std::u
 SamplerSpec hat_sampler()
 {
     return monotile_sampler("hat", "Hats",
-                            "a window of a tiling with hats, one tile that never repeats, with points in each at a "
-                            "distance that is proven");
+                            "a window of a tiling by hats, an aperiodic monotile, with points in each tile and a "
+                            "proven minimum distance");
 }
 
 SamplerSpec spectre_sampler()
 {
     return monotile_sampler("spectre", "Spectres",
-                            "a window of a tiling with spectres, one tile that never repeats and has no reflected "
-                            "tiles, with points in each at a distance that is proven");
+                            "a window of a tiling by spectres, an aperiodic monotile without reflections, with points "
+                            "in each tile and a proven minimum distance");
 }
 
 }

@@ -1,5 +1,5 @@
-// The samplers "hat-tiles" and "spectre-tiles": windows of tilings with one tile that never repeats, with points in
-// each tile whose places depend on what lies around the tile.
+// The samplers "hat-tiles" and "spectre-tiles": windows of tilings by aperiodic monotiles, with points in each tile
+// whose places depend on the tiles around it.
 #pragma once
 
 #include "host/sampling/sampler.hpp"
@@ -13,8 +13,9 @@
 
 namespace poissonlab {
 
-/// The table of a tiling ("hat", "spectre") from `folder`, or built and put there: see built_once(). An empty folder:
-/// always built. `on_step` is told of waiting and of the steps of building; what it throws ends that.
+/// Reads the table of a tiling ("hat", "spectre") from `folder`, or builds it and stores it there: see built_once().
+/// With an empty folder it is always built. `on_step` is told of waiting and of the steps of building; what it throws
+/// ends the building.
 BuiltOnce<MonotileTable> cached_monotile_table(const std::string& tiling, std::uint32_t points, std::uint32_t levels,
                                                const std::filesystem::path& folder,
                                                const std::function<void(const std::string& what)>& on_step = {});

@@ -22,8 +22,8 @@ DERIVED(CLASS_WORD, (size_t DIMENSION), DIMENSION)
 DERIVED(NEXT_WORD, (size_t DIMENSION), DIMENSION + 1)
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 2)
 
-/// How far a class keeps from another. The pairs of a class begin with those whose points cover most of the place: they
-/// reject most darts.
+/// The distance that a class keeps from another. The pairs of a class begin with those whose points cover most of the
+/// place, since these reject most darts.
 struct ClassPair
 {
     ulong squared; ///< in units of 2^-64

@@ -1,4 +1,4 @@
-// Pairs of points with classes, against all pairs one by one and against closed forms.
+// Pairs of points with classes are compared with sums over all pairs and with closed forms.
 #include "analysis/classes/class_pairs.hpp"
 
 #include "base/regions/region_text.hpp"
@@ -23,7 +23,7 @@ PointSet random_set(std::size_t count, std::mt19937_64& random)
     return set;
 }
 
-/// A rectangle in its frame, whose longest side is 1: areas in common have a closed form.
+/// Returns a rectangle in its frame, whose longest side is 1: the common areas have a closed form.
 ClassPlace rectangle(double height)
 {
     const PlaneRegion region{{{{{0, 0}, {1, 0}, {1, height}, {0, height}}}}};
@@ -36,8 +36,8 @@ PointSet squeezed(PointSet set, double height)
     return set;
 }
 
-/// The sum over all pairs of a set and another, or of a set with itself. `sides` of a torus, all of whose images within
-/// `reach` count; `box` of a rectangle.
+/// Returns the sum over all pairs of two sets, or of a set with itself: on a torus of `sides`, all of whose images
+/// within `reach` count, or in a rectangle `box`.
 std::vector<double> brute_force_g(const PointSet& a, const PointSet& b, const ClassDistanceSteps& steps,
                                   const std::array<double, 3>* sides, const RegionBox& box)
 {
@@ -130,8 +130,8 @@ TEST(ClassPairs, NearestDistancesAreThoseOfAllPairs)
                                                   class_distance_steps(ClassPlace(PeriodicBox{}), 1))[0]));
 }
 
-/// Independent random points: g is 1 from the kernel's half width on, in every place. 200 distances of 2 places are
-/// looked at, and no z-score of 20 seeds may be beyond 5 (Student's t with 19 degrees: 8e-5 twice 180 times is 0.03).
+/// Independent random points have g = 1 from the kernel's half width on, in every place. 200 distances in 2 places are
+/// tested, and no z-score of 20 seeds may be beyond 5 (Student's t with 19 degrees: 8e-5 twice 180 times is 0.03).
 TEST(ClassPairs, OfIndependentClassesAreOne)
 {
     constexpr int seeds = 20;
@@ -155,12 +155,12 @@ TEST(ClassPairs, OfIndependentClassesAreOne)
     }
 }
 
-/// A copy that is shifted has n pairs at the shift, beside those of independent points.
+/// A shifted copy has n pairs at the shift, in addition to those of independent points.
 TEST(ClassPairs, OfAShiftedCopyHaveTheShiftsPeak)
 {
     std::mt19937_64 random(5);
     const ClassPlace torus{PeriodicBox{}};
-    // A lattice, whose other distances are far from the shift.
+    // The other distances of this lattice are far from the shift.
     PointSet a{2, {}};
     for (int x = 0; x < 20; ++x)
         for (int y = 0; y < 20; ++y) a.coordinates.insert(a.coordinates.end(), {x / 20.0, y / 20.0});
@@ -176,8 +176,8 @@ TEST(ClassPairs, OfAShiftedCopyHaveTheShiftsPeak)
     EXPECT_EQ(g[3], 0);
 }
 
-/// Classes given at random: pairs of any two classes are those of all points, and the mean of the mark correlation over
-/// all labellings is exactly 1, so that of 400 it is within five standard errors.
+/// With random labels, pairs of any two classes have the pair correlation of all points, and the mean of the mark
+/// correlation over all labellings is exactly 1: the mean over 400 must be within five standard errors.
 TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
 {
     std::mt19937_64 random(6);
@@ -210,7 +210,7 @@ TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
     };
     expect_mean(marks, 1);
     expect_mean(crosses, of_union[150]);
-    // p-values are uniform over 1/20 .. 20/20: of 100, the least one comes 5 times, with a deviation of 2.2.
+    // p-values are uniform over 1/20 .. 20/20: among 100, the least one occurs 5 +- 2.2 times.
     const auto least = std::ranges::count_if(p_values, [](double p) { return p < 0.051; });
     EXPECT_LE(least, 16);
 }

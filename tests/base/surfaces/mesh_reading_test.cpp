@@ -112,7 +112,7 @@ TEST_F(WrongMeshes, OfObj)
         {"a.obj", obj_triangle, ": has no faces: no line begins with f"},
         {"a.obj", obj_triangle + "f 1 2 9\n", ":4: \"9\": there is no such vertex: the file has 3"},
         {"a.obj", "f 1 2 9\nf 1 2 8\n" + obj_triangle, ":1: \"9\": there is no such vertex: the file has 3"},
-        {"a.obj", obj_triangle + "f 1 2 -9\n", ":4: \"-9\": there is no such vertex before this line, of 3"},
+        {"a.obj", obj_triangle + "f 1 2 -9\n", ":4: \"-9\": there is no such vertex among the 3 before this line"},
         {"a.obj", obj_triangle + "f 0 1 2\n", ":4: \"0\": vertices are counted from 1"},
         {"a.obj", obj_triangle + "f 1 2 c\n",
          ":4: \"c\": a corner of a face is a whole number, or several with slashes between them, as in 3, 3/1 and "

@@ -101,7 +101,7 @@ TEST_F(TexturedFiles, OfPlyMayBeListsOfFaces)
 TEST_F(TexturedFiles, SayWhatIsWrong)
 {
     EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n"),
-                EndsWith("a.obj:7: \"3/3\": there is no such texture coordinate before this line, of 2"));
+                EndsWith("a.obj:7: \"3/3\": there is no such texture coordinate among the 2 before this line"));
     EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 0\nf 1/1 2/-2 3/1\n"),
                 HasSubstr("a.obj:6: \"2/-2\": there is no such"));
     EXPECT_THAT(refusal("a.obj", square_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"),

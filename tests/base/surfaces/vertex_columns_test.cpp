@@ -1,4 +1,4 @@
-// Normals, colours and other numbers of vertices, as files of each format have them, and what is refused.
+// Normals, colours and other numbers of vertices are read from files of each format; wrong files are refused.
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
 #include "tests/support/errors.hpp"
@@ -54,7 +54,7 @@ TEST_F(FilesWithColumns, OfObjHaveColorsAfterPlacesAndNormalsAtCorners)
     EXPECT_TRUE(read("a.obj", text, MeshParts::faces_and_texture).normals.empty());
     EXPECT_THAT(refusal("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0\nf 1 2 3\n"), HasSubstr("b.obj:4: a normal has"));
     EXPECT_THAT(refusal("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2 3\n"),
-                HasSubstr("c.obj:4: \"1//1\": there is no such normal before this line, of 0"));
+                HasSubstr("c.obj:4: \"1//1\": there is no such normal among the 0 before this line"));
 }
 
 TEST_F(FilesWithColumns, OfPlyHaveAllNumbersOfTheirVertices)
@@ -87,7 +87,7 @@ TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
                 HasSubstr("b.off:4: vertex 1 has 3 numbers after its coordinates, and must have 4"));
     EXPECT_THAT(refusal("c.off", "NOFF\n3 1 0\n0 0 0 1 2\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
                 HasSubstr("c.off:3: vertex 0 has 2 numbers after its coordinates, and must have 3"));
-    // Words after what the keyword announces are left alone, as they are without columns.
+    // Further words than the keyword announces are ignored, as in files without columns.
     EXPECT_TRUE(read("d.off", "OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0\n3 0 1 2\n").columns.names.empty());
     std::string binary = "COFF BINARY\n";
     const auto put = [&binary](auto value) {
@@ -103,7 +103,7 @@ TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
     EXPECT_THAT(of_binary.columns.values, ElementsAre(1, .5, 0, 1, 0, 0, 1, 1, 0, .25, .5, 1));
 }
 
-/// Two parts, the first without colours; a node mirrors and stretches them: normals stay normals, and on their side.
+/// The first of two parts has no colours. A node mirrors and stretches them: normals stay normals on the same side.
 TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
 {
     std::string bytes;
@@ -135,7 +135,7 @@ TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
     EXPECT_EQ(mesh.columns.at(4, 3), 1);
 }
 
-/// Faces that became several triangles, and those that are left out, count once each.
+/// Each face of the file counts once, also if it becomes several triangles or is left out.
 TEST_F(FilesWithColumns, NumberFacesAsTheFileDoes)
 {
     const TriangleMesh mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2\nf 1 2 3 4\nf 1 1 2\nf 1 2 3\n");

@@ -1,4 +1,5 @@
-// Points on surfaces that follow a density: counts against closed forms, pairs against all pairs, and what is refused.
+// Points on surfaces that follow a density have counts of closed forms, and are those that all pairs select; wrong
+// densities are refused.
 #include "host/distribution/surfaces/surface_density.hpp"
 
 #include "base/files/whole_file.hpp"
@@ -33,8 +34,8 @@ PointSet points_of_density(const DensityCase& c, std::uint64_t seed = 1)
     return make_surface_set(settings, seed, {.engine = Engine::reference, .device = {}}).places();
 }
 
-/// Chi-square of counts in eight bands of equal width along an axis from `low` to `high`, over what is expected of
-/// each: `below(t)` is the part of the points that lies below t.
+/// Returns the chi-square of counts in eight bands of equal width along an axis from `low` to `high`: `below(t)` is the
+/// expected part of the points below t.
 template <typename Below>
 double chi_square_of_bands(const PointSet& set, std::size_t axis, double low, double high, const Below& below)
 {
@@ -67,7 +68,7 @@ TEST(SurfaceDensities, HaveTheCountsOfTheirIntegralOnASphere)
     }
 }
 
-/// Numbers of vertices, and pictures over texture coordinates, are linear and stepwise in x.
+/// A number of vertices that is linear in x gives the same density as a formula.
 TEST(SurfaceDensities, AreThoseOfVerticesToo)
 {
     TriangleMesh mesh = square_mesh(4);
@@ -105,7 +106,8 @@ TEST(SurfaceDensities, HaveNoPointsWhereTheyAreZero)
     }
 }
 
-/// Of 40 candidates, the heaviest goes, again and again, by weights of all pairs; nothing is left of octaves and cells.
+/// Repeated removal of the heaviest of 40 candidates, by weights of all pairs, gives the same points as octaves and
+/// cells.
 TEST(SurfaceDensities, RemoveWhatAllPairsSay)
 {
     const TriangleMesh mesh = sheet_mesh(0.02);
@@ -142,7 +144,7 @@ TEST(SurfaceDensities, RemoveWhatAllPairsSay)
     EXPECT_THAT(found, testing::UnorderedElementsAreArray(expected));
 }
 
-/// No two points are much nearer than half of what their densities allow in a densest packing.
+/// No two points are nearer than half of the distance that their densities have in a densest packing.
 TEST(SurfaceDensities, AreEven)
 {
     const PointSet set = points_of_density({square_mesh(), "0.2 + x", 1000});

@@ -1,4 +1,4 @@
-// Columns of files of points on surfaces: faces, barycentric coordinates, and numbers of vertices.
+// Files of points on surfaces have columns of faces, barycentric coordinates, and numbers of vertices.
 #include "host/distribution/surfaces/surface_files.hpp"
 
 #include "base/files/whole_file.hpp"

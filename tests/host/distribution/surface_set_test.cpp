@@ -89,7 +89,7 @@ TEST(SurfaceSets, SayHowSidesOfASheetAre)
     EXPECT_TRUE(std::isnan(number_in(make_surface_set(settings, 1, on_reference), "least_of_any")));
 }
 
-/// Distances of points by their places, all pairs of two sets.
+/// Returns the least distance of points of two sets, over all pairs.
 double least_between(const PointSet& a, const PointSet& b)
 {
     double least = INFINITY;
@@ -160,7 +160,7 @@ TEST(SurfaceSets, KeepAwayFromObstacles)
                 testing::HasSubstr("1 of 1 points is farther off the mesh than the tolerance, 0.03"));
 }
 
-/// The points stay, and their first parts are far more even than those of darts in their own order.
+/// Reordering keeps all points, and the points of its first parts keep half of the distance of a densest packing.
 TEST(SurfaceSets, AreOrderedByElimination)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(12));

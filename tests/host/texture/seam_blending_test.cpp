@@ -164,8 +164,8 @@ TEST(SeamBlending, LeavesNoLineOfLargeSteps)
     }
 }
 
-/// The largest sums of steps over a line between two columns inside of tiles: of those that tiles show, over those that
-/// their windows have there themselves.
+/// Returns the largest sum of steps over a line between two columns inside of tiles, over the largest such sum of the
+/// windows themselves.
 double worst_line_beyond_windows(const TextureSet& set)
 {
     const auto light = [&](int x, int y) {
@@ -189,7 +189,7 @@ double worst_line_beyond_windows(const TextureSet& set)
 }
 
 /// In pictures with waves longer than tiles, a line may have much larger steps than the exemplar, since few windows
-/// cross it and these may be steep. Seams add almost nothing to that.
+/// cross it and these may be steep. After blending, seams add little to that.
 TEST(SeamBlending, LeavesTheStepsOfWindows)
 {
     for (const unsigned seed : {4u, 5u}) {

@@ -1,9 +1,9 @@
-"""Counts what lies around spectres, in a tiling made by the rules of its authors and without the program's code.
+"""Counts the neighbourhoods of spectres, in a tiling made by the rules of its authors and without the program's code.
 
-Smith, Myers, Kaplan and Goodman-Strauss, A chiral aperiodic monotile, 2024 (arXiv 2305.17743): nine marked hexagons, of
-which Gamma is a Mystic of two spectres, and the table of their parts. Counts the pairs of marked spectres that touch each
-other, as seen from the first one, and the coronas of marked spectres; ends with status 1 where the numbers differ from
-those that tests/host/tile_sampling/monotiles expects of the program.
+Smith, Myers, Kaplan and Goodman-Strauss, A chiral aperiodic monotile, 2024 (arXiv 2305.17743): nine marked hexagons,
+of which Gamma is a Mystic of two spectres, and the table of their parts. The script counts the pairs of marked
+spectres that touch each other, as seen from the first one, and the coronas of marked spectres; it ends with status 1
+if the numbers differ from those that tests/host/tile_sampling/monotiles expects of the program.
 """
 import cmath
 import collections
@@ -44,7 +44,7 @@ def inverse(motion):
 
 
 def supertile(quad):
-    """The motions of the eight parts, and the four key points of the whole."""
+    """Returns the motions of the eight parts, and the four key points of the whole."""
     motions, angle = [(0j, 1 + 0j, False)], 0
     for turn, of_last, of_next in STEPS:
         angle += turn
@@ -56,7 +56,7 @@ def supertile(quad):
 
 
 def tiling():
-    """The spectres of a Delta after some divisions: (label, motion)."""
+    """Returns the spectres of a Delta after some divisions: (label, motion)."""
     tiles = {name: [(name, (0j, 1 + 0j, False))] for name in PARTS}
     tiles["Gamma"].append(("upper", (SHAPE[8], cmath.rect(1, math.pi / 6), False)))
     quad = QUAD
@@ -73,7 +73,7 @@ def rounded(z):
 
 
 def angles():
-    """The inner angles of the spectre's corners, in twelfths of a turn."""
+    """Returns the inner angles of the spectre's corners, in twelfths of a turn."""
     sides = [(SHAPE[(i + 1) % 14] - SHAPE[i]) / (SHAPE[i - 1] - SHAPE[i]) for i in range(14)]
     return [round(-cmath.phase(side) / (math.pi / 6)) % 12 for side in sides]
 

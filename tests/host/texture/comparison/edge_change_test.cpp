@@ -1,5 +1,5 @@
-// Lost and added edges against numpy: blurs lose more the wider they are and add none, cuts lose none, and blends lose
-// edges whether or not they restore the variance.
+// Lost and added edges are compared with numpy. Wider blurs lose more edges and add none, pasted blocks lose none, and
+// blends of three pictures lose edges with and without the variance restored.
 #include "host/texture/comparison/texture_comparison.hpp"
 #include "host/texture/endless/endless_texture.hpp"
 #include "results/texture_measures.hpp"
@@ -46,7 +46,7 @@ PngPixels edges_blurred(const PngPixels& picture, const int* weights)
     });
 }
 
-/// Blocks of the exemplar from anywhere.
+/// Pastes blocks of the exemplar from random places.
 PngPixels edges_pasted(const PngPixels& exemplar, int block)
 {
     test::PlainRandom random(7);
@@ -95,7 +95,7 @@ TEST(EdgeChange, IsWhatNumpySays)
     }
 }
 
-/// What the numbers of numpy say of each of these textures, by the limits of the gates.
+/// The gates pass and fail these textures as they should, by the numbers of numpy.
 TEST(EdgeChange, TellsBlursFromCuts)
 {
     const auto lost = [](std::size_t i) { return edge_changes[i][0] / edge_natural; };

@@ -1,4 +1,4 @@
-"""Lost and added edges by numpy alone, from sorted steps. Prints what edges_numbers.hpp has.
+"""Computes lost and added edges by numpy alone, from sorted steps, and prints edges_numbers.hpp.
 
     /usr/bin/python3 tests/host/texture/comparison/edges.py > tests/host/texture/comparison/edges_numbers.hpp
 """
@@ -18,7 +18,7 @@ def picture(side, seed):
 
 
 def weights(sigma):
-    """A Gaussian in whole 65,536ths, whose sum is exact."""
+    """Returns a Gaussian in whole 65,536ths, whose sum is exact."""
     bell = np.rint(65536 * np.exp(-np.arange(RADIUS + 1) ** 2 / (2 * sigma**2)) /
                    np.exp(-np.arange(-RADIUS, RADIUS + 1) ** 2 / (2 * sigma**2)).sum()).astype(np.int64)
     bell[0] = 65536 - 2 * bell[1:].sum()
@@ -33,7 +33,7 @@ def blurred(values, sigma):
 
 
 def pasted(exemplar, block):
-    """Blocks of the exemplar from anywhere, without any regard to their neighbours."""
+    """Pastes blocks of the exemplar from random places, which do not depend on their neighbours."""
     result, state = np.zeros((2 * SIDE, 2 * SIDE), np.int64), 7
     for y in range(0, 2 * SIDE, block):
         for x in range(0, 2 * SIDE, block):
@@ -46,12 +46,12 @@ def pasted(exemplar, block):
 
 
 def blend(weight):
-    """Three pictures by the same law, added with a weight in 256ths: 85 are their mean, 148 restore the variance."""
+    """Adds three pictures by the same law with a weight in 256ths: 85 gives their mean, 148 restores the variance."""
     return np.clip(96 + ((sum(picture(2 * SIDE, seed) - 96 for seed in (2, 3, 4)) * weight + 128) >> 8), 0, 255)
 
 
 def steps(values):
-    """Sorted steps between neighbours within windows of half of the exemplar's side."""
+    """Returns the sorted steps between neighbours within windows of half of the exemplar's side."""
     half = SIDE // 2
     windows = [values[y:y + half, x:x + half] for y in range(0, len(values), half) for x in range(0, len(values), half)]
     return [np.sort(np.concatenate([np.abs(np.diff(w, axis=a)).ravel() for a in (0, 1)])) for w in windows]

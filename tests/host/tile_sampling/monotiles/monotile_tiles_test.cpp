@@ -1,4 +1,4 @@
-// Points of aperiodic monotiles: what lies around tiles, the proof of the distance, and windows far away.
+// Points of aperiodic monotiles: the states of tiles, the proof of the distance, and windows far away.
 #include "base/geometry/relative_radius.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "host/tile_sampling/monotiles/monotile_sampler.hpp"
@@ -25,7 +25,7 @@ MonotileTable monotile_table(const std::string& tiling, std::uint32_t points, st
     return build_monotile_table(built_in_tiling(tiling), points, levels);
 }
 
-/// The least distance of any two points, by all pairs.
+/// Returns the least distance of any two points, over all pairs.
 double least_of_all_pairs(const std::vector<MonotilePoint>& points)
 {
     double least = 1e9;
@@ -36,7 +36,7 @@ double least_of_all_pairs(const std::vector<MonotilePoint>& points)
 }
 
 // tests/tiles/monotiles/spectre_neighbours.py finds the numbers of spectres in a tiling that it makes by the rules of
-// the paper's authors, without anything of this code.
+// the paper's authors, without this code.
 TEST(MonotileStates, NeighboursAreThoseOfAnIndependentProgram)
 {
     const PolygonTiling& tiling = built_in_tiling("spectre");
@@ -88,7 +88,7 @@ TEST(MonotileStates, FrequenciesAreThoseOfThePapers)
     }
 }
 
-// The tiling has as many pairs of tiles near each other as the list says, far away from where it begins.
+// The tiling has as many pairs of near tiles as the list says, also far away from its origin.
 TEST(MonotileStates, PairsAreAsFrequentAsInAWindowFarAway)
 {
     constexpr double reach = 9;
@@ -123,12 +123,13 @@ TEST(MonotileTiles, TheProvenDistanceIsThatOfAllPairsFarAway)
     for (const char* word : {"hat", "spectre"})
         for (const std::uint32_t points : {1U, 2U, 3U, 8U})
             for (const std::uint32_t levels : {0U, 1U}) {
-                if (points > 2 && levels > 0) continue; // which take long
+                if (points > 2 && levels > 0) continue; // these tables take long
                 SCOPED_TRACE(fmt::format("{}, {} points, {} levels", word, points, levels));
                 const MonotileTable table = monotile_table(word, points, levels);
                 const MonotilePoints all(table);
                 for (const std::uint32_t kept : std::set<std::uint32_t>{1, points}) {
-                    // Some 10^9 tiles away. Windows have most states, but need not have the nearest pair.
+                    // The places are some 10^9 edges away. Windows have most states, but need not have the nearest
+                    // pair.
                     const double side = std::sqrt(1500 / monotile_density(table, kept));
                     double least = 1e9, found = 0;
                     for (const MonotilePoint& place : {MonotilePoint{2e9, 1e9}, MonotilePoint{-1.5e9, 2e8}}) {
