@@ -1,5 +1,6 @@
 #include "analysis/classes/class_pairs.hpp"
 
+#include "analysis/measures/distance_statistics.hpp"
 #include "analysis/regions/plane_neighbours.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random_words.hpp"
@@ -57,7 +58,7 @@ public:
         });
     }
 
-    /// The distance from the nearest point that is not number `left_out` of the set.
+    /// The distance from the nearest point that is not number `left_out` of the set. Copies of that point count.
     double nearest(const std::array<double, 2>& at, std::size_t left_out) const
     {
         return grid_.nearest(at, left_out < own_ ? grid_.number_of(left_out) : PlaneNeighbours::none) / scale_;
@@ -229,6 +230,10 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
     const bool is_same = &a == &b;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (a.size() == 0 || b.size() < (is_same ? 2u : 1u)) return {infinity, infinity};
+    // On a torus that is long a point may be nearer to its own copies than to other points; these functions leave all
+    // of them out.
+    if (is_same && !place.region())
+        return {min_toroidal_distance(a, place.box()), mean_nearest_distance(a, place.box())};
     const double all = place.box().longest() / 2; // a nearest point on a torus is not farther away along an axis
     double margin = std::min(all, first_margin / std::sqrt(static_cast<double>(b.size())));
     for (;; margin = all) {
