@@ -128,7 +128,8 @@ void visit_pairs(const PointSet& a, std::span<const std::uint32_t> order, const 
         const std::array<double, 2> at = b.place_of(a[i]);
         b.for_each_near(at, reach, [&](std::uint32_t j, const std::array<double, 2>& other, double distance) {
             if (distance == 0 || (is_same && j >= i)) return;
-            what(i, j, distance, 1 / place.common_area(at[0] - other[0], at[1] - other[1]));
+            const double common = place.common_area(at[0] - other[0], at[1] - other[1]);
+            if (common > place.least_common_area()) what(i, j, distance, 1 / common);
         });
     }
 }

@@ -45,6 +45,7 @@ public:
 
     /// The area that is left of the place if it is moved by (x, y) and cut with itself.
     double common_area(double x, double y) const { return region_ ? covariance_->at(x, y) : 1; }
+    double least_common_area() const { return region_ ? covariance_->least_common_area() : 0; } ///< of pairs that count
     double covariance_error() const { return covariance_ ? covariance_->table_error() : 0; }
 
     const FramedRegion* region() const { return region_.get(); }

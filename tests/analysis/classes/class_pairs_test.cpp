@@ -99,6 +99,36 @@ TEST(ClassPairs, AreSumsOverAllPairs)
     }
 }
 
+/// Points on opposite borders have vectors that leave nothing of the region in common with itself.
+TEST(ClassPairs, OfOppositeBordersAreLeftOut)
+{
+    constexpr double height = 0.01;
+    const ClassPlace strip = rectangle(height);
+    const RegionBox box = box_of(strip.region()->polygons());
+    std::mt19937_64 random(9);
+    PointSet low{2, {}}, both{2, {}};
+    for (const double x : random_set(20, random).coordinates) {
+        low.coordinates.insert(low.coordinates.end(), {x * box.width(), 0});
+        both.coordinates.insert(both.coordinates.end(), {x * box.width(), 0, x * box.width(), box.high[1]});
+    }
+    const ClassDistanceSteps steps = class_distance_steps(strip, both.size());
+    ASSERT_GT(steps.reach() + steps.half_width, box.height());
+    // All pairs of the lower border count, none of both borders do.
+    const std::vector<double> g = class_pair_correlation(both, both, strip, steps);
+    const std::vector<double> g_low = brute_force_g(low, low, steps, nullptr, box);
+    const auto n = static_cast<double>(low.size());
+    ASSERT_EQ(g.size(), g_low.size());
+    for (std::size_t k = 0; k < g.size(); ++k)
+        EXPECT_NEAR(g[k], g_low[k] * 2 * n * (n - 1) / (2 * n * (2 * n - 1)), 1e-11 * std::max(1.0, g[k])) << k;
+    const std::vector<std::uint8_t> alternating = [&] {
+        std::vector<std::uint8_t> classes(both.size());
+        for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = i / 2 % 2;
+        return classes;
+    }();
+    for (const double value : mark_correlation(both, alternating, strip, steps, 3).values)
+        EXPECT_FALSE(std::isinf(value) || value < 0);
+}
+
 /// Compares the distances from nearest points on a torus with those of all pairs. A point's own copies do not count.
 void expect_nearest(const PointSet& a, const PointSet& b, const PeriodicBox& box)
 {
