@@ -110,8 +110,10 @@ std::vector<std::uint32_t> order_by_place(const PointSet& points)
 template <class Add>
 void add_kernel(double distance, double weight, const ClassDistanceSteps& steps, const Add& add)
 {
-    const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil((distance - steps.half_width) / steps.step)));
-    const auto last = std::min(static_cast<std::size_t>((distance + steps.half_width) / steps.step), steps.count);
+    const auto count = static_cast<double>(steps.count);
+    const auto first =
+        static_cast<std::size_t>(std::clamp(std::ceil((distance - steps.half_width) / steps.step), 1.0, count + 1));
+    const auto last = static_cast<std::size_t>(std::min((distance + steps.half_width) / steps.step, count));
     for (std::size_t k = first; k <= last; ++k) {
         const double t = (static_cast<double>(k) * steps.step - distance) / steps.half_width;
         add(k - 1, weight * std::max(0.0, 1 - t * t) / distance);
@@ -185,7 +187,8 @@ ClassPlace::ClassPlace(std::shared_ptr<const FramedRegion> region)
 
 double ClassPlace::reach(double most) const
 {
-    return region_ ? covariance_->reach(least_overlap, most) : std::min(most, box_.shortest() / 2);
+    return region_ ? covariance_->reach(least_overlap, std::min(most, std::numbers::sqrt2))
+                   : std::min(most, box_.shortest() / 2);
 }
 
 void ClassPlace::expect(double pairs, double reach)

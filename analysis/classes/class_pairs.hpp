@@ -37,7 +37,8 @@ public:
     double area() const { return region_ ? region_->area() : 1; }
     double unit_length() const { return region_ ? region_->unit_length() : 1; } ///< the root of the area
 
-    /// The longest distance of pairs, up to `most`: half of the torus' shortest side, or as regions have it.
+    /// The longest distance of pairs, up to `most`: half of the torus' shortest side, or as regions have it, which are
+    /// in the unit square.
     double reach(double most) const;
 
     /// Prepares for this number of pairs up to a distance.

@@ -99,6 +99,28 @@ TEST(ClassPairs, AreSumsOverAllPairs)
     }
 }
 
+/// A distance of curves that is longer than the place is is cut to what the place has.
+TEST(ClassPairs, CurvesEndWhereThePlaceEnds)
+{
+    std::mt19937_64 random(10);
+    const PointSet a = random_set(12, random);
+    const ClassPlace square = rectangle(1), torus{PeriodicBox{}};
+    const RegionBox box = box_of(square.region()->polygons());
+    // A vector of length r leaves (1 - r |cos|) (1 - r |sin|) of the square: the root where this is 0.1, least of all
+    // in the direction of pi / 16.
+    const double c = std::cos(std::numbers::pi / 16), s = std::sin(std::numbers::pi / 16);
+    const double expected = (c + s - std::sqrt((c + s) * (c + s) - 3.6 * c * s)) / (2 * c * s);
+    for (const double wanted : {2.0, 5000.0, 1e12, 1e300}) {
+        const ClassDistanceSteps steps = class_distance_steps(square, a.size(), wanted);
+        EXPECT_NEAR(steps.reach(), expected * box.width(), std::numbers::sqrt2 / (16 * 256));
+        expect_same(class_pair_correlation(a, a, square, steps), brute_force_g(a, a, steps, nullptr, box));
+        EXPECT_DOUBLE_EQ(class_distance_steps(torus, a.size(), wanted).reach(), 0.5);
+    }
+    // Steps may be so short that a pair is more of them apart than whole numbers count.
+    const ClassDistanceSteps shortest = class_distance_steps(square, a.size(), 1e-30);
+    expect_same(class_pair_correlation(a, a, square, shortest), brute_force_g(a, a, shortest, nullptr, box));
+}
+
 /// Points on opposite borders have vectors that leave nothing of the region in common with itself.
 TEST(ClassPairs, OfOppositeBordersAreLeftOut)
 {
