@@ -3,6 +3,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/regions/plane_neighbours.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
 
 #include <tbb/parallel_for.h>
@@ -127,6 +128,7 @@ void visit_pairs(const PointSet& a, std::span<const std::uint32_t> order, const 
                  const ClassPlace& place, double reach, const What& what)
 {
     for (const std::uint32_t i : order) {
+        stop_if_interrupted(); // points of a cluster have all others of it within reach
         const std::array<double, 2> at = b.place_of(a[i]);
         b.for_each_near(at, reach, [&](std::uint32_t j, const std::array<double, 2>& other, double distance) {
             if (distance == 0 || (is_same && j >= i)) return;
@@ -209,21 +211,25 @@ ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t poi
 }
 
 std::vector<double> class_pair_correlation(const PointSet& a, const PointSet& b, const ClassPlace& place,
-                                           const ClassDistanceSteps& steps)
+                                           const ClassDistanceSteps& steps, double* summed)
 {
     const bool is_same = &a == &b;
     const auto n = static_cast<double>(a.size()), m = static_cast<double>(b.size());
     const double pairs = is_same ? n * (n - 1) / 2 : n * m;
+    if (summed) *summed = 0;
     if (!(pairs > 0)) return std::vector<double>(steps.count, not_known);
     const double reach = steps.reach() + steps.half_width;
     const ClassNeighbours neighbours(b, place, reach);
     std::vector<double> g = sum_of_chunks(order_by_place(a), [&](std::span<const std::uint32_t> part) {
-        std::vector<double> sums(steps.count);
+        std::vector<double> sums(steps.count + 1); // the last one is the number of pairs
         visit_pairs(a, part, neighbours, is_same, place, reach, [&](auto, auto, double distance, double weight) {
+            ++sums.back();
             add_kernel(distance, weight, steps, [&](std::size_t k, double value) { sums[k] += value; });
         });
         return sums;
     });
+    if (summed) *summed = g.back();
+    g.pop_back();
     const double factor = place.area() * place.area() / pairs * 0.75 / steps.half_width / (2 * std::numbers::pi);
     for (double& value : g) value *= factor;
     return g;
@@ -244,6 +250,7 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
         const ClassNeighbours neighbours(b, place, margin);
         std::vector<double> distances(a.size());
         tbb::parallel_for(std::size_t{0}, a.size(), [&](std::size_t i) {
+            stop_if_interrupted();
             distances[i] = neighbours.nearest(neighbours.place_of(a[i]), is_same ? i : PlaneNeighbours::none);
         });
         const double farthest = *std::ranges::max_element(distances);

@@ -74,8 +74,10 @@ ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t poi
 
 /// The pair correlation function of two classes, or of one if both are the same object. Points that coincide are left
 /// out, as their direction is unknown. Any number of threads gives the same bytes. Classes without pairs have NaN.
+/// `summed`, unless null, is set to the number of pairs within reach, each counted once. Time is in proportion to it,
+/// which is quadratic in the points where these lie in clusters. Throws Interrupted, as all functions here do.
 std::vector<double> class_pair_correlation(const PointSet& a, const PointSet& b, const ClassPlace& place,
-                                           const ClassDistanceSteps& steps);
+                                           const ClassDistanceSteps& steps, double* summed = nullptr);
 
 /// The distances of the points of `a` from their nearest ones in `b`, other than themselves if both are the same
 /// object.

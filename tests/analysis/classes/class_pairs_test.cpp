@@ -1,6 +1,8 @@
 // Pairs of points with classes are compared with sums over all pairs and with closed forms.
 #include "analysis/classes/class_pairs.hpp"
 
+#include "base/programs/interrupt.hpp"
+#include "base/programs/interrupt_scope.hpp"
 #include "base/regions/region_text.hpp"
 #include "tests/support/statistics.hpp"
 
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <numbers>
 #include <random>
 
@@ -306,6 +309,49 @@ TEST(ClassPairs, MarkCorrelationIsTheShareOfPairsOfOneClass)
     for (std::size_t k = 0; k < steps.count; ++k)
         EXPECT_TRUE(g[k] == 0 || std::abs(found.values[k] - expected[k] / same / g[k]) < 1e-11) << k;
     EXPECT_LE(found.p_value, 0.1); // classes lie apart
+}
+
+TEST(ClassPairs, AreCountedOnce)
+{
+    std::mt19937_64 random(11);
+    const PointSet a = random_set(90, random), b = random_set(50, random);
+    const ClassPlace place = rectangle(1);
+    const ClassDistanceSteps steps = class_distance_steps(place, 140);
+    const double reach = steps.reach() + steps.half_width;
+    double own = 0, cross = 0, summed = -1;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) own += std::hypot(a[i][0] - a[j][0], a[i][1] - a[j][1]) <= reach;
+        for (std::size_t j = 0; j < b.size(); ++j) cross += std::hypot(a[i][0] - b[j][0], a[i][1] - b[j][1]) <= reach;
+    }
+    const std::vector<double> g = class_pair_correlation(a, a, place, steps, &summed);
+    EXPECT_EQ(summed, own);
+    EXPECT_EQ(class_pair_correlation(a, a, place, steps), g);
+    class_pair_correlation(a, b, place, steps, &summed);
+    EXPECT_EQ(summed, cross);
+    const PointSet none{2, {}};
+    class_pair_correlation(none, b, place, steps, &summed);
+    EXPECT_EQ(summed, 0);
+}
+
+TEST(ClassPairs, StopWhenTheUserAsksForIt)
+{
+    std::mt19937_64 random(12);
+    const PointSet a = random_set(30, random);
+    const std::vector<std::uint8_t> classes = [] {
+        std::vector<std::uint8_t> some(30);
+        for (std::size_t i = 0; i < some.size(); ++i) some[i] = i % 2;
+        return some;
+    }();
+    const ClassPlace place = rectangle(1);
+    const ClassDistanceSteps steps = class_distance_steps(place, a.size());
+    {
+        const InterruptScope scope;
+        std::raise(SIGINT);
+        EXPECT_THROW(class_pair_correlation(a, a, place, steps), Interrupted);
+        EXPECT_THROW(cross_nearest(a, a, place), Interrupted);
+        EXPECT_THROW(mark_correlation(a, classes, place, steps, 1), Interrupted);
+    }
+    const InterruptScope forgets; // the signal
 }
 
 TEST(ClassPairs, AreTheSameBytesOnAnyNumberOfThreads)
