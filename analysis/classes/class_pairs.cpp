@@ -183,19 +183,10 @@ double chance_of_one_class(std::span<const std::uint8_t> classes)
 
 }
 
-ClassPlace::ClassPlace(std::shared_ptr<const FramedRegion> region)
-    : region_(std::move(region)), covariance_(std::make_shared<SetCovariance>(region_->boundary().edges()))
-{}
-
 double ClassPlace::reach(double most) const
 {
     return region_ ? covariance_->reach(least_overlap, std::min(most, std::numbers::sqrt2))
                    : std::min(most, box_.shortest() / 2);
-}
-
-void ClassPlace::expect(double pairs, double reach)
-{
-    if (covariance_) covariance_->expect(pairs, reach);
 }
 
 ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t points, double reach)
@@ -240,8 +231,7 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
     const bool is_same = &a == &b;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (a.size() == 0 || b.size() < (is_same ? 2u : 1u)) return {infinity, infinity};
-    // On a torus that is long a point may be nearer to its own copies than to other points; these functions leave all
-    // of them out.
+    // On a long torus a point may be nearer to its own copies than to other points: these functions leave them out.
     if (is_same && !place.region())
         return {min_toroidal_distance(a, place.box()), mean_nearest_distance(a, place.box())};
     const double all = place.box().longest() / 2; // a nearest point on a torus is not farther away along an axis

@@ -31,7 +31,9 @@ namespace poissonlab {
 class ClassPlace
 {
 public:
-    explicit ClassPlace(std::shared_ptr<const FramedRegion> region);
+    explicit ClassPlace(std::shared_ptr<const FramedRegion> region)
+        : region_(std::move(region)), covariance_(std::make_shared<SetCovariance>(region_->boundary().edges()))
+    {}
     explicit ClassPlace(const PeriodicBox& box) : box_(box) {}
 
     double area() const { return region_ ? region_->area() : 1; }
@@ -42,7 +44,10 @@ public:
     double reach(double most) const;
 
     /// Prepares for this number of pairs up to a distance.
-    void expect(double pairs, double reach);
+    void expect(double pairs, double reach)
+    {
+        if (covariance_) covariance_->expect(pairs, reach);
+    }
 
     /// The area that is left of the place if it is moved by (x, y) and cut with itself.
     double common_area(double x, double y) const { return region_ ? covariance_->at(x, y) : 1; }
