@@ -23,7 +23,7 @@ namespace {
 
 /// Random labellings are left out if they would compare more pairs than this, since they would take far longer than all
 /// other measures.
-constexpr double most_comparisons = 1e9;
+constexpr double most_comparisons = 5e8;
 
 /// The spectra of all classes together have at most this many frequencies, of 16 bytes each.
 constexpr double most_frequencies = 1 << 26;
@@ -134,8 +134,7 @@ public:
         stop_if_interrupted();
         if (on_step) on_step("pairs of all points");
         measures.all = measure_pair(set_.points, set_.points, 0, 0);
-        const double pairs = pairs_within(measures.all.steps, set_.points.size(), set_.points.size());
-        const bool are_too_many = pairs * settings_.labellings > most_comparisons;
+        const bool are_too_many = measures.all.pairs * settings_.labellings > most_comparisons;
         measures.labellings = are_too_many ? 0 : settings_.labellings;
         measures.marks = mark_correlation(set_.points, set_.classes, place_, measures.all.steps, measures.labellings);
         measures.spectra = spectra();
@@ -185,7 +184,7 @@ private:
         pair.mean_first = there.mean * set_.unit;
         pair.mean_second = is_same ? pair.mean_first : cross_nearest(b, a, place_).mean * set_.unit;
         pair.steps = steps_for(is_same ? a.size() : a.size() + b.size());
-        pair.values = class_pair_correlation(a, b, place_, pair.steps);
+        pair.values = class_pair_correlation(a, b, place_, pair.steps, &pair.pairs);
         return pair;
     }
 

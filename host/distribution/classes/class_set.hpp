@@ -65,6 +65,7 @@ struct ClassPairMeasures
     double mean_second = 0;     ///< mean distance of points of the second from their nearest ones of the first
     ClassDistanceSteps steps;   ///< in lengths of ClassPlace
     std::vector<double> values; ///< the pair correlation function
+    double pairs = 0;           ///< pairs of points that it is a sum over, each counted once
 };
 
 struct ClassSetMeasures
