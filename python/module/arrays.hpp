@@ -3,8 +3,8 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/points/point_file.hpp"
-#include "base/programs/interrupt_scope.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/programs/interrupt_scope.hpp"
 
 #include <cblas.h>
 #include <pybind11/numpy.h>

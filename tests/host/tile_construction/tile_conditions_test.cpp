@@ -1,6 +1,6 @@
 // The conditions of tiles that are moved together, held against differences and direct sums.
-#include "host/tile_construction/joint/tile_conditions.hpp"
 #include "host/tile_construction/joint/joint_moments.hpp"
+#include "host/tile_construction/joint/tile_conditions.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
