@@ -15,6 +15,7 @@ namespace poissonlab {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 class FilesWithColumns : public testing::Test
@@ -74,6 +75,24 @@ TEST_F(FilesWithColumns, OfPlyHaveAllNumbersOfTheirVertices)
     EXPECT_EQ(mesh.normals, (std::vector<MeshPoint>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
     EXPECT_EQ(mesh.normal_triangles, mesh.triangles);
     EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{0.5, 0}, {1, 0}, {0, 1}}));
+}
+
+TEST_F(FilesWithColumns, OfPlyHaveWholeNumbersInColumnsOfBytes)
+{
+    const auto file = [](const std::string& red) {
+        return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0 255\n1 0 0 " +
+               red + "\n0 1 0 0\n3 0 1 2\n";
+    };
+    EXPECT_THAT(read("a.ply", file("255.0")).columns.values, ElementsAre(255, 255, 0));
+    for (const std::string red : {"300", "-5", "nan", "0.5", "256"}) {
+        EXPECT_THAT(refusal("a.ply", file(red)),
+                    EndsWith("a.ply:12: row 2 of the element `vertex`: " + red +
+                             ": a number of the property `red` must be a whole number from 0 to 255, since its type is "
+                             "uchar"));
+        EXPECT_EQ(read("a.ply", file(red), MeshParts::faces_and_texture).vertices.size(), 3U);
+    }
 }
 
 TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
