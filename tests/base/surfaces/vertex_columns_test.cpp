@@ -99,8 +99,8 @@ TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
 {
     const TriangleMesh mesh = read("a.off", "STCNOFF\n3 1 0\n0 0 0  0 0 1  255 0 9  0.5 1\n1 0 0  0 1 0  1 2 3  0 0\n"
                                             "0 1 0  1 0 0  4 5 6  1 1\n3 0 1 2\n");
-    EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue", "u", "v"));
-    EXPECT_THAT(mesh.columns.values, ElementsAre(255, 0, 9, 0.5, 1, 1, 2, 3, 0, 0, 4, 5, 6, 1, 1));
+    EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue"));
+    EXPECT_THAT(mesh.columns.values, ElementsAre(255, 0, 9, 1, 2, 3, 4, 5, 6));
     EXPECT_EQ(mesh.normals, (std::vector<MeshPoint>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     EXPECT_THAT(refusal("b.off", "COFF\n3 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
                 HasSubstr("b.off:4: vertex 1 has 3 numbers after its coordinates, and must have 4"));
@@ -118,6 +118,7 @@ TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
         put(static_cast<float>(number));
     for (const std::int32_t number : {3, 0, 1, 2, 0}) put(number);
     const TriangleMesh of_binary = read("e.off", binary);
+    EXPECT_TRUE(read("e.off", binary, MeshParts::faces_and_texture).columns.names.empty());
     EXPECT_THAT(of_binary.columns.names, ElementsAre("red", "green", "blue", "alpha"));
     EXPECT_THAT(of_binary.columns.values, ElementsAre(1, .5, 0, 1, 0, 0, 1, 1, 0, .25, .5, 1));
 }
