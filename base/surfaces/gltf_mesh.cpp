@@ -81,7 +81,8 @@ bool is_mirroring(const Movement& m)
            0;
 }
 
-/// Moves a normal with its surface by the matrix of cofactors, whose result points inwards if the movement mirrors.
+/// Moves a normal with its surface by the matrix of cofactors, whose result points inwards if the movement mirrors. The
+/// result has length 1 again, so that normals between vertices are weighted by their shares alone; 0 stays 0.
 MeshPoint turned_by(const Movement& m, const MeshPoint& normal)
 {
     const double side = is_mirroring(m) ? -1 : 1;
@@ -90,6 +91,9 @@ MeshPoint turned_by(const Movement& m, const MeshPoint& normal)
         const auto &a = m[(i + 1) % 3], &b = m[(i + 2) % 3];
         turned[i] = side * dot(cross({a[0], a[1], a[2]}, {b[0], b[1], b[2]}), normal);
     }
+    const double length = std::hypot(turned[0], turned[1], turned[2]);
+    if (length > 0)
+        for (double& c : turned) c /= length;
     return turned;
 }
 

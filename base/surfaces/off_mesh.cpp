@@ -46,15 +46,33 @@ std::optional<OffKeyword> off_keyword(std::string_view word)
     return keyword;
 }
 
-/// Returns the columns of vertices whose colours have `colors` numbers.
+/// Returns the columns of vertices whose colours have `colors` numbers. Texture coordinates follow these.
 VertexColumns columns_of(const OffKeyword& keyword, std::size_t colors)
 {
     VertexColumns columns;
     if (keyword.has_normals) columns.names = {"nx", "ny", "nz"};
     for (std::size_t k = 0; k < colors; ++k) columns.names.emplace_back(std::array{"red", "green", "blue", "alpha"}[k]);
-    if (keyword.has_texture) columns.names.insert(columns.names.end(), {"u", "v"});
     columns.are_bytes.assign(columns.names.size(), false);
     return columns;
+}
+
+/// Returns how many numbers vertices have after their coordinates.
+std::size_t further_numbers(const OffKeyword& keyword, std::size_t colors)
+{
+    return columns_of(keyword, colors).names.size() + 2 * keyword.has_texture;
+}
+
+/// Adds the further numbers of a vertex to a soup, those that are asked for. False where texture coordinates are not
+/// finite.
+bool add_numbers(PolygonSoup& soup, const std::vector<double>& numbers, bool has_texture, MeshParts parts)
+{
+    const std::size_t columns = numbers.size() - 2 * has_texture;
+    if (parts == MeshParts::all)
+        soup.columns.values.insert(soup.columns.values.end(), numbers.begin(),
+                                   numbers.begin() + static_cast<std::ptrdiff_t>(columns));
+    if (!has_texture || parts == MeshParts::faces) return true;
+    soup.texture_points.push_back({numbers[columns], numbers[columns + 1]});
+    return std::isfinite(numbers[columns]) && std::isfinite(numbers[columns + 1]);
 }
 
 /// Divides homogeneous coordinates by their weight. False where no finite numbers come out.
@@ -93,6 +111,7 @@ public:
             fail(fmt::format("has {} {} after the last of {} {} and {} {}, which its head announces", left_.size(),
                              noun(left_.size(), "byte"), vertices_, noun(vertices_, "vertex", "vertices"), faces,
                              noun(faces, "face")));
+        if (!soup_.texture_points.empty()) soup_.texture_corners = soup_.corners;
         return std::move(soup_);
     }
 
@@ -103,8 +122,11 @@ private:
         for (double& c : point) c = number(i);
         const double weight = keyword_.has_weights ? number(i) : 1;
         if (!is_divided(point, weight)) fail(fmt::format("vertex {} has a coordinate that is not a finite number", i));
-        if (i == 0) soup_.columns = columns_of(keyword_, 4 * keyword_.has_colors);
-        for (std::size_t k = 0; k < soup_.columns.names.size(); ++k) soup_.columns.values.push_back(number(i));
+        if (file_.parts == MeshParts::all && i == 0) soup_.columns = columns_of(keyword_, 4 * keyword_.has_colors);
+        std::vector<double> numbers(further_numbers(keyword_, 4 * keyword_.has_colors));
+        for (double& n : numbers) n = number(i);
+        if (!add_numbers(soup_, numbers, keyword_.has_texture, file_.parts))
+            fail(fmt::format("vertex {} has a texture coordinate that is not a finite number", i));
         soup_.points.push_back(point);
     }
 
@@ -168,7 +190,7 @@ class OffTextReader
 {
 public:
     explicit OffTextReader(const MeshBytes& file)
-        : words_(file.name, file.bytes, MeshWords::Lines::commented), has_all_(file.parts == MeshParts::all)
+        : words_(file.name, file.bytes, MeshWords::Lines::commented), parts_(file.parts)
     {}
 
     PolygonSoup read()
@@ -180,6 +202,7 @@ public:
             words_.fail(fmt::format("\"{}\": stands after the last of {} {} and {} {}, which the head announces",
                                     shortened(words_.word()), vertices_, noun(vertices_, "vertex", "vertices"), faces_,
                                     noun(faces_, "face")));
+        if (!soup_.texture_points.empty()) soup_.texture_corners = soup_.corners;
         return std::move(soup_);
     }
 
@@ -244,25 +267,24 @@ private:
             if (!is_divided(point, words_.number("a coordinate")))
                 words_.fail("the first three coordinates over the fourth are no finite numbers");
         }
-        if (has_all_) read_columns(i);
+        if (parts_ == MeshParts::all || (parts_ != MeshParts::faces && keyword_.has_texture)) read_numbers(i);
     }
 
     /// Colours have three or four numbers, as many as those of the first vertex.
-    void read_columns(std::size_t i)
+    void read_numbers(std::size_t i)
     {
         std::vector<double> numbers;
         while (words_.next()) numbers.push_back(words_.number("a number of a vertex"));
-        const std::size_t others = columns_of(keyword_, 0).names.size();
-        if (i == 0)
-            soup_.columns = columns_of(
-                keyword_,
-                keyword_.has_colors ? std::clamp<std::size_t>(std::max(numbers.size(), others) - others, 3, 4) : 0);
-        const std::size_t needed = soup_.columns.names.size();
+        const std::size_t others = further_numbers(keyword_, 0);
+        if (i == 0 && keyword_.has_colors)
+            colors_ = std::clamp<std::size_t>(std::max(numbers.size(), others) - others, 3, 4);
+        if (i == 0 && parts_ == MeshParts::all) soup_.columns = columns_of(keyword_, colors_);
+        const std::size_t needed = others + colors_;
         if (numbers.size() < needed || (keyword_.has_colors && numbers.size() > needed))
             words_.fail(fmt::format("vertex {} has {} numbers after its coordinates, and must have {}", i,
                                     numbers.size(), needed));
-        soup_.columns.values.insert(soup_.columns.values.end(), numbers.begin(),
-                                    numbers.begin() + static_cast<std::ptrdiff_t>(needed));
+        numbers.resize(needed);
+        add_numbers(soup_, numbers, keyword_.has_texture, parts_);
     }
 
     /// The rest of a face's line is its colour.
@@ -294,9 +316,9 @@ private:
     }
 
     MeshWords words_;
-    const bool has_all_;
+    const MeshParts parts_;
     OffKeyword keyword_;
-    std::size_t vertices_ = 0, faces_ = 0;
+    std::size_t vertices_ = 0, faces_ = 0, colors_ = 0;
     PolygonSoup soup_;
 };
 

@@ -159,10 +159,20 @@ private:
         MeshPoint& point = soup_.points.emplace_back();
         if (soup_.points.size() > most_in_mesh) fail(fmt::format("has more than {} vertices", most_in_mesh));
         for (std::size_t k = 0; k < 3; ++k) point[k] = finite(values_[columns_[k]], "a coordinate");
-        for (const std::size_t c : others_) soup_.columns.values.push_back(values_[c]);
+        for (std::size_t i = 0; i < others_.size(); ++i) add_number(i, values_[others_[i]]);
         if (texture_columns_[0] == no_column) return;
         TexturePoint& texture = soup_.texture_points.emplace_back();
         for (std::size_t k = 0; k < 2; ++k) texture[k] = finite(values_[texture_columns_[k]], "a texture coordinate");
+    }
+
+    /// Text can have numbers that the type of their column has not.
+    void add_number(std::size_t column, double value)
+    {
+        if (soup_.columns.are_bytes[column] && !(value >= 0 && value <= 255 && value == std::floor(value)))
+            rows_.fail(fmt::format("{}: a number of the property `{}` must be a whole number from 0 to 255, since its "
+                                   "type is uchar",
+                                   value, soup_.columns.names[column]));
+        soup_.columns.values.push_back(value);
     }
 
     double finite(double value, std::string_view name) const

@@ -41,7 +41,8 @@ struct TriangleMesh
     /// Numbers of texture points, of each triangle, or no_texture_point. Empty: they were not read, or there are none.
     std::vector<MeshTriangle> texture_triangles = {};
 
-    std::vector<MeshPoint> normals = {}; ///< normals of vertices or corners, with the lengths that the file has
+    std::vector<MeshPoint> normals =
+        {}; ///< of vertices or corners, as long as in the file; those of glTF have length 1
     std::vector<MeshTriangle> normal_triangles = {}; ///< numbers of normals, as for texture points
     VertexColumns columns = {};
     std::vector<std::uint32_t> faces = {}; ///< the number in the file, from 0, of the face of each triangle

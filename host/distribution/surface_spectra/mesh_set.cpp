@@ -113,7 +113,7 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
     if (places.size() < 2) throw InputError(settings.set.string() + ": has one point; a spectrum needs at least two");
     read.tolerance =
         settings.tolerance.value_or(off_mesh * std::sqrt(surface.area / static_cast<double>(places.size())));
-    GivenPoints given = points_on_surface(surface, read.mesh, places, read.tolerance, settings.set);
+    GivenPoints given = points_on_surface(surface, places, read.tolerance, settings.set);
     read.points = std::move(given.points);
     read.farthest = given.farthest;
     return std::make_shared<const MeshWithPoints>(std::move(read));

@@ -17,16 +17,41 @@ namespace {
 /// Points of files may be this part of the minimum distance away from the surface.
 constexpr double off_surface = 0.1;
 
-SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position)
+/// The triangles of a surface in units of its grid, in which no squares overflow or underflow. Corners are not shared.
+TriangleMesh triangles_on_grid(const FixedSurface& surface)
 {
-    const auto share = [&](std::size_t corner) {
-        return static_cast<std::uint32_t>(std::ldexp(position.shares[corner], contract::surface::BARYCENTRIC_BITS));
-    };
+    TriangleMesh mesh;
+    for (const SurfaceTriangle& t : surface.triangles) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        for (std::size_t c = 0; c < 9; c += 3)
+            mesh.vertices.push_back({double(t.corners[c]), double(t.corners[c + 1]), double(t.corners[c + 2])});
+    }
+    return mesh;
+}
+
+/// Makes a point of a position and the place that a file gives, in units of the grid. Places that darts round to the
+/// grid are off their triangle by up to sqrt(3)/2, and the shares and the place of the nearest position are rounded by
+/// up to 1/2 each along an axis. Places that differ by no more than one unit therefore stay as given: the points of
+/// this program keep their distances.
+SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position, const MeshPoint& given)
+{
+    constexpr std::int64_t whole = std::int64_t{1} << contract::surface::BARYCENTRIC_BITS;
+    const std::int64_t second = std::llround(position.shares[1] * double(whole)),
+                       third = std::min<std::int64_t>(std::llround(position.shares[2] * double(whole)), whole - second);
     SurfacePoint point{};
     point.triangle = position.triangle;
-    point.shares[0] = share(1);
-    point.shares[1] = share(2);
-    std::ranges::copy(place_on(surface.triangles[position.triangle], share(1), share(2)), point.place);
+    point.shares[0] = static_cast<std::uint32_t>(second);
+    point.shares[1] = static_cast<std::uint32_t>(third);
+    const MeshPlace place = place_on(surface.triangles[position.triangle], point.shares[0], point.shares[1]);
+    std::ranges::copy(place, point.place);
+    MeshPoint rounded = given;
+    bool is_there = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        rounded[k] = std::round(given[k]);
+        is_there = is_there && rounded[k] >= 0 && std::abs(rounded[k] - double(place[k])) <= 1;
+    }
+    if (is_there) std::ranges::copy(rounded, point.place);
     return point;
 }
 
@@ -60,21 +85,23 @@ PointSet points_in_space(const std::filesystem::path& file)
     return sets.front();
 }
 
-GivenPoints points_on_surface(const FixedSurface& surface, const TriangleMesh& mesh, const PointSet& places,
-                              double tolerance, const std::filesystem::path& file)
+GivenPoints points_on_surface(const FixedSurface& surface, const PointSet& places, double tolerance,
+                              const std::filesystem::path& file)
 {
+    const TriangleMesh mesh = triangles_on_grid(surface);
     const TriangleTree tree(mesh);
     GivenPoints given;
     std::size_t off = 0, first = 0;
     double first_off = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const MeshPoint place{places[i][0], places[i][1], places[i][2]};
+        MeshPoint place{};
+        for (std::size_t k = 0; k < 3; ++k) place[k] = (places[i][k] - surface.origin[k]) / surface.unit;
         const MeshPosition on = tree.nearest(place);
         const MeshPoint away = difference(place_of(mesh, on), place);
-        const double distance = std::sqrt(dot(away, away));
+        const double distance = std::hypot(away[0], away[1], away[2]) * surface.unit;
         if (distance > tolerance && off++ == 0) first = i, first_off = distance;
         given.farthest = std::max(given.farthest, distance);
-        given.points.push_back(surface_point(surface, on));
+        given.points.push_back(surface_point(surface, on, place));
     }
     if (off > 0)
         throw InputError(
@@ -92,12 +119,10 @@ std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSetting
     beginning->least = INFINITY;
     if (settings.start.empty() && settings.obstacles.empty()) return beginning;
     const FixedSurface& surface = mesh.surface;
-    const TriangleMesh triangles = triangles_of(surface);
     const double distance = surface_distance(settings, mesh);
     const auto read = [&](const std::filesystem::path& file) {
-        return file.empty()
-                   ? std::vector<SurfacePoint>{}
-                   : points_on_surface(surface, triangles, points_in_space(file), off_surface * distance, file).points;
+        return file.empty() ? std::vector<SurfacePoint>{}
+                            : points_on_surface(surface, points_in_space(file), off_surface * distance, file).points;
     };
     beginning->start = read(settings.start);
     beginning->obstacles = read(settings.obstacles);

@@ -22,9 +22,9 @@ struct GivenPoints
     double farthest = 0;
 };
 
-/// Moves points to the nearest triangles of `mesh`, which is triangles_of(surface). Throws InputError, a line that
-/// begins with the file's name, where one is farther than `tolerance` away.
-GivenPoints points_on_surface(const FixedSurface& surface, const TriangleMesh& mesh, const PointSet& places,
-                              double tolerance, const std::filesystem::path& file);
+/// Moves points to the nearest triangles; places that this program has written stay as they are. Throws InputError, a
+/// line that begins with the file's name, where a point is farther than `tolerance` away.
+GivenPoints points_on_surface(const FixedSurface& surface, const PointSet& places, double tolerance,
+                              const std::filesystem::path& file);
 
 }

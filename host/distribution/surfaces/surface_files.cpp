@@ -101,7 +101,8 @@ private:
             MeshPoint normal{};
             for (std::size_t k = 0; k < 3; ++k)
                 normal[k] = between(mesh_->normal_triangles[face], [&](std::size_t n) { return mesh_->normals[n][k]; });
-            append(row, std::isnan(normal[0]) ? normal : unit(normal));
+            const double length = std::hypot(normal[0], normal[1], normal[2]);
+            for (const double c : normal) row.push_back(length > 0 && std::isfinite(length) ? c / length : NAN);
         }
         if (!mesh_->texture_triangles.empty())
             for (std::size_t k = 0; k < 2; ++k)

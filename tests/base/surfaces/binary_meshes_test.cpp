@@ -26,10 +26,10 @@ const std::vector<MeshTriangle> square_halves{{0, 1, 2}, {0, 2, 3}};
 class BinaryMeshes : public testing::Test
 {
 protected:
-    TriangleMesh read(const std::string& name, const std::string& bytes)
+    TriangleMesh read(const std::string& name, const std::string& bytes, MeshParts parts = MeshParts::faces)
     {
         write_whole_file(folder_.path() / name, bytes);
-        return read_triangle_mesh(folder_.path() / name);
+        return read_triangle_mesh(folder_.path() / name, parts);
     }
 
     std::string refusal(const std::string& name, const std::string& bytes)
@@ -126,6 +126,10 @@ TEST_F(BinaryMeshes, OfOffAreBigEndian)
     const std::string vertices = bytes;
     for (const auto& [a, b, c] : square_halves) bytes += number_bytes(endian::big, 3, a, b, c, 3, 0.5F, 0.5F, 0.5F);
     expect_square("a.off", bytes);
+    EXPECT_TRUE(read("a.off", bytes).normals.empty());
+    EXPECT_TRUE(read("a.off", bytes).columns.names.empty());
+    EXPECT_EQ(read("a.off", bytes, MeshParts::all).normals, (std::vector<MeshPoint>(4, {0, 0, 1})));
+    EXPECT_EQ(read("a.off", bytes, MeshParts::all).columns.names.size(), 4U);
     EXPECT_THAT(refusal("a.off", head), EndsWith("a.off: ends within vertex or face 0"));
     EXPECT_THAT(refusal("a.off", vertices), EndsWith("a.off: ends before the number of corners"));
     EXPECT_THAT(refusal("a.off", vertices + number_bytes(endian::big, 3, 0, 1, 4)),

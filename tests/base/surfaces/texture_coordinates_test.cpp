@@ -1,7 +1,8 @@
-// Texture coordinates of OBJ and PLY files: whose corners they are, and what is refused.
+// Texture coordinates of OBJ, PLY and OFF files: whose corners they are, and what is refused.
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/number_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -16,10 +17,10 @@ using testing::HasSubstr;
 class TexturedFiles : public testing::Test
 {
 protected:
-    TriangleMesh read(const std::string& name, const std::string& text)
+    TriangleMesh read(const std::string& name, const std::string& text, MeshParts parts = MeshParts::faces_and_texture)
     {
         write_whole_file(folder_.path() / name, text);
-        return read_triangle_mesh(folder_.path() / name, MeshParts::faces_and_texture);
+        return read_triangle_mesh(folder_.path() / name, parts);
     }
 
     std::string refusal(const std::string& name, const std::string& text)
@@ -96,6 +97,34 @@ TEST_F(TexturedFiles, OfPlyMayBeListsOfFaces)
         (std::vector<MeshTriangle>{{0, 1, 2}, {3, 2, 4}, {no_texture_point, no_texture_point, no_texture_point}}));
     EXPECT_THAT(refusal("a.ply", begin + "3 0 1 2 5 0 0 0.5 0 0.5\n3 0 2 3 0\n3 0 1 3 0\n"),
                 HasSubstr("texcoord: has 5 numbers, and must have two for each of 3 corners"));
+}
+
+/// They come last in the row of a vertex, after its normal and its colour.
+TEST_F(TexturedFiles, OfOffHaveOneCoordinateAVertex)
+{
+    const std::string text = "STCNOFF\n3 1 0\n0 0 0  0 0 1  9 9 9 1  5 6\n1 0 0  0 0 1  9 9 9 1  7 8\n"
+                             "0 1 0  0 0 1  9 9 9 1  -9 0.5\n3 0 2 1\n";
+    const auto binary = [](float last) {
+        std::string bytes = "STNOFF BINARY\n" + test::number_bytes(std::endian::big, 3, 1, 0);
+        bytes += test::number_bytes(std::endian::big, 0.F, 0.F, 0.F, 0.F, 0.F, 1.F, 5.F, 6.F);
+        bytes += test::number_bytes(std::endian::big, 1.F, 0.F, 0.F, 0.F, 0.F, 1.F, 7.F, 8.F);
+        bytes += test::number_bytes(std::endian::big, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, -9.F, last);
+        return bytes + test::number_bytes(std::endian::big, 3, 0, 2, 1, 0);
+    };
+    for (const std::string& bytes : {text, binary(0.5F)}) {
+        for (const MeshParts parts : {MeshParts::faces_and_texture, MeshParts::all}) {
+            const TriangleMesh mesh = read("a.off", bytes, parts);
+            EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{5, 6}, {7, 8}, {-9, 0.5}}));
+            EXPECT_EQ(mesh.texture_triangles, (std::vector<MeshTriangle>{{0, 2, 1}}));
+            EXPECT_EQ(mesh.normals.size(), parts == MeshParts::all ? 3U : 0U);
+        }
+        EXPECT_TRUE(read("a.off", bytes, MeshParts::faces).texture_points.empty());
+        EXPECT_TRUE(read("a.off", bytes, MeshParts::faces).texture_triangles.empty());
+    }
+    EXPECT_THAT(refusal("a.off", binary(NAN)),
+                EndsWith("a.off: vertex 2 has a texture coordinate that is not a finite number"));
+    EXPECT_THAT(refusal("a.off", "STOFF\n3 1 0\n0 0 0 0 1\n1 0 0 5\n0 1 0 0 0\n3 0 1 2\n"),
+                EndsWith("a.off:4: vertex 1 has 1 numbers after its coordinates, and must have 2"));
 }
 
 TEST_F(TexturedFiles, SayWhatIsWrong)

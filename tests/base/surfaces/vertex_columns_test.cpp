@@ -15,6 +15,7 @@ namespace poissonlab {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 class FilesWithColumns : public testing::Test
@@ -76,12 +77,30 @@ TEST_F(FilesWithColumns, OfPlyHaveAllNumbersOfTheirVertices)
     EXPECT_EQ(mesh.texture_points, (std::vector<TexturePoint>{{0.5, 0}, {1, 0}, {0, 1}}));
 }
 
+TEST_F(FilesWithColumns, OfPlyHaveWholeNumbersInColumnsOfBytes)
+{
+    const auto file = [](const std::string& red) {
+        return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0 255\n1 0 0 " +
+               red + "\n0 1 0 0\n3 0 1 2\n";
+    };
+    EXPECT_THAT(read("a.ply", file("255.0")).columns.values, ElementsAre(255, 255, 0));
+    for (const std::string red : {"300", "-5", "nan", "0.5", "256"}) {
+        EXPECT_THAT(refusal("a.ply", file(red)),
+                    EndsWith("a.ply:12: row 2 of the element `vertex`: " + red +
+                             ": a number of the property `red` must be a whole number from 0 to 255, since its type is "
+                             "uchar"));
+        EXPECT_EQ(read("a.ply", file(red), MeshParts::faces_and_texture).vertices.size(), 3U);
+    }
+}
+
 TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
 {
     const TriangleMesh mesh = read("a.off", "STCNOFF\n3 1 0\n0 0 0  0 0 1  255 0 9  0.5 1\n1 0 0  0 1 0  1 2 3  0 0\n"
                                             "0 1 0  1 0 0  4 5 6  1 1\n3 0 1 2\n");
-    EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue", "u", "v"));
-    EXPECT_THAT(mesh.columns.values, ElementsAre(255, 0, 9, 0.5, 1, 1, 2, 3, 0, 0, 4, 5, 6, 1, 1));
+    EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue"));
+    EXPECT_THAT(mesh.columns.values, ElementsAre(255, 0, 9, 1, 2, 3, 4, 5, 6));
     EXPECT_EQ(mesh.normals, (std::vector<MeshPoint>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     EXPECT_THAT(refusal("b.off", "COFF\n3 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
                 HasSubstr("b.off:4: vertex 1 has 3 numbers after its coordinates, and must have 4"));
@@ -99,6 +118,7 @@ TEST_F(FilesWithColumns, OfOffHaveWhatTheirKeywordSays)
         put(static_cast<float>(number));
     for (const std::int32_t number : {3, 0, 1, 2, 0}) put(number);
     const TriangleMesh of_binary = read("e.off", binary);
+    EXPECT_TRUE(read("e.off", binary, MeshParts::faces_and_texture).columns.names.empty());
     EXPECT_THAT(of_binary.columns.names, ElementsAre("red", "green", "blue", "alpha"));
     EXPECT_THAT(of_binary.columns.values, ElementsAre(1, .5, 0, 1, 0, 0, 1, 1, 0, .25, .5, 1));
 }
@@ -108,8 +128,7 @@ TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
 {
     std::string bytes;
     for (const double c : {0., 0., 0., 1., 0., 0., 0., 1., 1.}) test::append_bytes(bytes, static_cast<float>(c));
-    for (int i = 0; i < 3; ++i)
-        for (const float c : {0.F, -0.6F, 0.8F}) test::append_bytes(bytes, c);
+    for (const float c : {0.F, -0.6F, 0.8F, 0.F, 1.F, 0.F, 0.F, 0.F, 0.F}) test::append_bytes(bytes, c);
     for (const int c : {255, 0, 51, 0, 255, 102, 0, 0, 0, 0, 0, 0}) bytes += static_cast<char>(c);
     write_whole_file(folder_.path() / "a.bin", bytes);
     const TriangleMesh mesh =
@@ -123,9 +142,11 @@ TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
             {"buffer": 0, "byteOffset": 72, "byteLength": 12, "byteStride": 4}],
            "buffers": [{"uri": "a.bin", "byteLength": 84}]})");
     ASSERT_EQ(mesh.normals.size(), 3U);
-    // The triangle's slope is 1 of 2 then.
-    const MeshPoint normal = unit(mesh.normals[0]), expected = unit({0, -0.3, 0.8});
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(normal[k], expected[k], 1e-7);
+    // The triangle's slope is 1 of 2 then. All normals have length 1 again, but for that of length 0.
+    const double length = std::hypot(0.3, 0.8);
+    const std::vector<MeshPoint> expected{{0, -0.3 / length, 0.8 / length}, {0, 1, 0}, {0, 0, 0}};
+    for (std::size_t n = 0; n < 3; ++n)
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(mesh.normals[n][k], expected[n][k], 1e-7);
     EXPECT_EQ(mesh.normal_triangles[0][0], no_texture_point);
     EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue", "alpha"));
     EXPECT_TRUE(std::isnan(mesh.columns.at(2, 0)));

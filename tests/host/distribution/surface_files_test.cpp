@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -127,6 +128,22 @@ TEST(SurfaceColumnFiles, SayWhatIsNotThere)
     }
     EXPECT_GT(missing, 5);
     EXPECT_LT(missing, 35);
+    // Normals that cancel out, or are not finite numbers, have no direction.
+    mesh.normal_triangles = {{0, 0, 0}, {1, 1, 1}};
+    for (const MeshPoint& second : {MeshPoint{0, 0, 0}, {0, NAN, 1}, {0, INFINITY, 1}}) {
+        mesh.normals = {{0, 3, 4}, second};
+        write_surface_points(folder.path() / "b.csv", set.mesh->surface, set.points, "", &mesh);
+        const ColumnsByName shaded = columns_of_csv(read_whole_file(folder.path() / "b.csv"));
+        for (std::size_t i = 0; i < 40; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double c = shaded.at(std::array{"shading_nx", "shading_ny", "shading_nz"}[k])[i];
+                if (std::isnan(columns.at("u")[i]))
+                    EXPECT_TRUE(std::isnan(c));
+                else
+                    EXPECT_NEAR(c, mesh.normals[0][k] / 5, 0x1p-50);
+            }
+    }
+    mesh.normal_triangles.clear();
     write_surface_points(folder.path() / "a.ply", set.mesh->surface, set.points, "", &mesh);
     const std::string ply = read_whole_file(folder.path() / "a.ply");
     EXPECT_THAT(ply, testing::HasSubstr("property double v\nproperty uchar red\nend_header\n"));

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <span>
 #include <sstream>
 
 namespace poissonlab {
@@ -115,15 +116,13 @@ TEST(SurfaceSets, BeginWithGivenPoints)
     const PointSet fine = set.places();
     EXPECT_TRUE(set.is_saturated);
     EXPECT_GT(fine.size(), 3 * coarse.size());
-    // Places are rounded to a unit of the grid twice.
-    for (std::size_t i = 0; i < coarse.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fine[i][k], coarse[i][k], 2 * set.mesh->surface.unit);
+    EXPECT_TRUE(std::ranges::equal(coarse.coordinates, std::span(fine.coordinates).first(coarse.coordinates.size())));
     EXPECT_GE(least_between(fine, fine), 0.2 * (1 - 1e-15));
     settings.min_distance.reset();
     settings.points = 500;
     const SurfaceSet shrunk = make_surface_set(settings, 2, on_reference);
     EXPECT_EQ(shrunk.points.size(), 500U);
-    EXPECT_NEAR(shrunk.places()[0][0], coarse[0][0], 2 * set.mesh->surface.unit);
+    EXPECT_EQ(shrunk.places()[0][0], coarse[0][0]);
     EXPECT_GT(number_in(shrunk, "relative_radius"), 0.65);
     settings.points = coarse.size();
     EXPECT_EQ(make_surface_set(settings, 2, on_reference).points.size(), coarse.size());
@@ -133,6 +132,26 @@ TEST(SurfaceSets, BeginWithGivenPoints)
     settings.min_distance = 0.5;
     EXPECT_THAT(message_of([&] { make_surface_set(settings, 2, on_reference); }),
                 testing::HasSubstr("nearer than the minimum distance, 0.5"));
+}
+
+/// A set is its own beginning: no point moves, so that all keep their distance. Sizes of 2^-300 and 2^300 are exact
+/// multiples, whose squares of areas doubles do not have.
+TEST(SurfaceSets, BeginWithTheirOwnPoints)
+{
+    const TemporaryFolder folder;
+    for (const double size : {1.0, 0x1p-300, 0x1p300})
+        for (const std::uint64_t seed : {1, 2, 3, 4}) {
+            TriangleMesh mesh = seed % 2 == 0 ? sphere_mesh(7) : square_mesh(3, 0.3);
+            for (MeshPoint& vertex : mesh.vertices)
+                for (double& c : vertex) c *= size;
+            MeshPointSettings settings = settings_on(mesh);
+            settings.min_distance = 0.1 * size;
+            const SurfaceSet set = make_surface_set(settings, seed, on_reference);
+            settings.start = folder.path() / "own.csv";
+            write_surface_points(settings.start, set.mesh->surface, set.points, "");
+            const SurfaceSet again = make_surface_set(settings, seed, on_reference);
+            EXPECT_EQ(again.places().coordinates, set.places().coordinates);
+        }
 }
 
 TEST(SurfaceSets, KeepAwayFromObstacles)
