@@ -135,6 +135,29 @@ TEST(SurfaceSets, BeginWithGivenPoints)
                 testing::HasSubstr("nearer than the minimum distance, 0.5"));
 }
 
+/// Two near points of the start do not make the distance of all others small.
+TEST(SurfaceSets, StayEvenWhereGivenPointsAreNear)
+{
+    MeshPointSettings settings = settings_on(square_mesh());
+    settings.points = 500;
+    const TemporaryFolder folder;
+    settings.start = folder.path() / "pair.csv";
+    write_points(settings.start, {3, {0.5, 0.5, 0, 0.5, 0.501, 0}});
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    const PointSet places = set.places();
+    ASSERT_EQ(places.size(), 500U);
+    double least = INFINITY; // but for the pair
+    for (std::size_t i = 2; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]));
+    EXPECT_GT(least / std::sqrt(2 / std::sqrt(3.0) / 500), 0.74); // as without a start
+    EXPECT_NEAR(set.min_distance, 0.001, 1e-8);
+    EXPECT_LE(set.min_distance, number_in(set, "least_distance"));
+    EXPECT_LT(number_in(set, "uncovered"), 0.02);
+    EXPECT_THAT(set.notes, testing::ElementsAre(testing::MatchesRegex("two points of the start are 0.001 apart, nearer "
+                                                                      "than the 0.0[34][0-9]+ that new points keep")));
+}
+
 TEST(SurfaceSets, KeepAwayFromObstacles)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(12));
