@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -46,12 +47,32 @@ void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
 {
     if (!settings.points || darts.points.size() >= *settings.points) return;
     const double share = std::sqrt(static_cast<double>(darts.points.size()) / static_cast<double>(*settings.points));
-    throw InputError(fmt::format(
-        "the surface is saturated with {} of {} points: no further one fits; {} can be reached", darts.points.size(),
-        *settings.points,
-        settings.min_distance
-            ? fmt::format("a minimum distance of about {:.4g}", 0.99 * share * *settings.min_distance)
-            : fmt::format("a relative radius of about {:.3f}", 0.99 * share * settings.relative_radius.value_or(0))));
+    std::string advice;
+    if (!darts.points.empty() && settings.start.empty() && settings.obstacles.empty())
+        advice = settings.min_distance ? fmt::format("; a minimum distance of about {:.4g} can be reached",
+                                                     0.99 * share * *settings.min_distance)
+                                       : fmt::format("; a relative radius of about {:.3f} can be reached",
+                                                     0.99 * share * settings.relative_radius.value_or(0));
+    throw InputError(fmt::format("the surface is saturated with {} of {} points: no further one fits{}",
+                                 darts.points.size(), *settings.points, advice));
+}
+
+/// Files of points on a mesh have places that are rounded; farther ones, in units of the grid, are told of.
+constexpr double rounded_units = 8;
+
+/// Adds a note if points of the file lie off the surface, to which they were moved.
+void note_moved(std::vector<std::string>& notes, const std::filesystem::path& file, const FixedSurface& surface,
+                const std::vector<SurfacePoint>& points)
+{
+    if (file.empty()) return;
+    const PointSet given = points_in_space(file), moved = points_of(surface, points);
+    double farthest = 0;
+    for (std::size_t i = 0; i < std::min(given.size(), moved.size()); ++i)
+        farthest = std::max(
+            farthest, std::hypot(given[i][0] - moved[i][0], given[i][1] - moved[i][1], given[i][2] - moved[i][2]));
+    if (farthest > rounded_units * surface.unit)
+        notes.push_back(
+            fmt::format("{}: points were moved to the surface, by at most {:.4g}", file.string(), farthest));
 }
 
 SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
@@ -128,6 +149,8 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
                    darts.darts};
     set.dart_distance = darts.min_distance;
     set.obstacles = beginning->obstacles;
+    note_moved(set.notes, settings.start, set.mesh->surface, beginning->start);
+    note_moved(set.notes, settings.obstacles, set.mesh->surface, beginning->obstacles);
     if (beginning->least < darts.min_distance && set.points.size() > beginning->start.size())
         set.notes.push_back(
             fmt::format("two points of the start are {:.6g} apart, nearer than the {:.6g} that new points keep",
@@ -141,11 +164,15 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
     const std::size_t count = *settings.points * settings.candidates;
     if (!settings.density.empty()) {
         SurfaceDensity density(settings.density, settings.density_from, mesh->mesh);
-        const auto random =
-            density_candidates(mesh->surface, density, count, stream_key(seed, Purpose::surface_candidates, 0));
+        const auto random = density_candidates(mesh->surface, density, count,
+                                               stream_key(seed, Purpose::surface_candidates, 0), place.on_step);
         SurfaceSet set{std::move(mesh), {}, 0, settings.normal_angle, false, 0, count};
         set.points = eliminate_by_density(set.mesh->surface, random, *settings.points, settings.normal_angle);
         set.follows_density = true;
+        if (random.larger > 0)
+            set.notes.push_back(fmt::format("the density is larger at {} of {} places than the largest value that was "
+                                            "looked for: peaks are flattened",
+                                            random.larger, random.darts));
         return set;
     }
     const auto candidates = surface_candidates(mesh->surface, count, stream_key(seed, Purpose::surface_candidates, 0));

@@ -169,11 +169,20 @@ TEST(SurfaceSets, KeepAwayFromObstacles)
     settings.min_distance = 0.3;
     const SurfaceSet set = make_surface_set(settings, 1, on_reference);
     EXPECT_TRUE(set.is_saturated);
+    // The second one is sqrt(1 + 0.03^2) - 1 off the sphere, and the mesh of it lies some thousandths inside.
+    EXPECT_THAT(set.notes, testing::ElementsAre(testing::HasSubstr("obstacles.csv: points were moved to the surface, "
+                                                                   "by at most 0.0")));
     const PointSet places = set.places();
     EXPECT_GE(least_between(places, places), 0.3 * (1 - 1e-15));
     EXPECT_GE(least_between(places, obstacles), 0.3 - 0.01); // the second one is moved to the sphere
     const PointSet poles{3, {0, 0, 1, 0, 0, -1}};
     EXPECT_GE(least_between(places, poles), 0.3 * (1 - 1e-15) - 2 * set.mesh->surface.unit);
+    settings.points = 5000;
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 1, on_reference); }),
+                testing::EndsWith("further one fits"));
+    settings.points.reset();
+    write_points(settings.obstacles, poles); // corners of the mesh
+    EXPECT_THAT(make_surface_set(settings, 1, on_reference).notes, testing::IsEmpty());
     settings.obstacles.clear();
     settings.min_distance = 0.3;
     EXPECT_LT(least_between(make_surface_set(settings, 1, on_reference).places(), poles), 0.3);
