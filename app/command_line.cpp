@@ -124,14 +124,12 @@ CLI::Validator number(bool only_finite)
         "");
 }
 
-/// Accepts names of files and folders: a script whose variable is empty would write where nobody looks.
-CLI::Validator output_name()
+/// Accepts texts that are not empty, which are `allowed`: a script whose variable is empty would write where nobody
+/// looks.
+CLI::Validator not_empty(const std::string& allowed)
 {
     return CLI::Validator(
-        [](const std::string& text) -> std::string {
-            return text.empty() ? ": must be the name of a file or a folder" : "";
-        },
-        "");
+        [allowed](const std::string& text) -> std::string { return text.empty() ? ": must be " + allowed : ""; }, "");
 }
 
 template <class Value>
@@ -143,7 +141,9 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
         added->expected(1, option.most_values)->transform(integer<std::int64_t>(option));
-    if (option.name == "--out") added->check(output_name());
+    if (option.name == "--out") added->check(not_empty("the name of a file or a folder"));
+    if constexpr (std::is_same_v<Value, std::string>)
+        if (!option.allowed.empty()) added->check(not_empty(option.allowed));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {

@@ -30,7 +30,8 @@ endfunction()
 set(construction kernels/* runtime/*.h base/* tiles/* host/device/* host/sampling/* host/tile_construction/*
     results/records/*)
 hash_of(construction_version ${construction})
-hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/regions/*
+hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/settings/tilings/*
+        configs/tilings/* host/distribution/regions/*
         host/distribution/region_samplers/* analysis/regions/framed_region.* analysis/regions/boundary_edges.*
         experiment/series/*)
 hash_of(analysis_version base/* analysis/* results/* experiment/measuring/* experiment/series/*)

@@ -1,7 +1,9 @@
 #include "analysis/classes/class_pairs.hpp"
 
+#include "analysis/measures/distance_statistics.hpp"
 #include "analysis/regions/plane_neighbours.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
 
 #include <tbb/parallel_for.h>
@@ -57,7 +59,7 @@ public:
         });
     }
 
-    /// The distance from the nearest point that is not number `left_out` of the set.
+    /// The distance from the nearest point that is not number `left_out` of the set. Copies of that point count.
     double nearest(const std::array<double, 2>& at, std::size_t left_out) const
     {
         return grid_.nearest(at, left_out < own_ ? grid_.number_of(left_out) : PlaneNeighbours::none) / scale_;
@@ -109,8 +111,10 @@ std::vector<std::uint32_t> order_by_place(const PointSet& points)
 template <class Add>
 void add_kernel(double distance, double weight, const ClassDistanceSteps& steps, const Add& add)
 {
-    const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil((distance - steps.half_width) / steps.step)));
-    const auto last = std::min(static_cast<std::size_t>((distance + steps.half_width) / steps.step), steps.count);
+    const auto count = static_cast<double>(steps.count);
+    const auto first =
+        static_cast<std::size_t>(std::clamp(std::ceil((distance - steps.half_width) / steps.step), 1.0, count + 1));
+    const auto last = static_cast<std::size_t>(std::min((distance + steps.half_width) / steps.step, count));
     for (std::size_t k = first; k <= last; ++k) {
         const double t = (static_cast<double>(k) * steps.step - distance) / steps.half_width;
         add(k - 1, weight * std::max(0.0, 1 - t * t) / distance);
@@ -124,10 +128,12 @@ void visit_pairs(const PointSet& a, std::span<const std::uint32_t> order, const 
                  const ClassPlace& place, double reach, const What& what)
 {
     for (const std::uint32_t i : order) {
+        stop_if_interrupted(); // points of a cluster have all others of it within reach
         const std::array<double, 2> at = b.place_of(a[i]);
         b.for_each_near(at, reach, [&](std::uint32_t j, const std::array<double, 2>& other, double distance) {
             if (distance == 0 || (is_same && j >= i)) return;
-            what(i, j, distance, 1 / place.common_area(at[0] - other[0], at[1] - other[1]));
+            const double common = place.common_area(at[0] - other[0], at[1] - other[1]);
+            if (common > place.least_common_area()) what(i, j, distance, 1 / common);
         });
     }
 }
@@ -177,18 +183,10 @@ double chance_of_one_class(std::span<const std::uint8_t> classes)
 
 }
 
-ClassPlace::ClassPlace(std::shared_ptr<const FramedRegion> region)
-    : region_(std::move(region)), covariance_(std::make_shared<SetCovariance>(region_->boundary().edges()))
-{}
-
 double ClassPlace::reach(double most) const
 {
-    return region_ ? covariance_->reach(least_overlap, most) : std::min(most, box_.shortest() / 2);
-}
-
-void ClassPlace::expect(double pairs, double reach)
-{
-    if (covariance_) covariance_->expect(pairs, reach);
+    return region_ ? covariance_->reach(least_overlap, std::min(most, std::numbers::sqrt2))
+                   : std::min(most, box_.shortest() / 2);
 }
 
 ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t points, double reach)
@@ -204,21 +202,25 @@ ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t poi
 }
 
 std::vector<double> class_pair_correlation(const PointSet& a, const PointSet& b, const ClassPlace& place,
-                                           const ClassDistanceSteps& steps)
+                                           const ClassDistanceSteps& steps, double* summed)
 {
     const bool is_same = &a == &b;
     const auto n = static_cast<double>(a.size()), m = static_cast<double>(b.size());
     const double pairs = is_same ? n * (n - 1) / 2 : n * m;
+    if (summed) *summed = 0;
     if (!(pairs > 0)) return std::vector<double>(steps.count, not_known);
     const double reach = steps.reach() + steps.half_width;
     const ClassNeighbours neighbours(b, place, reach);
     std::vector<double> g = sum_of_chunks(order_by_place(a), [&](std::span<const std::uint32_t> part) {
-        std::vector<double> sums(steps.count);
+        std::vector<double> sums(steps.count + 1); // the last one is the number of pairs
         visit_pairs(a, part, neighbours, is_same, place, reach, [&](auto, auto, double distance, double weight) {
+            ++sums.back();
             add_kernel(distance, weight, steps, [&](std::size_t k, double value) { sums[k] += value; });
         });
         return sums;
     });
+    if (summed) *summed = g.back();
+    g.pop_back();
     const double factor = place.area() * place.area() / pairs * 0.75 / steps.half_width / (2 * std::numbers::pi);
     for (double& value : g) value *= factor;
     return g;
@@ -229,12 +231,16 @@ CrossNearest cross_nearest(const PointSet& a, const PointSet& b, const ClassPlac
     const bool is_same = &a == &b;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (a.size() == 0 || b.size() < (is_same ? 2u : 1u)) return {infinity, infinity};
+    // On a long torus a point may be nearer to its own copies than to other points: these functions leave them out.
+    if (is_same && !place.region())
+        return {min_toroidal_distance(a, place.box()), mean_nearest_distance(a, place.box())};
     const double all = place.box().longest() / 2; // a nearest point on a torus is not farther away along an axis
     double margin = std::min(all, first_margin / std::sqrt(static_cast<double>(b.size())));
     for (;; margin = all) {
         const ClassNeighbours neighbours(b, place, margin);
         std::vector<double> distances(a.size());
         tbb::parallel_for(std::size_t{0}, a.size(), [&](std::size_t i) {
+            stop_if_interrupted();
             distances[i] = neighbours.nearest(neighbours.place_of(a[i]), is_same ? i : PlaneNeighbours::none);
         });
         const double farthest = *std::ranges::max_element(distances);

@@ -31,20 +31,27 @@ namespace poissonlab {
 class ClassPlace
 {
 public:
-    explicit ClassPlace(std::shared_ptr<const FramedRegion> region);
+    explicit ClassPlace(std::shared_ptr<const FramedRegion> region)
+        : region_(std::move(region)), covariance_(std::make_shared<SetCovariance>(region_->boundary().edges()))
+    {}
     explicit ClassPlace(const PeriodicBox& box) : box_(box) {}
 
     double area() const { return region_ ? region_->area() : 1; }
     double unit_length() const { return region_ ? region_->unit_length() : 1; } ///< the root of the area
 
-    /// The longest distance of pairs, up to `most`: half of the torus' shortest side, or as regions have it.
+    /// The longest distance of pairs, up to `most`: half of the torus' shortest side, or as regions have it, which are
+    /// in the unit square.
     double reach(double most) const;
 
     /// Prepares for this number of pairs up to a distance.
-    void expect(double pairs, double reach);
+    void expect(double pairs, double reach)
+    {
+        if (covariance_) covariance_->expect(pairs, reach);
+    }
 
     /// The area that is left of the place if it is moved by (x, y) and cut with itself.
     double common_area(double x, double y) const { return region_ ? covariance_->at(x, y) : 1; }
+    double least_common_area() const { return region_ ? covariance_->least_common_area() : 0; } ///< of pairs that count
     double covariance_error() const { return covariance_ ? covariance_->table_error() : 0; }
 
     const FramedRegion* region() const { return region_.get(); }
@@ -72,8 +79,10 @@ ClassDistanceSteps class_distance_steps(const ClassPlace& place, std::size_t poi
 
 /// The pair correlation function of two classes, or of one if both are the same object. Points that coincide are left
 /// out, as their direction is unknown. Any number of threads gives the same bytes. Classes without pairs have NaN.
+/// `summed`, unless null, is set to the number of pairs within reach, each counted once. Time is in proportion to it,
+/// which is quadratic in the points where these lie in clusters. Throws Interrupted, as all functions here do.
 std::vector<double> class_pair_correlation(const PointSet& a, const PointSet& b, const ClassPlace& place,
-                                           const ClassDistanceSteps& steps);
+                                           const ClassDistanceSteps& steps, double* summed = nullptr);
 
 /// The distances of the points of `a` from their nearest ones in `b`, other than themselves if both are the same
 /// object.

@@ -188,11 +188,25 @@ struct BoxMetric
     static double distance(double squared) { return std::sqrt(squared); }
 };
 
+/// No set of so many points in a box has a larger smallest distance. Balls of the densest packing's diameter fill more
+/// than a box has if they are larger, unless they meet their own copies across a shorter side. In such a box two points
+/// that follow each other along the longest side are at most 1 / n of it apart, and at most half of each other side.
+template <int D>
+double largest_least_distance(std::size_t points, const PeriodicBox& box)
+{
+    const double packed = max_min_distance(points, D);
+    if (box.shortest() >= packed) return packed;
+    const double half = box.longest() / 2, gap = box.longest() / static_cast<double>(points);
+    double squared = gap * gap - half * half;
+    for (int k = 0; k < D; ++k) squared += box.sides[k] * box.sides[k] / 4;
+    return std::max(packed, std::sqrt(squared));
+}
+
 template <int D, class Metric>
 double closest_pair(const PointSet& set, const Metric& squared, const PeriodicBox& box = {})
 {
     HashedGrid<D> grid(set.size(), box);
-    grid.reset(max_min_distance(set.size(), D));
+    grid.reset(largest_least_distance<D>(set.size(), box));
     auto least = std::numeric_limits<decltype(squared(0, 0))>::max();
     double distance = std::numeric_limits<double>::infinity();
 

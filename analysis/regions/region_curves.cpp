@@ -79,7 +79,8 @@ private:
     void add_translation(const std::array<double, 2>& a, const std::array<double, 2>& b, double distance, double weight,
                          PairSums& sums) const
     {
-        const double w = 2 * weight / covariance_.at(a[0] - b[0], a[1] - b[1]);
+        const double common = covariance_.at(a[0] - b[0], a[1] - b[1]);
+        const double w = common > covariance_.least_common_area() ? 2 * weight / common : 0;
         if (distance <= distances_.reach()) {
             sums.translation[bin_of(distance)] += w;
             ++sums.pairs[bin_of(distance)];

@@ -132,10 +132,13 @@ double SetCovariance::at(double x, double y) const
     return cells_ == 0 || y > most || std::abs(x) > most ? exact(x, y) : in_table(x, y);
 }
 
-/// Step by step, as what is left need not fall all the way; the last step is halved.
+/// Step by step, as what is left need not fall all the way; the last step is halved. Where the first step leaves too
+/// little, it is halved until it leaves enough before these halvings count, so that narrow regions have a reach above
+/// 0.
 double SetCovariance::reach(double share, double most) const
 {
     constexpr int directions = 16, steps = 16, halvings = 8;
+    constexpr double shortest = 1e-12;
     std::array<double, directions> reaches{};
     tbb::parallel_for(0, directions, [&](int d) {
         const double angle = std::numbers::pi * d / directions;
@@ -148,7 +151,7 @@ double SetCovariance::reach(double share, double most) const
             if (!leaves_enough(high)) break;
             low = high;
         }
-        for (int k = 0; k < halvings && low < high; ++k) {
+        for (int k = 0; k < halvings && low < high && high > shortest; k += low > 0) {
             const double middle = (low + high) / 2;
             (leaves_enough(middle) ? low : high) = middle;
         }

@@ -48,6 +48,11 @@ public:
 
     double area() const { return area_; }
 
+    /// Translation corrections leave pairs of points out whose vectors have no larger C(h), as C(h) is 0 but for
+    /// rounding where points lie on opposite borders. This lowers estimates by the share of directions with so small
+    /// a C(h): with C(h) / area = s or less, at most (2 / pi) sqrt(2 s) = 0.001 in a rectangle (of its width's length).
+    double least_common_area() const { return 1e-6 * area_; }
+
 private:
     /// An edge that is not upright, from left to right.
     struct Span

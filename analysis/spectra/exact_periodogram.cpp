@@ -12,13 +12,12 @@
 // For 16,384 points and 1,024 x 1,024 frequencies these are 4 GFlop; the plain products of the phases would
 // be 34, which takes longer even in single precision.
 //
-// Error. Phases are integers modulo 2^64, exact until the call of cos and sin at the head of a block; within
-// it they advance by at most 64 complex rotations, an error below 64 * 3.3 * 2^-53 = 2.4e-14. The magnitudes
-// of a phase's R terms add up to at most sqrt(2 R) < 12 (Cauchy-Schwarz: J_0^2 + 2 sum J_r^2 = 1), so that
-// products with chains of L additions are off by at most 12 L 2^-53 of N: 2e-12 for the L = 1,250 of the
-// example, below 1e-11 for L < 7,000 (strips of 1,000 points, 4,096 samples an axis). Each transform value is
-// within 1e-11 N of the exact sum (rounding in T_r, r^2 2^-53 at most, included), and in practice, where
-// rounding errors have both signs, within 1e-14 N.
+// Error. Phases are integers modulo 2^64, exact until the call of cos and sin at the head of a block; within it they
+// advance by at most 64 complex rotations, an error below 64 * 3.3 * 2^-53 = 2.4e-14. The magnitudes of a phase's R
+// terms add up to at most sqrt(2 R) < 12 (Cauchy-Schwarz: J_0^2 + 2 sum J_r^2 = 1), so that products with chains of L
+// additions are off by at most 12 L 2^-53 of N: 2e-12 for the L = 1,250 of the example, below 1e-11 for L < 7,000
+// (strips of 1,000 points, 4,096 samples an axis). Each transform value is within 1e-11 N of the exact sum (rounding in
+// T_r, r^2 2^-53 at most, included), and in practice, where rounding errors have both signs, within 1e-14 N.
 //
 // Determinism. The blocks are fixed by N and M alone, each is computed by one thread with single-threaded
 // BLAS and owns the values that it writes: any number of threads gives the same bytes.

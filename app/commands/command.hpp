@@ -35,7 +35,7 @@ struct Option
     bool is_required = false;
     int most_values = 1;     ///< of a list of numbers
     std::string excludes{};  ///< the option that does not go together with this one
-    std::string allowed{};   ///< "an integer from 1 to 64", for messages about other words; empty: any of its type
+    std::string allowed{};   ///< "an integer from 1 to 64", for messages about others (empty texts); empty: any
     std::uint64_t least = 0; ///< that `allowed` names, of a natural number
     std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     std::vector<std::string> words{}; ///< that shells complete; empty: names of files

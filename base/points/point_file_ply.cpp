@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace poissonlab {
 
@@ -48,6 +50,8 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
     if (is_there && !file.has_classes()) file.tell("the classes of the points are left out");
     if (!is_there && file.has_classes())
         fail("PLY header", fmt::format("the element `vertex` must have the property {} with the classes", wanted));
+    if (file.has_classes() && std::ranges::count(vertices.columns, vertices.class_column) > 0)
+        fail(wanted, "is a coordinate; classes must be another property of the element `vertex`");
     if (table->has_lists) fail("PLY header", "the element `vertex` must not have lists");
     if (table->count == 0) fail("no points", "the element `vertex` must have at least one row");
     return vertices;
@@ -64,6 +68,17 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
 void check_room(const PointFileContent& file, const PlyElement& table, std::size_t bytes, std::size_t row_bytes)
 {
     if (row_bytes > 0 && table.count > bytes / row_bytes) fail_truncated(file, table);
+}
+
+/// The class that a number of a property stands for. It has as many digits as the property's type needs, whether the
+/// file is ascii or binary. Not-a-number is no class.
+std::string class_name(double value, PlyType type)
+{
+    if (std::isnan(value)) return {};
+    if (value == 0) value = 0; // without a sign
+    if (type == PlyType::float32 && std::abs(value) <= double{std::numeric_limits<float>::max()})
+        return fmt::format("{}", static_cast<float>(value));
+    return fmt::format("{}", value);
 }
 
 /// Coordinates from the lines of an ascii body.
@@ -106,7 +121,12 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
                 return CoordinatePlace{lines.number(), std::string(word)};
             }));
         }
-        if (file.has_classes()) file.classes.take(row[vertices.class_column]);
+        if (!file.has_classes()) continue;
+        const std::string_view word = row[vertices.class_column];
+        double value = 0;
+        if (!parse_number(word, value))
+            fail_in_point_file(file, lines.number(), word, "must be a number, as in all of PLY");
+        file.classes.take(class_name(value, vertices.table->properties[vertices.class_column].type));
     }
     units.finish();
 
@@ -157,7 +177,7 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
         if (!file.has_classes()) continue;
         const PlyProperty& property = vertices.table->properties[vertices.class_column];
         const std::string_view bytes = body.substr(i * row_bytes + property.offset);
-        file.classes.take(fmt::format("{}", load_ply_value(bytes, property.type, header.byte_order)));
+        file.classes.take(class_name(load_ply_value(bytes, property.type, header.byte_order), property.type));
     }
     units.finish();
 

@@ -260,7 +260,7 @@ void TextTable::find_class_by_number(std::string_view line, int number)
         fail_in_point_file(
             file_, number, line,
             fmt::format("the first line has no names of columns, so that the column with classes must be "
-                        "given by its number, counted from 1, and not by its name, {}",
+                        "given by its number, from 1 on; {} is not such a number",
                         typed));
     if (column > fields_.size())
         fail_in_point_file(file_, number, line, fmt::format("has no column {}, which should have the classes", column));

@@ -1,6 +1,10 @@
 // `poissonlab distribute classes`, `mri-mask` and `dither-mask`: their files and what they print.
+#include "app/commands/class_series.hpp"
 #include "base/files/whole_file.hpp"
+#include "experiment/series/imported_points.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +72,7 @@ TEST(AnalyzeClasses, MeasuresEachClassAllPointsAndPairs)
             const auto json = nlohmann::json::parse(read_whole_file(folder.path() / "out/results.json"));
             ASSERT_EQ(json.at("series").size(), 3U);
             EXPECT_EQ(json.at("series").at(0).at("points"), 100);
-            EXPECT_EQ(json.at("series").at(1).at("label"), "0");
+            EXPECT_EQ(json.at("series").at(1).at("label"), "class 0");
             EXPECT_EQ(json.at("series").at(1).at("points"), 20);
             EXPECT_EQ(json.at("series").at(2).at("points"), 80);
             const auto& numbers = json.at("distributions").at(0).at("numbers");
@@ -81,6 +85,73 @@ TEST(AnalyzeClasses, MeasuresEachClassAllPointsAndPairs)
             EXPECT_GE(values.at("least_0_1"), 1 / std::sqrt(100 + 400.0) - 1e-9);
         }
     }
+}
+
+/// Each text is another way to type the same.
+TEST(AnalyzeClasses, ObeysKeysOfSetHoweverTheyAreTyped)
+{
+    const TemporaryFolder folder;
+    write_whole_file(folder.path() / "a.csv", "x,y,kind\n0.3,0.4,oak\n0.5,0.6,oak\n0.7,0.4,ash\n0.5,0.3,ash\n");
+    const auto numbers = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{
+            "analyze", "a.csv", "--classes", "kind", "--out", "out", "--quiet", "--set", "analysis.measures=distances"};
+        for (const std::string& text : more) arguments.insert(arguments.end(), {"--set", text});
+        const Outcome outcome = run_program(folder.path(), arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return nlohmann::json::parse(read_whole_file(folder.path() / "out/results.json"))
+            .at("distributions")
+            .at(0)
+            .at("numbers");
+    };
+    const auto torus = numbers({}), window = numbers({"analysis.window=true"}),
+               disk = numbers({"analysis.region=disk 0.5 0.5 0.4"});
+    EXPECT_NE(torus, window);
+    EXPECT_NE(disk, window);
+    EXPECT_EQ(numbers({" analysis.window = true"}), window);
+    EXPECT_EQ(numbers({"analysis.region = \"disk 0.5 0.5 0.4\"", "analysis.envelope=0"}), disk);
+}
+
+/// Folders are called by the class alone, so that those of sets with other classes besides are found again.
+TEST(AnalyzeClasses, NamesSeriesByTheirClass)
+{
+    const TemporaryFolder folder;
+    const auto series = [&](const std::string& file, const std::vector<std::string>& classes) {
+        std::string table = "x,y,kind\n";
+        for (std::size_t i = 0; i < 2 * classes.size(); ++i)
+            table += fmt::format("{},{},{}\n", (static_cast<double>(i) + 0.5) / 20, 0.3 * static_cast<double>(i % 3),
+                                 classes[i / 2]);
+        write_whole_file(folder.path() / file, table);
+        const Outcome outcome =
+            run_program(folder.path(), {"analyze", file, "--classes", "kind", "--out", "out", "--quiet"});
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        std::vector<std::string> names;
+        const auto json = nlohmann::json::parse(read_whole_file(folder.path() / "out/results.json"));
+        for (const auto& each : json.at("series")) {
+            names.push_back(each.at("name"));
+            names.push_back(each.at("label"));
+            EXPECT_TRUE(exists(folder.path() / "out" / names[names.size() - 2]));
+        }
+        return names;
+    };
+    EXPECT_THAT(series("oak.csv", {"1", "oak"}),
+                testing::ElementsAre("oak", "oak", "class-1", "class 1", "class-oak", "class oak"));
+    const std::string first(300, 'a'), second = first + "b", folder_name = "class-" + std::string(94, 'a');
+    EXPECT_THAT(series("class a.csv", {"a", first, second, "é", "ê"}),
+                testing::ElementsAre("class-a", "class a", "class-a-alone", "class a alone", folder_name,
+                                     "class " + first, folder_name + "-2", "class " + second, "class", "class é",
+                                     "class-2", "class ê"));
+}
+
+TEST(AnalyzeClasses, RefuseAFileThatChangesWhileItIsRead)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,oak\n0.7,0.7,ash\n");
+    Experiment experiment = import_points({file}, "");
+    folder.write("a.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,ash\n");
+    EXPECT_EQ(message_of([&] {
+                  add_class_series(experiment, fmt::format("set = \"{}\"\nclasses = \"kind\"\n", file.string()));
+              }),
+              file.string() + ": changed while it was read, from 3 points to 2");
 }
 
 TEST(DistributeMasks, WriteFilesOfOtherPrograms)

@@ -107,8 +107,11 @@ TEST_F(GlobeRegionFiles, AreWhatMethodsOfConfigsStore)
 
 TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
 {
-    folder_.write("layer.geojson", R"({"type": "FeatureCollection", "features": [
-        {"type": "Feature", "id": "west", "properties": {"name": "oak \"wood\"", "id": 7, "soil": {"ph": 5}}, "geometry": {"type": "Polygon", "coordinates": [[[4.70, 50.86], [4.705, 50.86],
+    folder_.write(
+        "layer.geojson", R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "id": "west", "properties": {"name": "oak \"wood\"", "id": 7, "feature_id": 8, "soil": {"ph": 5},
+            "survey": ")" + std::string(1000, 'x') +
+                             R"("}, "geometry": {"type": "Polygon", "coordinates": [[[4.70, 50.86], [4.705, 50.86],
             [4.705, 50.87], [4.70, 50.87], [4.70, 50.86]]]}},
         {"type": "Feature", "id": "east", "geometry": {"type": "Polygon", "coordinates": [[[4.705, 50.86], [4.71, 50.86],
             [4.71, 50.87], [4.705, 50.87], [4.705, 50.86]]]}}]})");
@@ -134,10 +137,8 @@ TEST_F(GlobeRegionFiles, SayWhichFeatureOfALayerPointsLieIn)
             json expected{{"id", id++}, {"feature", "east"}};
             if (feature["geometry"]["coordinates"][0] < 4.705) {
                 ++west;
-                expected = {{"id", id - 1},
-                            {"feature", "west"},
-                            {"name", "oak \"wood\""},
-                            {"feature_id", 7},
+                expected = {{"id", id - 1},       {"feature", "west"},       {"name", "oak \"wood\""},
+                            {"feature_id", 8},    {"feature_feature_id", 7}, // "survey" is longer than what is copied
                             {"soil", {{"ph", 5}}}};
             }
             if (feature["properties"].contains("class")) expected["class"] = feature["properties"]["class"];

@@ -136,6 +136,13 @@ protected:
         folder_.write("fields.csv", "id,x,y\n1,0.5\n");
         folder_.write("trees.csv", "x,y,kind,one\n0.1,0.2,oak,a\n0.5,0.5,ash,a\n");
         folder_.write("holes.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,\n");
+        folder_.write("control.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,a\x1b[31msh\n");
+        folder_.write("latin.csv", "x,y,kind\n0.1,0.2,oak\n0.5,0.5,h\xeatre\n");
+        const std::string ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                                "property float kind\nend_header\n0.1 0.2 1\n0.5 0.5 ";
+        folder_.write("trees.ply", ply + "01.0\n");
+        folder_.write("words.ply", ply + "ash\n");
+        folder_.write("nan.ply", ply + "-nan\n");
         folder_.write("trees.geojson",
                       R"({"type": "FeatureCollection", "crs": null, "features": [{"type": "Feature", )"
                       R"("properties": {"kind": [1]}, "geometry": {"type": "Point", "coordinates": [0.1, 0.2]}}]})");

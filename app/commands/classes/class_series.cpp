@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 
 namespace poissonlab {
@@ -34,16 +35,24 @@ void add_class_series(Experiment& experiment, const std::string& keys)
             throw error.moved_to({name});
         }
     }();
-    const auto read = read_class_set(with_classes.exhibits.front().settings.as<ClassSetSettings>());
+    const auto& settings = with_classes.exhibits.front().settings.as<ClassSetSettings>();
+    const auto read = read_class_set(settings);
     const PointSet all = experiment.series.front().create()->sample(0);
+    if (all.size() != read->classes.size())
+        throw InputError(fmt::format("{}: changed while it was read, from {} points to {}", settings.set.string(),
+                                     all.size(), read->classes.size()));
+    std::set<std::string> folders{experiment.series.front().name, with_classes.exhibits.front().name};
     for (std::size_t i = 0; i < read->names.size(); ++i) {
         const PointSet some = points_of_class(all, *read, i);
         if (some.size() < 2) {
             experiment.notes.push_back(fmt::format("class {} has one point and therefore no page", read->names[i]));
             continue;
         }
-        SeriesTask task = import_sets({some}, read->names[i]).series.front();
-        task.name = fmt::format("class-{}-{}", i, safe_name(read->names[i])); // a plain name could be that of the set
+        std::string label = "class " + read->names[i];
+        if (label == experiment.series.front().label) label += " alone";
+        SeriesTask task = import_sets({some}, label).series.front();
+        for (int number = 2; !folders.insert(task.name).second; ++number)
+            task.name = fmt::format("{}-{}", series_folder_name(label), number);
         task.parameters = experiment.series.front().parameters;
         experiment.series.push_back(std::move(task));
     }

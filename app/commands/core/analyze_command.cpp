@@ -8,6 +8,7 @@
 #include "base/files/text_lines.hpp"
 #include "base/images/raw_picture.hpp"
 #include "base/text/decimal_commas.hpp"
+#include "experiment/config/overrides.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/run/make_experiment.hpp"
 #include "experiment/run/runner.hpp"
@@ -89,26 +90,32 @@ ConfigTable entry_of(const char* option, const char* key, decltype(ConfigNode::v
     return entries;
 }
 
-/// True where measures are asked for that sets in regions do not have.
-bool has_measures_of_squares(const AnalyzeOptions& options)
+/// The keys of [analysis] that --set gives. overridden_region() refuses what else there is.
+ConfigTable keys_of_set(const std::vector<std::string>& overrides)
 {
-    return std::ranges::any_of(options.overrides, [](const std::string& text) {
-        return text.starts_with("analysis.window") || text.starts_with("analysis.tiles") ||
-               text.starts_with("analysis.zone_plate");
-    });
+    ConfigTable top{{"analysis", {ConfigTable{}, {}, {}}}};
+    apply_overrides(top, overrides);
+    const auto* keys = find(top, "analysis")->get_if<ConfigTable>();
+    return keys ? *keys : ConfigTable{};
+}
+
+/// True where --set asks for measures that sets in regions do not have.
+bool has_measures_of_squares(const ConfigTable& set)
+{
+    return find(set, "window") || find(set, "tiles") || find(set, "zone_plate");
 }
 
 /// Sets that are not periodic are measured as sets in the square as a region, whose border is corrected for. Windows,
 /// whose border leaves a cross in the spectrum, are what else can be: in space, on the disk, and with measures that
 /// regions do not have.
-bool is_measured_in_square(const Experiment& experiment, const AnalyzeOptions& options)
+bool is_measured_in_square(const Experiment& experiment, const ConfigTable& set)
 {
-    return experiment.dimension == 2 && experiment.series.front().strips.empty() && !has_measures_of_squares(options);
+    return experiment.dimension == 2 && experiment.series.front().strips.empty() && !has_measures_of_squares(set);
 }
 
-ConfigTable window_entry(const Experiment& experiment, const AnalyzeOptions& options)
+ConfigTable window_entry(const Experiment& experiment, const ConfigTable& set)
 {
-    if (is_measured_in_square(experiment, options))
+    if (is_measured_in_square(experiment, set))
         return entry_of("--periodic", "region", std::string(unit_square_region), "no");
     return entry_of("--periodic", "window", true, "no");
 }
@@ -135,13 +142,18 @@ ConfigTable box_entry(const AnalyzeOptions& options, const std::vector<double>& 
     return entries;
 }
 
-void check_periodic(const AnalyzeOptions& options)
+void check_region_options(const AnalyzeOptions& options, const ConfigTable& set)
 {
+    const ConfigNode* region = find(set, "region");
+    if (region && !options.region.empty())
+        throw InputError("analyze: " + region->location.file + ": cannot be combined with --region");
     if (options.periodic.empty()) return;
     if (options.periodic != "yes" && options.periodic != "no")
         throw InputError("analyze: --periodic " + options.periodic + ": must be yes or no");
-    if (!options.region.empty())
-        throw InputError("analyze: --periodic cannot be combined with --region: nothing goes around a torus there");
+    if (region || !options.region.empty())
+        throw InputError(
+            fmt::format("analyze: --periodic cannot be combined with {}: nothing goes around a torus there",
+                        region ? region->location.file : "--region"));
 }
 
 /// The experiment of a config that the user has not written and whose lines say nothing.
@@ -158,13 +170,18 @@ Experiment experiment_of_text(const std::string& text)
 
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
+void check_printable(const std::string& typed)
+{
+    if (printable(typed) != typed)
+        throw InputError(
+            fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8", printable(typed)));
+}
+
 void check_printable(const AnalyzeOptions& options)
 {
     for (const std::string& typed : {options.files.front().string(), options.label, options.channel, options.region,
                                      options.surface, options.classes})
-        if (printable(typed) != typed)
-            throw InputError(fmt::format("analyze: {}: names of files, labels and channels must be printable UTF-8",
-                                         printable(typed)));
+        check_printable(typed);
 }
 
 /// Measures one file by a kind of work, whose other keys --set gives: a picture as a mask of thresholds, or points on
@@ -208,24 +225,32 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
     finish_report({out}, out, progress, PrintPictures::none, Gallery::offered);
 }
 
-/// Returns the keys of kind = "class-set" that measure a file as these options do. Options that do not say how a region
-/// is read apply to the series of each class.
-std::string class_set_keys_of(const AnalyzeOptions& options)
+/// A single value of --set as TOML.
+std::string toml_of(const ConfigNode& node)
+{
+    const auto* text = node.get_if<std::string>();
+    if (!text) return node.text;
+    check_printable(*text);
+    return quoted(*text);
+}
+
+/// Returns the keys of kind = "class-set" that measure a file as these options do. `set` are the keys of --set, and
+/// `analysis` is what they and the options together say. Options that do not say how a region is read apply to the
+/// series of each class.
+std::string class_set_keys_of(const AnalyzeOptions& options, const ConfigTable& set, const AnalysisOptions& analysis)
 {
     check_printable(options);
+    if (const ConfigNode* box = find(set, "box"))
+        throw InputError("analyze: " + box->location.file +
+                         ": cannot be combined with --classes: --domain gives the sides");
     std::string keys =
         fmt::format("set = {}\nclasses = {}\n", quoted(options.files.front().string()), quoted(options.classes));
     if (!options.region.empty()) keys += fmt::format("region = {}\n", quoted(options.region));
     if (!options.domain.empty()) keys += fmt::format("domain = {}\n", quoted(options.domain));
-    if (options.periodic == "no" || std::ranges::count(options.overrides, "analysis.window=true") > 0)
-        keys += "window = true\n";
-    for (const std::string& text : options.overrides) {
-        if (text.starts_with("analysis.box="))
-            throw InputError("analyze: --set " + text +
-                             ": cannot be combined with --classes: --domain gives the sides");
-        for (const char* key : {"region", "planar", "crs", "overlap", "buffer"})
-            if (text.starts_with(fmt::format("analysis.{}=", key))) keys += text.substr(text.find('.') + 1) + "\n";
-    }
+    const bool has_region = !options.region.empty() || find(set, "region");
+    if (!has_region && (analysis.window || analysis.region)) keys += "window = true\n"; // a square is a region as well
+    for (const char* key : {"region", "planar", "crs", "overlap", "buffer"})
+        if (const ConfigNode* node = find(set, key)) keys += fmt::format("{} = {}\n", key, toml_of(*node));
     return keys;
 }
 
@@ -244,7 +269,8 @@ void analyze(const AnalyzeOptions& options)
     }
     if (domain && domain->dimension() > 0 && options.in_pieces)
         throw InputError("analyze: --in-pieces cannot be combined with --domain of a range for each axis");
-    check_periodic(options);
+    const ConfigTable set = keys_of_set(options.overrides);
+    check_region_options(options, set);
     PointReading how{.domain = domain, .options = option_words};
     if (options.particles != no_type) how.particles = static_cast<int>(options.particles);
     if (!options.classes.empty()) {
@@ -264,7 +290,7 @@ void analyze(const AnalyzeOptions& options)
         how.domain.reset();
         region = overridden_region(options.overrides, entries);
     };
-    if (domain && domain->dimension() == 2 && options.periodic == "no" && !has_measures_of_squares(options))
+    if (domain && domain->dimension() == 2 && options.periodic == "no" && !has_measures_of_squares(set))
         take_as_region();
     const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
     LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out, options.in_pieces};
@@ -272,18 +298,18 @@ void analyze(const AnalyzeOptions& options)
     Experiment experiment = region ? import_region_points(options.files, options.label, *region->region, how)
                                    : import_points(options.files, options.label, how, large);
     const std::vector<double> sides = experiment.analysis.box_sides;
-    if (how.domain && options.periodic == "no" && is_measured_in_square(experiment, options)) {
+    if (how.domain && options.periodic == "no" && is_measured_in_square(experiment, set)) {
         take_as_region();
         experiment = import_region_points(options.files, options.label, *region->region, how);
     } else if (!sides.empty())
         entries = box_entry(options, sides);
     else if (options.periodic == "no" && !(domain && region))
-        entries = window_entry(experiment, options);
+        entries = window_entry(experiment, set);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension, entries);
     experiment.analysis.is_periodic = options.periodic == "yes";
     check_imported(experiment);
-    if (!options.classes.empty()) add_class_series(experiment, class_set_keys_of(options));
+    if (!options.classes.empty()) add_class_series(experiment, class_set_keys_of(options, set, experiment.analysis));
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
@@ -319,10 +345,11 @@ Command analyze_command(const std::string& typed)
               "REGION"},
              {"--along", &o->along, "Measure the points along the lines and outlines of the region"},
              {"--surface", &o->surface, "The mesh that points lie on, whose eigenfunctions give the spectrum", "MESH"},
-             {"--classes", &o->classes,
-              "The column or property that has the class of each point: classes are measured alone, together and in "
-              "pairs",
-              "COLUMN"},
+             allowing({"--classes", &o->classes,
+                       "The column or property that has the class of each point: classes are measured alone, together "
+                       "and in pairs",
+                       "COLUMN"},
+                      "the name or the number of a column"),
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},
              {"--periodic", &o->periodic,
               "Whether sets go on across their border as on a torus; no: they are measured within the square (cube); "

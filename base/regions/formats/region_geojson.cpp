@@ -6,22 +6,36 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+#include <string>
+
 namespace poissonlab {
 namespace {
 
 using GeoJson = nlohmann::json;
 
+/// Properties of a feature are copied to points up to this number of bytes: each point has all of them.
+constexpr std::size_t most_copied = 1'000;
+
 /// Returns the id of a feature as JSON, followed by its properties as further members, which points in it have as well.
-/// Properties whose names points use themselves are called feature_NAME.
+/// Properties whose names are taken, by points or by one another, are called feature_NAME.
 std::string members_of_feature(const GeoJson& feature, std::size_t number)
 {
     const auto id = feature.find("id"), properties = feature.find("properties");
     const bool has_id = id != feature.end() && (id->is_string() || id->is_number());
     std::string members = has_id ? id->dump() : std::to_string(number);
     if (properties == feature.end() || !properties->is_object()) return members;
+    std::set<std::string> taken{"id", "feature", "class"};
+    for (const auto& [key, value] : properties->items()) taken.insert(key);
+    std::size_t copied = 0;
     for (const auto& [key, value] : properties->items()) {
-        const bool is_taken = key == "id" || key == "feature" || key == "class";
-        members += fmt::format(",{}:{}", GeoJson(is_taken ? "feature_" + key : key).dump(), value.dump());
+        std::string name = key;
+        if (key == "id" || key == "feature" || key == "class")
+            while (!taken.insert(name).second) name = "feature_" + name;
+        const std::string member = fmt::format(",{}:{}", GeoJson(name).dump(), value.dump());
+        copied += member.size();
+        if (copied > most_copied) break;
+        members += member;
     }
     return members;
 }

@@ -23,16 +23,16 @@ namespace {
 
 /// Random labellings are left out if they would compare more pairs than this, since they would take far longer than all
 /// other measures.
-constexpr double most_comparisons = 1e9;
+constexpr double most_comparisons = 5e8;
 
 /// The spectra of all classes together have at most this many frequencies, of 16 bytes each.
 constexpr double most_frequencies = 1 << 26;
 
-/// Numbers come before words, in rising order.
+/// Numbers come before words, in rising order; `nan` is a word.
 bool comes_before(const std::string& a, const std::string& b)
 {
     double x = 0, y = 0;
-    const bool is_a = parse_number(a, x), is_b = parse_number(b, y);
+    const bool is_a = parse_number(a, x) && !std::isnan(x), is_b = parse_number(b, y) && !std::isnan(y);
     if (is_a && is_b && x != y) return x < y;
     return is_a != is_b ? is_a : a < b;
 }
@@ -134,8 +134,7 @@ public:
         stop_if_interrupted();
         if (on_step) on_step("pairs of all points");
         measures.all = measure_pair(set_.points, set_.points, 0, 0);
-        const double pairs = pairs_within(measures.all.steps, set_.points.size(), set_.points.size());
-        const bool are_too_many = pairs * settings_.labellings > most_comparisons;
+        const bool are_too_many = measures.all.pairs * settings_.labellings > most_comparisons;
         measures.labellings = are_too_many ? 0 : settings_.labellings;
         measures.marks = mark_correlation(set_.points, set_.classes, place_, measures.all.steps, measures.labellings);
         measures.spectra = spectra();
@@ -185,7 +184,7 @@ private:
         pair.mean_first = there.mean * set_.unit;
         pair.mean_second = is_same ? pair.mean_first : cross_nearest(b, a, place_).mean * set_.unit;
         pair.steps = steps_for(is_same ? a.size() : a.size() + b.size());
-        pair.values = class_pair_correlation(a, b, place_, pair.steps);
+        pair.values = class_pair_correlation(a, b, place_, pair.steps, &pair.pairs);
         return pair;
     }
 
@@ -229,7 +228,11 @@ void number_classes(const std::vector<std::string>& class_of_point, const std::s
     std::map<std::string, std::uint8_t, bool (*)(const std::string&, const std::string&)> numbers(comes_before);
     for (std::size_t i = 0; i < class_of_point.size(); ++i) {
         if (class_of_point[i].empty()) throw InputError(fmt::format("{}: point {} has no class", file, i + 1));
-        if (numbers.try_emplace(class_of_point[i]).second && numbers.size() > most_measured_classes)
+        if (!numbers.try_emplace(class_of_point[i]).second) continue;
+        if (printable(class_of_point[i]) != class_of_point[i])
+            throw InputError(fmt::format("{}: point {} has the class {}: names of classes must be printable UTF-8",
+                                         file, i + 1, printable(shortened(class_of_point[i], 40))));
+        if (numbers.size() > most_measured_classes)
             throw InputError(
                 fmt::format("{}: has more than {} classes: {} and others; classes are words or numbers that "
                             "many points share",

@@ -49,8 +49,8 @@ struct ClassSetPoints
 /// A file has at most this many classes.
 inline constexpr std::size_t most_measured_classes = 64;
 
-/// Numbers the classes of points by their names. Throws InputError for a point without one, for fewer than two and for
-/// more than most_measured_classes; `file` is for the message.
+/// Numbers the classes of points by their names. Throws InputError for a point without one, for names that cannot be
+/// printed, for fewer than two and for more than most_measured_classes; `file` is for the message.
 void number_classes(const std::vector<std::string>& class_of_point, const std::string& file, ClassSetPoints& to);
 
 /// Reads both files, unless the settings have them. Throws InputError.
@@ -65,6 +65,7 @@ struct ClassPairMeasures
     double mean_second = 0;     ///< mean distance of points of the second from their nearest ones of the first
     ClassDistanceSteps steps;   ///< in lengths of ClassPlace
     std::vector<double> values; ///< the pair correlation function
+    double pairs = 0;           ///< pairs of points that it is a sum over, each counted once
 };
 
 struct ClassSetMeasures

@@ -1,7 +1,5 @@
-// A table [[packing]]: all tiles of a set on a torus with their numbers, puzzles of them, and what rows of tiles are
-// packed by.
-//
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5 and figures 5.7 to 5.13.
+// A table [[packing]]: all tiles of a set on a torus with their numbers, puzzles of them, and the graph of a row
+// (Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5 and figures 5.7 to 5.13).
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/textures/chosen_packing.hpp"

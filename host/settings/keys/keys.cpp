@@ -216,6 +216,7 @@ void Keys::from_of_picture(const std::string& key, const std::string& value, std
 {
     const std::string from_key = key + "_from", unless_given = from;
     text(from_key, from, fmt::format("what of the picture {} is meant: light, ink, or one of its channels", key));
+    if (value.empty() && from != unless_given) throw invalid(from_key, "needs " + name_of(key));
     if (is_given(key) && !is_file_name(value) && from != unless_given)
         throw invalid(from_key,
                       fmt::format("is for pictures, and {} is none", shown(key, shortened(printable(value)))));

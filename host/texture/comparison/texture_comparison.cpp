@@ -239,7 +239,8 @@ EdgeChange edge_change(std::span<const WindowStatistics> texture, std::span<cons
         excess += made - own;
         most_excess = std::max(most_excess, excess);
     }
-    if (mean == 0) return {};
+    constexpr double none = 0.01; // parts of 255: exemplars with a smaller mean have no edges to speak of
+    if (mean < none) return {0, most_excess / none};
     const double lost = std::max(0.0, 1 - made_large / large);
     return {lost + std::min(lost, above / mean), most_excess / mean};
 }

@@ -288,17 +288,13 @@ std::optional<SiteBox> dearest_box(const Assembly& assembly, const Site& site, i
     const BoxRange range{is_fixed_x ? -side / 2 : -half, is_fixed_y ? -side / 2 : -half,
                          is_fixed_x ? -side / 2 : half - side, is_fixed_y ? -side / 2 : half - side};
     const SeamMap map(assembly, site, range, side);
-    std::optional<SiteBox> dearest;
-    std::int64_t most = 0;
+    std::pair<std::int64_t, std::optional<SiteBox>> dearest; // and its cost
     for (int y = range.top; y <= range.bottom; y += step)
         for (int x = range.left; x <= range.right; x += step) {
-            if (left_out.contains({x, y})) continue;
-            const std::int64_t cost = map.cost({x, y, side});
-            if (cost <= most) continue;
-            most = cost;
-            dearest = {x, y, side};
+            const std::int64_t cost = left_out.contains({x, y}) ? 0 : map.cost({x, y, side});
+            if (cost > dearest.first) dearest = {cost, SiteBox{x, y, side}};
         }
-    return dearest;
+    return dearest.second;
 }
 
 }

@@ -20,8 +20,7 @@ namespace {
 using namespace contract::endless_map;
 using namespace contract::endless_texture;
 
-/// The part of each texel of a level along an axis, `below` of them, that texel `at` of the `size` above covers: from
-/// the first one on.
+/// The parts of texels of a level of `below` texels that texel `at` of the `size` above covers, from the first one on.
 struct Coverage
 {
     int first = 0;
@@ -70,8 +69,7 @@ void append_level(LevelValues& of)
 /// The number from 0 to 255 of light from 0 to 65535.
 double encoded_number(double light) { return 255 * srgb_of_light(light / 65535); }
 
-/// The mean product of texels of a level that are (dx, dy) apart, of those that are inside; a single one is its own
-/// neighbour.
+/// The mean product of texels of a level that are (dx, dy) apart and inside; a single one is its own neighbour.
 double mean_product(const LevelValues& numbers, int level, std::size_t coordinate, int dx, int dy)
 {
     const int width = numbers.levels.widths[level], height = numbers.levels.heights[level];
@@ -101,12 +99,12 @@ double variance_left(const LevelValues& numbers, int level, std::size_t coordina
 }
 
 /// Appends a table's means over a normal distribution of so many deviations around each entry, and then the variances.
+/// A deviation of less than a tenth of an entry changes nothing.
 void append_blurred(std::vector<float>& tables, std::span<const float> table, double deviations)
 {
     constexpr double entries_of_one =
         static_cast<double>(GAUSSIAN_STEPS) * static_cast<double>(INVERSE_ENTRIES) / 65'536;
     const double entries = deviations * entries_of_one;
-    // Less than a tenth of an entry changes nothing.
     const int reach = entries < 0.1 ? 0 : std::min<int>(INVERSE_ENTRIES, static_cast<int>(std::ceil(5 * entries)));
     std::vector<double> weights{1}; // from -reach to reach
     if (reach > 0) weights.clear();

@@ -1,6 +1,8 @@
 // Pairs of points with classes are compared with sums over all pairs and with closed forms.
 #include "analysis/classes/class_pairs.hpp"
 
+#include "base/programs/interrupt.hpp"
+#include "base/programs/interrupt_scope.hpp"
 #include "base/regions/region_text.hpp"
 #include "tests/support/statistics.hpp"
 
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <numbers>
 #include <random>
 
@@ -99,28 +102,94 @@ TEST(ClassPairs, AreSumsOverAllPairs)
     }
 }
 
+/// A distance of curves that is longer than the place is is cut to what the place has.
+TEST(ClassPairs, CurvesEndWhereThePlaceEnds)
+{
+    std::mt19937_64 random(10);
+    const PointSet a = random_set(12, random);
+    const ClassPlace square = rectangle(1), torus{PeriodicBox{}};
+    const RegionBox box = box_of(square.region()->polygons());
+    // A vector of length r leaves (1 - r |cos|) (1 - r |sin|) of the square: the root where this is 0.1, least of all
+    // in the direction of pi / 16.
+    const double c = std::cos(std::numbers::pi / 16), s = std::sin(std::numbers::pi / 16);
+    const double expected = (c + s - std::sqrt((c + s) * (c + s) - 3.6 * c * s)) / (2 * c * s);
+    for (const double wanted : {2.0, 5000.0, 1e12, 1e300}) {
+        const ClassDistanceSteps steps = class_distance_steps(square, a.size(), wanted);
+        EXPECT_NEAR(steps.reach(), expected * box.width(), std::numbers::sqrt2 / (16 * 256));
+        expect_same(class_pair_correlation(a, a, square, steps), brute_force_g(a, a, steps, nullptr, box));
+        EXPECT_DOUBLE_EQ(class_distance_steps(torus, a.size(), wanted).reach(), 0.5);
+    }
+    // Steps may be so short that a pair is more of them apart than whole numbers count.
+    const ClassDistanceSteps shortest = class_distance_steps(square, a.size(), 1e-30);
+    expect_same(class_pair_correlation(a, a, square, shortest), brute_force_g(a, a, shortest, nullptr, box));
+}
+
+/// Points on opposite borders have vectors that leave nothing of the region in common with itself.
+TEST(ClassPairs, OfOppositeBordersAreLeftOut)
+{
+    constexpr double height = 0.01;
+    const ClassPlace strip = rectangle(height);
+    const RegionBox box = box_of(strip.region()->polygons());
+    std::mt19937_64 random(9);
+    PointSet low{2, {}}, both{2, {}};
+    for (const double x : random_set(20, random).coordinates) {
+        low.coordinates.insert(low.coordinates.end(), {x * box.width(), 0});
+        both.coordinates.insert(both.coordinates.end(), {x * box.width(), 0, x * box.width(), box.high[1]});
+    }
+    const ClassDistanceSteps steps = class_distance_steps(strip, both.size());
+    ASSERT_GT(steps.reach() + steps.half_width, box.height());
+    // All pairs of the lower border count, none of both borders do.
+    const std::vector<double> g = class_pair_correlation(both, both, strip, steps);
+    const std::vector<double> g_low = brute_force_g(low, low, steps, nullptr, box);
+    const auto n = static_cast<double>(low.size());
+    ASSERT_EQ(g.size(), g_low.size());
+    for (std::size_t k = 0; k < g.size(); ++k)
+        EXPECT_NEAR(g[k], g_low[k] * 2 * n * (n - 1) / (2 * n * (2 * n - 1)), 1e-11 * std::max(1.0, g[k])) << k;
+    const std::vector<std::uint8_t> alternating = [&] {
+        std::vector<std::uint8_t> classes(both.size());
+        for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = i / 2 % 2;
+        return classes;
+    }();
+    for (const double value : mark_correlation(both, alternating, strip, steps, 3).values)
+        EXPECT_FALSE(std::isinf(value) || value < 0);
+}
+
+/// Compares the distances from nearest points on a torus with those of all pairs. A point's own copies do not count.
+void expect_nearest(const PointSet& a, const PointSet& b, const PeriodicBox& box)
+{
+    double least = std::numeric_limits<double>::infinity(), sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            if (&a == &b && i == j) continue;
+            double x = std::abs(a[i][0] - b[j][0]), y = std::abs(a[i][1] - b[j][1]);
+            x = std::min(x, 1 - x) * box.sides[0], y = std::min(y, 1 - y) * box.sides[1];
+            nearest = std::min(nearest, std::hypot(x, y));
+        }
+        least = std::min(least, nearest);
+        sum += nearest;
+    }
+    const CrossNearest found = cross_nearest(a, b, ClassPlace(box));
+    if (std::isinf(least)) {
+        EXPECT_EQ(found.least, least);
+        EXPECT_EQ(found.mean, least);
+        return;
+    }
+    EXPECT_NEAR(found.least, least, 1e-13);
+    EXPECT_NEAR(found.mean, sum / static_cast<double>(a.size()), 1e-13);
+}
+
 TEST(ClassPairs, NearestDistancesAreThoseOfAllPairs)
 {
     std::mt19937_64 random(4);
-    const std::vector<double> sides{1, 7};
-    for (const PeriodicBox& box : {PeriodicBox{}, periodic_box(sides)})
+    const std::vector<double> sides{1, 7}, longest{100, 1};
+    for (const PeriodicBox& box : {PeriodicBox{}, periodic_box(sides), periodic_box(longest)})
         for (const auto& [n, m] : {std::pair{1, 1}, {5, 1}, {2, 3}, {40, 300}}) {
             const PointSet a = random_set(static_cast<std::size_t>(n), random),
                            b = random_set(static_cast<std::size_t>(m), random);
-            double least = 1e9, sum = 0;
-            for (std::size_t i = 0; i < a.size(); ++i) {
-                double nearest = 1e9;
-                for (std::size_t j = 0; j < b.size(); ++j) {
-                    double x = std::abs(a[i][0] - b[j][0]), y = std::abs(a[i][1] - b[j][1]);
-                    x = std::min(x, 1 - x) * box.sides[0], y = std::min(y, 1 - y) * box.sides[1];
-                    nearest = std::min(nearest, std::hypot(x, y));
-                }
-                least = std::min(least, nearest);
-                sum += nearest;
-            }
-            const CrossNearest found = cross_nearest(a, b, ClassPlace(box));
-            EXPECT_NEAR(found.least, least, 1e-13);
-            EXPECT_NEAR(found.mean, sum / n, 1e-13);
+            expect_nearest(a, b, box);
+            expect_nearest(a, a, box);
+            expect_nearest(b, b, box);
         }
     const PointSet none{2, {}}, one{2, {0.5, 0.5}}, copied{2, {0.5, 0.5}};
     EXPECT_EQ(cross_nearest(none, one, ClassPlace(PeriodicBox{})).mean, std::numeric_limits<double>::infinity());
@@ -240,6 +309,49 @@ TEST(ClassPairs, MarkCorrelationIsTheShareOfPairsOfOneClass)
     for (std::size_t k = 0; k < steps.count; ++k)
         EXPECT_TRUE(g[k] == 0 || std::abs(found.values[k] - expected[k] / same / g[k]) < 1e-11) << k;
     EXPECT_LE(found.p_value, 0.1); // classes lie apart
+}
+
+TEST(ClassPairs, AreCountedOnce)
+{
+    std::mt19937_64 random(11);
+    const PointSet a = random_set(90, random), b = random_set(50, random);
+    const ClassPlace place = rectangle(1);
+    const ClassDistanceSteps steps = class_distance_steps(place, 140);
+    const double reach = steps.reach() + steps.half_width;
+    double own = 0, cross = 0, summed = -1;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) own += std::hypot(a[i][0] - a[j][0], a[i][1] - a[j][1]) <= reach;
+        for (std::size_t j = 0; j < b.size(); ++j) cross += std::hypot(a[i][0] - b[j][0], a[i][1] - b[j][1]) <= reach;
+    }
+    const std::vector<double> g = class_pair_correlation(a, a, place, steps, &summed);
+    EXPECT_EQ(summed, own);
+    EXPECT_EQ(class_pair_correlation(a, a, place, steps), g);
+    class_pair_correlation(a, b, place, steps, &summed);
+    EXPECT_EQ(summed, cross);
+    const PointSet none{2, {}};
+    class_pair_correlation(none, b, place, steps, &summed);
+    EXPECT_EQ(summed, 0);
+}
+
+TEST(ClassPairs, StopWhenTheUserAsksForIt)
+{
+    std::mt19937_64 random(12);
+    const PointSet a = random_set(30, random);
+    const std::vector<std::uint8_t> classes = [] {
+        std::vector<std::uint8_t> some(30);
+        for (std::size_t i = 0; i < some.size(); ++i) some[i] = i % 2;
+        return some;
+    }();
+    const ClassPlace place = rectangle(1);
+    const ClassDistanceSteps steps = class_distance_steps(place, a.size());
+    {
+        const InterruptScope scope;
+        std::raise(SIGINT);
+        EXPECT_THROW(class_pair_correlation(a, a, place, steps), Interrupted);
+        EXPECT_THROW(cross_nearest(a, a, place), Interrupted);
+        EXPECT_THROW(mark_correlation(a, classes, place, steps, 1), Interrupted);
+    }
+    const InterruptScope forgets; // the signal
 }
 
 TEST(ClassPairs, AreTheSameBytesOnAnyNumberOfThreads)

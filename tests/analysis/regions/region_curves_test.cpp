@@ -79,6 +79,31 @@ TEST_P(SpatstatTest, DistancesAreTheSame)
     expect_near(curves.f, numbers.fest, 0, 0.01, "Fest");
 }
 
+/// Points on opposite borders have vectors that leave nothing of the region in common with itself: of two copies of a
+/// set, one on each border, only pairs of the same border count.
+TEST(RegionPairs, OfOppositeBordersAreLeftOut)
+{
+    const FramedRegion strip({{{{{0, 0}, {100, 0}, {100, 1}, {0, 1}}}}}, "strip");
+    const SetCovariance covariance(strip.boundary().edges());
+    PointSet low{2, {}}, both{2, {}};
+    for (const double x : {1.0, 1.3, 20.5, 20.6, 21.4, 60.0, 99.9}) {
+        low.coordinates.insert(low.coordinates.end(), {x, 0});
+        both.coordinates.insert(both.coordinates.end(), {x, 0, x, 1});
+    }
+    const PairDistances distances{.step = 0.02 / strip.side(), .count = 75, .half_width = 0.3 / strip.side()};
+    const PairCurves of_low = region_pairs(strip.framed(low, "low"), strip, covariance, distances);
+    const PairCurves of_both = region_pairs(strip.framed(both, "both"), strip, covariance, distances);
+    const auto n = static_cast<double>(low.size());
+    const auto scaled = [&](std::vector<double> values) {
+        for (double& value : values) value *= (n - 1) / (2 * n - 1);
+        return values;
+    };
+    EXPECT_GT(of_low.k_translation.back(), 0);
+    expect_near(of_both.k_translation, scaled(of_low.k_translation), 1e-12, 0, "K, translation");
+    expect_near(of_both.g_smooth, scaled(of_low.g_smooth), 1e-12, 0, "g");
+    expect_near(of_both.g_of_bin, scaled(of_low.g_of_bin), 1e-12, 0, "g of bins");
+}
+
 INSTANTIATE_TEST_SUITE_P(Windows, SpatstatTest, testing::Bool(),
                          [](const auto& window) { return window.param ? "Rectangle" : "Polygon"; });
 

@@ -86,5 +86,14 @@ TEST(SetCovariance, ReachEndsWhereAShareIsLeft)
     EXPECT_EQ(covariance.reach(0.1, 0.05), 0.05);
 }
 
+TEST(SetCovariance, NarrowRegionsHaveAReach)
+{
+    for (const double height : {1e-2, 1e-3, 1e-5}) {
+        const FramedRegion framed({{{{{0, 0}, {1, 0}, {1, height}, {0, height}}}}}, "strip");
+        const double expected = 0.9 * box_of(framed.polygons()).height();
+        EXPECT_NEAR(SetCovariance(framed.boundary().edges()).reach(0.1, 1.4), expected, expected / 128) << height;
+    }
+}
+
 }
 }

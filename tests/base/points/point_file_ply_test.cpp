@@ -49,6 +49,49 @@ TEST(PointFilePly, DropsAZThatIsZeroAndKeepsAnyOther)
     EXPECT_EQ(read_ply(head + "0.1 0.2 0\n0.3 0.4 0.5\n"), (PointSet{3, {0.1, 0.2, 0, 0.3, 0.4, 0.5}}));
 }
 
+std::vector<std::string> classes_of_ply(const std::string& content)
+{
+    const TemporaryFolder folder;
+    std::vector<std::string> classes;
+    PointReading how;
+    how.classes = {"kind", [&](std::string_view name) { classes.emplace_back(name); }};
+    read_points(folder.write("points.ply", content), how);
+    return classes;
+}
+
+/// Numbers are one class if the property's type holds them as one, and classes of ascii files are those of binary ones.
+TEST(PointFilePly, NamesClassesByTheTypeOfTheirProperty)
+{
+    const auto head = [](const std::string& format, const std::string& type) {
+        return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty " +
+               type + " kind\nend_header\n";
+    };
+    const auto text = [&](const std::string& type, const std::vector<std::string>& words) {
+        std::string content = head("ascii", type);
+        for (const std::string& word : words) content += "0.5 0.25 " + word + "\n";
+        return classes_of_ply(content);
+    };
+    const auto binary = [&]<class T>(const std::string& type, const std::vector<T>& values) {
+        std::string content = head("binary_little_endian", type);
+        for (const T value : values)
+            for (const std::string& bytes : {bytes_of(0.5, std::endian::little), bytes_of(0.25, std::endian::little),
+                                             bytes_of(value, std::endian::little)})
+                content += bytes;
+        return classes_of_ply(content);
+    };
+    const auto ones = ElementsAre("1", "1", "1", "-7");
+    EXPECT_THAT(text("int", {"1", "01", "1.0", "-7"}), ones);
+    EXPECT_THAT(binary("int", std::vector<std::int32_t>{1, 1, 1, -7}), ones);
+    const auto fractions = ElementsAre("0.1", "0.1", "0", "0");
+    for (const char* type : {"float", "double"}) EXPECT_THAT(text(type, {"0.1", "0.10", "0", "-0.0"}), fractions);
+    EXPECT_THAT(binary("float", std::vector<float>{0.1F, 0.1F, 0, -0.0F}), fractions);
+    EXPECT_THAT(binary("double", std::vector<double>{0.1, 0.1, 0, -0.0}), fractions);
+    // More digits than a float has.
+    EXPECT_THAT(text("float", {"16777217", "16777216", "1e300", "nan"}),
+                ElementsAre("16777216", "16777216", "1e+300", ""));
+    EXPECT_THAT(text("uint", {"4294967295", "0", "1", "2"}), ElementsAre("4294967295", "0", "1", "2"));
+}
+
 TEST(PointFilePly, FindsCoordinatesAmongOtherPropertiesAndElements)
 {
     EXPECT_EQ(read_ply("ply\nformat ascii 1.0\nobj_info made by hand\nelement camera 1\nproperty list uchar int a\n"

@@ -164,6 +164,13 @@ sampler = "polyominoes"
 sampler = "polyominoes"
 density = "x + 1"
 [[method]]
+sampler = "hat-tiles"
+points = [5, 10000]
+[[method]]
+sampler = "spectre-tiles"
+points = [5, 10000]
+levels = 0
+[[method]]
 sampler = "penrose"
 points = [1000, 100000]
 [[method]]

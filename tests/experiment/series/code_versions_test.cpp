@@ -86,6 +86,7 @@ TEST(CodeVersions, CoverWhatDecidesResults)
         EXPECT_THAT(versions.at(version), Contains("base/files/byte_archive.hpp"));
     }
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("configs/tilings/hat.toml"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/classics/command_sampler.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/distribution/regions/region_points.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("analysis/regions/framed_region.cpp"));

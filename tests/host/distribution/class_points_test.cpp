@@ -5,12 +5,14 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
+#include "host/distribution/classes/class_set.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -204,6 +206,20 @@ TEST(ClassFiles, HoldPointsWithClasses)
     std::memcpy(&own, &records[records.size() - 24], 4);
     EXPECT_EQ(y, 0.2);
     EXPECT_EQ(own, 1U);
+}
+
+/// A name that reads as not-a-number is below and above no number, and must not come between numbers.
+TEST(ClassSet, NumbersClassesInOneOrderWhateverComesFirst)
+{
+    std::vector<std::string> names{"-2", "0.5", "1", "1.0", "10", "1e400", "nan", "oak"};
+    const std::vector<std::string> sorted{"-2", "0.5", "1", "1.0", "10", "1e400", "nan", "oak"};
+    std::ranges::sort(names);
+    do {
+        ClassSetPoints set;
+        number_classes(names, "a.csv", set);
+        ASSERT_EQ(set.names, sorted);
+        for (std::size_t i = 0; i < names.size(); ++i) ASSERT_EQ(sorted[set.classes[i]], names[i]);
+    } while (std::ranges::next_permutation(names).found);
 }
 
 }

@@ -1,4 +1,5 @@
 // Tables [[texture]] and [[packing]]: what they make, measured on sets whose seams cannot be told.
+#include "host/device/device.hpp"
 #include "host/distribution/textures/texture_run.hpp"
 #include "results/texture_measures.hpp"
 #include "tests/host/texture/random_picture.hpp"

@@ -139,6 +139,9 @@ TEST(EdgeChange, IsNothingWithoutEdges)
     const EdgeChange change = edge_change(windows, windows);
     EXPECT_EQ(change.lost, 0);
     EXPECT_EQ(change.gained, 0);
+    const EdgeChange made = edge_change(std::vector{window_statistics(edge_picture(edge_side, 1))}, windows);
+    EXPECT_EQ(made.lost, 0);
+    EXPECT_GT(made.gained, 100);
 }
 
 }
