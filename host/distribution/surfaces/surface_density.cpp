@@ -3,6 +3,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
+#include "base/programs/interrupt.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
@@ -23,7 +24,11 @@ namespace {
 /// The number of places that estimate the largest density and its mean.
 constexpr std::uint64_t density_places = 1 << 17;
 
-constexpr std::uint64_t most_failed_candidates = 10'000'000;
+/// Random places for each candidate at most, between the limits of all.
+constexpr std::uint64_t darts_a_candidate = 10'000, least_dart_limit = 10'000'000, most_dart_limit = 1'000'000'000;
+
+/// Places between two looks at signals.
+constexpr std::uint64_t darts_a_step = 1 << 18;
 
 /// Returns the pairs of points that have a weight. `distances` has the distance of each point, in units of the grid; a
 /// pair has the smaller one of its two. Pairs nearer than the part `least` of it have the largest weight.
@@ -131,31 +136,37 @@ double SurfaceDensity::at(const FixedSurface& surface, const SurfacePoint& point
 }
 
 DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity& density, std::size_t count,
-                                     const StreamKey& stream)
+                                     const StreamKey& stream,
+                                     const std::function<void(const std::string& what)>& on_step)
 {
     const std::vector<SurfacePiece> pieces = whole_pieces(surface);
     const SurfacePieceChoice choice = surface_piece_choice(surface, pieces);
     const auto dart = [&](std::uint64_t i) { return reference::surface_dart(surface, pieces, choice, stream, i); };
-    double largest = 0, sum = 0;
-    for (std::uint64_t i = 0; i < density_places; ++i) {
-        const double value = density.at(surface, dart(i));
-        largest = std::max(largest, value);
-        sum += value;
-    }
-    if (largest == 0) throw InputError("is 0 everywhere on the mesh, or nearly");
+    std::vector<double> values;
+    for (std::uint64_t i = 0; i < density_places; ++i) values.push_back(density.at(surface, dart(i)));
+    const double largest = std::ranges::max(values);
+    if (largest == 0) throw InputError(density.name() + ": is 0 everywhere on the mesh, or nearly");
+    double sum = 0; // of parts of the largest value, as the values may be too large or too small for a sum
+    for (const double value : values) sum += value / largest;
     DensityCandidates candidates;
     candidates.integral = sum / density_places * surface.area;
-    for (std::uint64_t i = 0, last = 0; candidates.points.size() < count; ++i) {
-        if (i - last > most_failed_candidates)
-            throw InputError(
-                "is large in too small a part of the mesh: ten million random places in a row were rejected");
+    const std::uint64_t most = std::clamp(darts_a_candidate * count, least_dart_limit, most_dart_limit);
+    for (std::uint64_t& i = candidates.darts; candidates.points.size() < count; ++i) {
+        if (i == most)
+            throw InputError(fmt::format("{}: is large in too small a part of the mesh: {} random places gave {} of {} "
+                                         "candidates",
+                                         density.name(), most, candidates.points.size(), count));
+        if (i % darts_a_step == 0) {
+            stop_if_interrupted();
+            if (on_step) on_step(fmt::format("{} of {} candidates", candidates.points.size(), count));
+        }
         const SurfacePoint point = dart(i);
-        const double value = std::min(density.at(surface, point), largest);
+        const double value = density.at(surface, point), part = std::min(value / largest, 1.0);
+        if (value > largest) ++candidates.larger;
         const auto words = philox({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i >> 32), 1, 0}, stream);
-        if (!(words[0] * 0x1p-32 < value / largest)) continue;
+        if (!(words[0] * 0x1p-32 < part)) continue;
         candidates.points.push_back(point);
-        candidates.densities.push_back(value);
-        last = i;
+        candidates.densities.push_back(std::max(part, 0x1p-32)); // the least chance of a word
     }
     return candidates;
 }

@@ -12,6 +12,8 @@
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +32,8 @@ public:
     /// The density at a point, in any unit. Throws InputError, with the place, where it is negative or not finite.
     double at(const FixedSurface& surface, const SurfacePoint& point);
 
+    const std::string& name() const { return name_; }
+
 private:
     double value_at(const FixedSurface& surface, const SurfacePoint& point);
 
@@ -40,18 +44,21 @@ private:
     std::unique_ptr<SpaceFormula> formula_;
 };
 
-/// Random points of a density, with the density at each.
+/// Random points of a density, with the density at each, as a part of the largest one.
 struct DensityCandidates
 {
     std::vector<SurfacePoint> points;
     std::vector<double> densities;
-    double integral = 0; ///< the density's integral over the surface, from some 10^5 places
+    double integral = 0;      ///< of those parts over the surface, from some 10^5 places
+    std::uint64_t darts = 0;  ///< random places from which the points were chosen
+    std::uint64_t larger = 0; ///< of these: places with a larger density than the largest of some 10^5
 };
 
-/// Returns `count` independent points. Peaks that none of these places meets are flattened. Throws InputError if the
-/// density is 0 everywhere, or nearly.
+/// Returns `count` independent points. Peaks that none of some 10^5 places meets are flattened. Throws InputError, with
+/// the density's name, if the density is 0 everywhere, or nearly, or large in too small a part of the surface.
 DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity& density, std::size_t count,
-                                     const StreamKey& stream);
+                                     const StreamKey& stream,
+                                     const std::function<void(const std::string& what)>& on_step = {});
 
 /// Returns `kept` of the candidates in progressive order. Uses a heap on the host.
 std::vector<SurfacePoint> eliminate_by_density(const FixedSurface& surface, const DensityCandidates& candidates,

@@ -158,12 +158,12 @@ std::vector<bool> kept_in_order(const FixedSurface& surface, const std::vector<S
 }
 
 bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
-                   std::int32_t least_cosine)
+                   std::int32_t least_cosine, std::size_t first)
 {
     const double units = surface.units_of(distance) * (1 - 0x1p-50);
     const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(units) + 1);
-    std::vector<char> is_kept(points.size());
-    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    std::vector<char> is_kept(points.size(), 1);
+    tbb::parallel_for(first, points.size(), [&](std::size_t i) {
         const std::uint64_t squared = near.squared_nearest(i, least_cosine);
         is_kept[i] = squared == no_distance || std::sqrt(static_cast<double>(squared)) >= units;
     });

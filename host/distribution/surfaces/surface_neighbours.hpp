@@ -6,6 +6,7 @@
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -56,8 +57,9 @@ std::vector<bool> kept_in_order(const FixedSurface& surface, const std::vector<S
                                 const std::vector<std::uint32_t>& order, double distance, std::int32_t least_cosine);
 
 /// Are all points that see each other at least so far from each other, in the mesh's units, but for what doubles round?
+/// Pairs of points before number `first` are not looked at.
 bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,
-                   std::int32_t least_cosine);
+                   std::int32_t least_cosine, std::size_t first = 0);
 
 /// In the mesh's units. There are two points or more; infinite where normals are too far apart for any two. Of more
 /// than 10,000 points, those that see none within some sixteen mean distances count as seeing none. `area`: of the part

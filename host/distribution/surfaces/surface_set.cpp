@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -46,12 +47,32 @@ void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
 {
     if (!settings.points || darts.points.size() >= *settings.points) return;
     const double share = std::sqrt(static_cast<double>(darts.points.size()) / static_cast<double>(*settings.points));
-    throw InputError(fmt::format(
-        "the surface is saturated with {} of {} points: no further one fits; {} can be reached", darts.points.size(),
-        *settings.points,
-        settings.min_distance
-            ? fmt::format("a minimum distance of about {:.4g}", 0.99 * share * *settings.min_distance)
-            : fmt::format("a relative radius of about {:.3f}", 0.99 * share * settings.relative_radius.value_or(0))));
+    std::string advice;
+    if (!darts.points.empty() && settings.start.empty() && settings.obstacles.empty())
+        advice = settings.min_distance ? fmt::format("; a minimum distance of about {:.4g} can be reached",
+                                                     0.99 * share * *settings.min_distance)
+                                       : fmt::format("; a relative radius of about {:.3f} can be reached",
+                                                     0.99 * share * settings.relative_radius.value_or(0));
+    throw InputError(fmt::format("the surface is saturated with {} of {} points: no further one fits{}",
+                                 darts.points.size(), *settings.points, advice));
+}
+
+/// Files of points on a mesh have places that are rounded; farther ones, in units of the grid, are told of.
+constexpr double rounded_units = 8;
+
+/// Adds a note if points of the file lie off the surface, to which they were moved.
+void note_moved(std::vector<std::string>& notes, const std::filesystem::path& file, const FixedSurface& surface,
+                const std::vector<SurfacePoint>& points)
+{
+    if (file.empty()) return;
+    const PointSet given = points_in_space(file), moved = points_of(surface, points);
+    double farthest = 0;
+    for (std::size_t i = 0; i < std::min(given.size(), moved.size()); ++i)
+        farthest = std::max(
+            farthest, std::hypot(given[i][0] - moved[i][0], given[i][1] - moved[i][1], given[i][2] - moved[i][2]));
+    if (farthest > rounded_units * surface.unit)
+        notes.push_back(
+            fmt::format("{}: points were moved to the surface, by at most {:.4g}", file.string(), farthest));
 }
 
 SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
@@ -70,17 +91,14 @@ SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlac
     return throw_surface_darts(request, *surface_dart_engine(request, device), most, tell);
 }
 
-/// All points are looked at once more, without what threw them.
+/// New points are looked at once more, without what threw them. Given points may be nearer to each other.
 void check_distances(const SurfaceDartRequest& request, const SurfaceDarts& darts)
 {
-    const FixedSurface& surface = *request.surface;
-    bool is_kept = keep_distance(surface, darts.points, darts.min_distance, least_cosine(request.angle));
-    const double units = surface.units_of(darts.min_distance) * (1 - 0x1p-50);
-    const SurfaceNeighbours obstacles(surface, request.obstacles, static_cast<std::uint64_t>(units) + 1);
-    for (std::size_t i = request.start.size(); i < darts.points.size() && !request.obstacles.empty(); ++i)
-        is_kept = is_kept && !obstacles.is_near(darts.points[i], static_cast<std::uint64_t>(units * units),
-                                                least_cosine(request.angle));
-    if (!is_kept) throw std::logic_error("darts are nearer to each other than they may be");
+    std::vector<SurfacePoint> all = request.obstacles;
+    all.insert(all.end(), darts.points.begin(), darts.points.end());
+    if (!keep_distance(*request.surface, all, darts.min_distance, least_cosine(request.angle),
+                       request.obstacles.size() + request.start.size()))
+        throw std::logic_error("darts are nearer to each other than they may be");
 }
 
 /// Returns `kept` of these points, in an order whose first parts are even.
@@ -110,7 +128,7 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
     const bool shrinks = settings.points && !settings.min_distance && !settings.relative_radius;
     const double distance = surface_distance(settings, *mesh);
     const SurfaceDartRequest request{.surface = {mesh, &mesh->surface},
-                                     .min_distance = shrinks ? std::min(distance, beginning->least) : distance,
+                                     .min_distance = distance,
                                      .angle = settings.normal_angle,
                                      .points = settings.points.value_or(0),
                                      .shrinking = shrinks ? settings.factor : 1,
@@ -122,9 +140,21 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
     check_distances(request, darts);
     if (settings.order == SurfaceOrder::elimination)
         darts.points = eliminated(darts.points, darts.points.size(), settings, mesh, place);
-    SurfaceSet set{std::move(mesh),    std::move(darts.points), darts.min_distance, settings.normal_angle,
-                   darts.is_saturated, darts.small_area,        darts.darts};
+    SurfaceSet set{std::move(mesh),
+                   std::move(darts.points),
+                   std::min(darts.min_distance, beginning->least),
+                   settings.normal_angle,
+                   darts.is_saturated,
+                   darts.small_area,
+                   darts.darts};
+    set.dart_distance = darts.min_distance;
     set.obstacles = beginning->obstacles;
+    note_moved(set.notes, settings.start, set.mesh->surface, beginning->start);
+    note_moved(set.notes, settings.obstacles, set.mesh->surface, beginning->obstacles);
+    if (beginning->least < darts.min_distance && set.points.size() > beginning->start.size())
+        set.notes.push_back(
+            fmt::format("two points of the start are {:.6g} apart, nearer than the {:.6g} that new points keep",
+                        beginning->least, darts.min_distance));
     return set;
 }
 
@@ -134,11 +164,15 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
     const std::size_t count = *settings.points * settings.candidates;
     if (!settings.density.empty()) {
         SurfaceDensity density(settings.density, settings.density_from, mesh->mesh);
-        const auto random =
-            density_candidates(mesh->surface, density, count, stream_key(seed, Purpose::surface_candidates, 0));
+        const auto random = density_candidates(mesh->surface, density, count,
+                                               stream_key(seed, Purpose::surface_candidates, 0), place.on_step);
         SurfaceSet set{std::move(mesh), {}, 0, settings.normal_angle, false, 0, count};
         set.points = eliminate_by_density(set.mesh->surface, random, *settings.points, settings.normal_angle);
         set.follows_density = true;
+        if (random.larger > 0)
+            set.notes.push_back(fmt::format("the density is larger at {} of {} places than the largest value that was "
+                                            "looked for: peaks are flattened",
+                                            random.larger, random.darts));
         return set;
     }
     const auto candidates = surface_candidates(mesh->surface, count, stream_key(seed, Purpose::surface_candidates, 0));
@@ -146,10 +180,12 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
     return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
 }
 
-/// The part of the surface that is not nearer than a distance to any point, from uniform places.
-DistributionNumber uncovered_part(const SurfaceSet& set, double distance, std::uint64_t seed)
+/// The part of the surface that is not nearer than a distance to any point, from uniform places: the distance of darts,
+/// or the least one of the set.
+DistributionNumber uncovered_part(const SurfaceSet& set, double least, std::uint64_t seed)
 {
     const FixedSurface& surface = set.mesh->surface;
+    const double kept = std::max(set.dart_distance, set.min_distance), distance = kept > 0 ? kept : least;
     const double units = surface.units_of(distance);
     std::vector<SurfacePoint> all = set.points;
     all.insert(all.end(), set.obstacles.begin(), set.obstacles.end());
@@ -163,8 +199,11 @@ DistributionNumber uncovered_part(const SurfaceSet& set, double distance, std::u
                                    squared_threshold(units * 0x1p-32), least_cosine(set.angle));
     const double part = static_cast<double>(uncovered) / looked_at;
     return {"uncovered", "Uncovered part", part,
-            fmt::format("of the surface: no point is nearer than the {} distance; from {} places",
-                        set.min_distance > 0 ? "minimum" : "least", looked_at),
+            fmt::format("of the surface: no point is nearer than the {}; from {} places",
+                        kept == 0                 ? "least distance"
+                        : kept > set.min_distance ? "distance that new points keep"
+                                                  : "minimum distance",
+                        looked_at),
             std::sqrt(std::max(part, 1.0 / looked_at) * (1 - part) / looked_at)};
 }
 
@@ -246,7 +285,8 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
 SurfaceDots dots_of(const SurfaceSet& set)
 {
     const double spacing = std::sqrt(set.mesh->surface.area / static_cast<double>(set.points.size()));
-    return {set.min_distance > 0 ? set.min_distance : spacing, set.mesh->surface.open_edges == 0};
+    const double kept = std::max(set.dart_distance, set.min_distance);
+    return {kept > 0 ? kept : spacing, set.mesh->surface.open_edges == 0};
 }
 
 std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint64_t seed)
@@ -283,7 +323,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
         numbers.push_back({"uncovered", "Uncovered part", set.small_area / surface.area,
                            "of the surface, at most: proven, piece by piece"});
     else if (!set.tiling) // of which a seam may have two points at nearly one place
-        numbers.push_back(uncovered_part(set, set.min_distance > 0 ? set.min_distance : found.least, seed));
+        numbers.push_back(uncovered_part(set, found.least, seed));
     return numbers;
 }
 

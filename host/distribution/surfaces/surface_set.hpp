@@ -111,6 +111,7 @@ struct SurfaceSet
     std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
     std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
     bool follows_density = false;
+    double dart_distance = 0; ///< that darts keep: more than min_distance where points of the start are nearer
     std::vector<SurfacePoint> obstacles{}; ///< points from which darts keep away
     std::vector<std::string> notes{};      ///< sentences on the set for users; those on its mesh are separate
 

@@ -95,14 +95,14 @@ struct SurfaceDartRequest
     std::size_t points = 0;  ///< 0: to saturation
     double shrinking = 1;    ///< what the distance is multiplied by when no further point fits; 1: it stays
     StreamKey stream{};
-    std::vector<SurfacePoint> start = {};     ///< the first points of the set, which keep the first distance
+    std::vector<SurfacePoint> start = {};     ///< the first points of the set, however near to each other
     std::vector<SurfacePoint> obstacles = {}; ///< points that keep others away and do not belong to the set
 };
 
 struct SurfaceDarts
 {
     std::vector<SurfacePoint> points; ///< points of the start, then others in the order in which they were accepted
-    double min_distance = 0;          ///< that they keep: the last one, where it shrinks
+    double min_distance = 0;          ///< that new points keep from all: the last one, where it shrinks
     bool is_saturated = false;        ///< no further point fits
     double small_area = 0;            ///< of pieces within the limit that are not proven to be covered
     std::uint64_t darts = 0;          ///< that were thrown

@@ -154,6 +154,29 @@ TEST(SurfaceSets, BeginWithTheirOwnPoints)
         }
 }
 
+/// Two near points of the start do not make the distance of all others small.
+TEST(SurfaceSets, StayEvenWhereGivenPointsAreNear)
+{
+    MeshPointSettings settings = settings_on(square_mesh());
+    settings.points = 500;
+    const TemporaryFolder folder;
+    settings.start = folder.path() / "pair.csv";
+    write_points(settings.start, {3, {0.5, 0.5, 0, 0.5, 0.501, 0}});
+    const SurfaceSet set = make_surface_set(settings, 1, on_reference);
+    const PointSet places = set.places();
+    ASSERT_EQ(places.size(), 500U);
+    double least = INFINITY; // but for the pair
+    for (std::size_t i = 2; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]));
+    EXPECT_GT(least / std::sqrt(2 / std::sqrt(3.0) / 500), 0.74); // as without a start
+    EXPECT_NEAR(set.min_distance, 0.001, 1e-8);
+    EXPECT_LE(set.min_distance, number_in(set, "least_distance"));
+    EXPECT_LT(number_in(set, "uncovered"), 0.02);
+    EXPECT_THAT(set.notes, testing::ElementsAre(testing::MatchesRegex("two points of the start are 0.001 apart, nearer "
+                                                                      "than the 0.0[34][0-9]+ that new points keep")));
+}
+
 TEST(SurfaceSets, KeepAwayFromObstacles)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(12));
@@ -165,11 +188,20 @@ TEST(SurfaceSets, KeepAwayFromObstacles)
     settings.min_distance = 0.3;
     const SurfaceSet set = make_surface_set(settings, 1, on_reference);
     EXPECT_TRUE(set.is_saturated);
+    // The second one is sqrt(1 + 0.03^2) - 1 off the sphere, and the mesh of it lies some thousandths inside.
+    EXPECT_THAT(set.notes, testing::ElementsAre(testing::HasSubstr("obstacles.csv: points were moved to the surface, "
+                                                                   "by at most 0.0")));
     const PointSet places = set.places();
     EXPECT_GE(least_between(places, places), 0.3 * (1 - 1e-15));
     EXPECT_GE(least_between(places, obstacles), 0.3 - 0.01); // the second one is moved to the sphere
     const PointSet poles{3, {0, 0, 1, 0, 0, -1}};
     EXPECT_GE(least_between(places, poles), 0.3 * (1 - 1e-15) - 2 * set.mesh->surface.unit);
+    settings.points = 5000;
+    EXPECT_THAT(message_of([&] { make_surface_set(settings, 1, on_reference); }),
+                testing::EndsWith("further one fits"));
+    settings.points.reset();
+    write_points(settings.obstacles, poles); // corners of the mesh
+    EXPECT_THAT(make_surface_set(settings, 1, on_reference).notes, testing::IsEmpty());
     settings.obstacles.clear();
     settings.min_distance = 0.3;
     EXPECT_LT(least_between(make_surface_set(settings, 1, on_reference).places(), poles), 0.3);
