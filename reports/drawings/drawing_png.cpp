@@ -1,5 +1,4 @@
 // Drawings as PNG: Cairo paints a band of rows at a time.
-//
 // Polygons may share edges, where Cairo's own smoothing, which blends one over the other, would leave seams. So where
 // there are some, every shape is sampled in 4 x 4 places a pixel: a sample takes the colour of the last shape that it
 // lies in, and pixels are the mean of their samples. Elsewhere Cairo smoothes, which is faster. Both take means of sRGB
@@ -43,9 +42,8 @@ CairoSurface surface_of(int width, int height)
 /// A row of pixels 0x00rrggbb.
 std::uint32_t* row_of(cairo_surface_t* surface, int row)
 {
-    unsigned char* const first = cairo_image_surface_get_data(surface) +
-                                 static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface);
-    return reinterpret_cast<std::uint32_t*>(first);
+    const std::ptrdiff_t offset = std::ptrdiff_t{row} * cairo_image_surface_get_stride(surface);
+    return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface) + offset);
 }
 
 CairoSurface surface_of(const PngPixels& pixels)
@@ -96,9 +94,8 @@ void write_means_of_light(cairo_surface_t* surface, int row, std::uint8_t* pixel
         for (int channel = 0; channel < channels; ++channel) {
             float sum = 0; // of whole numbers below 2^20
             for (int i = 0; i < count; ++i) {
-                const std::uint32_t color =
-                    row_of(surface, row + i / smooth_samples)[x * smooth_samples + i % smooth_samples];
-                sum += light[color >> (16 - 8 * channel) & 0xff];
+                const std::uint32_t* const samples = row_of(surface, row + i / smooth_samples) + x * smooth_samples;
+                sum += light[samples[i % smooth_samples] >> (16 - 8 * channel) & 0xff];
             }
             pixel[channel] = byte_of_light(sum / count);
         }

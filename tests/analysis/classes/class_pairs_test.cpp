@@ -1,37 +1,20 @@
 // Pairs of points with classes are compared with sums over all pairs and with closed forms.
 #include "analysis/classes/class_pairs.hpp"
 
-#include "base/programs/interrupt.hpp"
-#include "base/programs/interrupt_scope.hpp"
-#include "base/regions/region_text.hpp"
+#include "tests/analysis/classes/class_sets.hpp"
 #include "tests/support/statistics.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace poissonlab {
 namespace {
-
-PointSet random_set(std::size_t count, std::mt19937_64& random)
-{
-    std::uniform_real_distribution<double> uniform;
-    PointSet set{2, {}};
-    for (std::size_t i = 0; i < 2 * count; ++i) set.coordinates.push_back(uniform(random));
-    return set;
-}
-
-/// Returns a rectangle in its frame, whose longest side is 1: the common areas have a closed form.
-ClassPlace rectangle(double height)
-{
-    const PlaneRegion region{{{{{0, 0}, {1, 0}, {1, height}, {0, height}}}}};
-    return ClassPlace(std::make_shared<const FramedRegion>(region, "rectangle"));
-}
 
 PointSet squeezed(PointSet set, double height)
 {
@@ -80,8 +63,8 @@ TEST(ClassPairs, AreSumsOverAllPairs)
     const std::vector<double> sides{3, 2};
     const PeriodicBox boxes[]{{}, periodic_box(sides)};
     for (const auto& [n, m] : {std::pair{1, 1}, {1, 2}, {2, 3}, {3, 40}, {60, 25}}) {
-        const PointSet a = random_set(static_cast<std::size_t>(n), random),
-                       b = random_set(static_cast<std::size_t>(m), random);
+        const PointSet a = random_class_set(static_cast<std::size_t>(n), random),
+                       b = random_class_set(static_cast<std::size_t>(m), random);
         for (const PeriodicBox& box : boxes) {
             const ClassPlace torus(box);
             const ClassDistanceSteps steps = class_distance_steps(torus, a.size() + b.size());
@@ -92,7 +75,7 @@ TEST(ClassPairs, AreSumsOverAllPairs)
         // The frame is a little larger than the rectangle.
         for (const double height : {1.0, 0.6}) {
             const PointSet c = squeezed(a, height), d = squeezed(b, height);
-            const ClassPlace region = rectangle(height);
+            const ClassPlace region = class_rectangle(height);
             const RegionBox framed = box_of(region.region()->polygons());
             const ClassDistanceSteps steps = class_distance_steps(region, a.size() + b.size());
             expect_same(class_pair_correlation(c, d, region, steps), brute_force_g(c, d, steps, nullptr, framed));
@@ -106,8 +89,8 @@ TEST(ClassPairs, AreSumsOverAllPairs)
 TEST(ClassPairs, CurvesEndWhereThePlaceEnds)
 {
     std::mt19937_64 random(10);
-    const PointSet a = random_set(12, random);
-    const ClassPlace square = rectangle(1), torus{PeriodicBox{}};
+    const PointSet a = random_class_set(12, random);
+    const ClassPlace square = class_rectangle(1), torus{PeriodicBox{}};
     const RegionBox box = box_of(square.region()->polygons());
     // A vector of length r leaves (1 - r |cos|) (1 - r |sin|) of the square: the root where this is 0.1, least of all
     // in the direction of pi / 16.
@@ -128,11 +111,11 @@ TEST(ClassPairs, CurvesEndWhereThePlaceEnds)
 TEST(ClassPairs, OfOppositeBordersAreLeftOut)
 {
     constexpr double height = 0.01;
-    const ClassPlace strip = rectangle(height);
+    const ClassPlace strip = class_rectangle(height);
     const RegionBox box = box_of(strip.region()->polygons());
     std::mt19937_64 random(9);
     PointSet low{2, {}}, both{2, {}};
-    for (const double x : random_set(20, random).coordinates) {
+    for (const double x : random_class_set(20, random).coordinates) {
         low.coordinates.insert(low.coordinates.end(), {x * box.width(), 0});
         both.coordinates.insert(both.coordinates.end(), {x * box.width(), 0, x * box.width(), box.high[1]});
     }
@@ -154,63 +137,18 @@ TEST(ClassPairs, OfOppositeBordersAreLeftOut)
         EXPECT_FALSE(std::isinf(value) || value < 0);
 }
 
-/// Compares the distances from nearest points on a torus with those of all pairs. A point's own copies do not count.
-void expect_nearest(const PointSet& a, const PointSet& b, const PeriodicBox& box)
-{
-    double least = std::numeric_limits<double>::infinity(), sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            if (&a == &b && i == j) continue;
-            double x = std::abs(a[i][0] - b[j][0]), y = std::abs(a[i][1] - b[j][1]);
-            x = std::min(x, 1 - x) * box.sides[0], y = std::min(y, 1 - y) * box.sides[1];
-            nearest = std::min(nearest, std::hypot(x, y));
-        }
-        least = std::min(least, nearest);
-        sum += nearest;
-    }
-    const CrossNearest found = cross_nearest(a, b, ClassPlace(box));
-    if (std::isinf(least)) {
-        EXPECT_EQ(found.least, least);
-        EXPECT_EQ(found.mean, least);
-        return;
-    }
-    EXPECT_NEAR(found.least, least, 1e-13);
-    EXPECT_NEAR(found.mean, sum / static_cast<double>(a.size()), 1e-13);
-}
-
-TEST(ClassPairs, NearestDistancesAreThoseOfAllPairs)
-{
-    std::mt19937_64 random(4);
-    const std::vector<double> sides{1, 7}, longest{100, 1};
-    for (const PeriodicBox& box : {PeriodicBox{}, periodic_box(sides), periodic_box(longest)})
-        for (const auto& [n, m] : {std::pair{1, 1}, {5, 1}, {2, 3}, {40, 300}}) {
-            const PointSet a = random_set(static_cast<std::size_t>(n), random),
-                           b = random_set(static_cast<std::size_t>(m), random);
-            expect_nearest(a, b, box);
-            expect_nearest(a, a, box);
-            expect_nearest(b, b, box);
-        }
-    const PointSet none{2, {}}, one{2, {0.5, 0.5}}, copied{2, {0.5, 0.5}};
-    EXPECT_EQ(cross_nearest(none, one, ClassPlace(PeriodicBox{})).mean, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(cross_nearest(one, one, ClassPlace(PeriodicBox{})).mean, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(cross_nearest(one, copied, ClassPlace(PeriodicBox{})).mean, 0);
-    EXPECT_TRUE(std::isnan(class_pair_correlation(one, one, ClassPlace(PeriodicBox{}),
-                                                  class_distance_steps(ClassPlace(PeriodicBox{}), 1))[0]));
-}
-
 /// Independent random points have g = 1 from the kernel's half width on, in every place. 200 distances in 2 places are
 /// tested, and no z-score of 20 seeds may be beyond 5 (Student's t with 19 degrees: 8e-5 twice 180 times is 0.03).
 TEST(ClassPairs, OfIndependentClassesAreOne)
 {
     constexpr int seeds = 20;
     for (const bool is_torus : {true, false}) {
-        const ClassPlace place = is_torus ? ClassPlace(PeriodicBox{}) : rectangle(0.6);
+        const ClassPlace place = is_torus ? ClassPlace(PeriodicBox{}) : class_rectangle(0.6);
         const ClassDistanceSteps steps = class_distance_steps(place, 500);
         std::vector<std::vector<double>> curves;
         for (int seed = 0; seed < seeds; ++seed) {
             std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 100);
-            const PointSet a = random_set(200, random), b = random_set(300, random);
+            const PointSet a = random_class_set(200, random), b = random_class_set(300, random);
             curves.push_back(
                 class_pair_correlation(is_torus ? a : squeezed(a, 0.6), is_torus ? b : squeezed(b, 0.6), place, steps));
         }
@@ -251,8 +189,8 @@ TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
 {
     std::mt19937_64 random(6);
     constexpr std::size_t points = 120, count = 400;
-    const PointSet all = squeezed(random_set(points, random), 0.6);
-    const ClassPlace place = rectangle(0.6);
+    const PointSet all = squeezed(random_class_set(points, random), 0.6);
+    const ClassPlace place = class_rectangle(0.6);
     const ClassDistanceSteps steps = class_distance_steps(place, points);
     const std::vector<double> of_union = class_pair_correlation(all, all, place, steps);
     std::vector<std::uint8_t> labels(points);
@@ -287,7 +225,7 @@ TEST(ClassPairs, OfRandomLabelsAreThoseOfTheUnion)
 TEST(ClassPairs, MarkCorrelationIsTheShareOfPairsOfOneClass)
 {
     std::mt19937_64 random(7);
-    const PointSet all = random_set(80, random);
+    const PointSet all = random_class_set(80, random);
     const ClassPlace place{PeriodicBox{}};
     const ClassDistanceSteps steps = class_distance_steps(place, 80);
     std::vector<std::uint8_t> labels(80);
@@ -309,60 +247,6 @@ TEST(ClassPairs, MarkCorrelationIsTheShareOfPairsOfOneClass)
     for (std::size_t k = 0; k < steps.count; ++k)
         EXPECT_TRUE(g[k] == 0 || std::abs(found.values[k] - expected[k] / same / g[k]) < 1e-11) << k;
     EXPECT_LE(found.p_value, 0.1); // classes lie apart
-}
-
-TEST(ClassPairs, AreCountedOnce)
-{
-    std::mt19937_64 random(11);
-    const PointSet a = random_set(90, random), b = random_set(50, random);
-    const ClassPlace place = rectangle(1);
-    const ClassDistanceSteps steps = class_distance_steps(place, 140);
-    const double reach = steps.reach() + steps.half_width;
-    double own = 0, cross = 0, summed = -1;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) own += std::hypot(a[i][0] - a[j][0], a[i][1] - a[j][1]) <= reach;
-        for (std::size_t j = 0; j < b.size(); ++j) cross += std::hypot(a[i][0] - b[j][0], a[i][1] - b[j][1]) <= reach;
-    }
-    const std::vector<double> g = class_pair_correlation(a, a, place, steps, &summed);
-    EXPECT_EQ(summed, own);
-    EXPECT_EQ(class_pair_correlation(a, a, place, steps), g);
-    class_pair_correlation(a, b, place, steps, &summed);
-    EXPECT_EQ(summed, cross);
-    const PointSet none{2, {}};
-    class_pair_correlation(none, b, place, steps, &summed);
-    EXPECT_EQ(summed, 0);
-}
-
-TEST(ClassPairs, StopWhenTheUserAsksForIt)
-{
-    std::mt19937_64 random(12);
-    const PointSet a = random_set(30, random);
-    const std::vector<std::uint8_t> classes = [] {
-        std::vector<std::uint8_t> some(30);
-        for (std::size_t i = 0; i < some.size(); ++i) some[i] = i % 2;
-        return some;
-    }();
-    const ClassPlace place = rectangle(1);
-    const ClassDistanceSteps steps = class_distance_steps(place, a.size());
-    {
-        const InterruptScope scope;
-        std::raise(SIGINT);
-        EXPECT_THROW(class_pair_correlation(a, a, place, steps), Interrupted);
-        EXPECT_THROW(cross_nearest(a, a, place), Interrupted);
-        EXPECT_THROW(mark_correlation(a, classes, place, steps, 1), Interrupted);
-    }
-    const InterruptScope forgets; // the signal
-}
-
-TEST(ClassPairs, AreTheSameBytesOnAnyNumberOfThreads)
-{
-    std::mt19937_64 random(8);
-    const PointSet a = random_set(500, random), b = random_set(700, random);
-    const ClassPlace place{PeriodicBox{}};
-    const ClassDistanceSteps steps = class_distance_steps(place, 1200);
-    const std::vector<double> g = class_pair_correlation(a, b, place, steps);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(class_pair_correlation(a, b, place, steps), g);
 }
 
 }
