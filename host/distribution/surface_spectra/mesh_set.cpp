@@ -108,6 +108,13 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
     MeshWithPoints read;
     read.surface = settings.surface ? settings.surface : surface_of(settings);
     const FixedSurface& surface = read.surface->surface;
+    constexpr double most_area =
+        1e120; // its square, which the matrices need, is a double, and so is that of its inverse
+    if (!(surface.area >= 1 / most_area && surface.area <= most_area))
+        throw InputError(
+            fmt::format("{}: the mesh has an area of {:.3g}: must be from 1e-120 to 1e+120; choose another "
+                        "unit of length",
+                        settings.mesh.string(), surface.area));
     read.mesh = triangles_of(surface);
     const PointSet places = points_in_space(settings.set);
     if (places.size() < 2) throw InputError(settings.set.string() + ": has one point; a spectrum needs at least two");

@@ -138,6 +138,17 @@ TEST_F(MeshSets, OfTwoAndThreePointsAreMeasured)
     }
 }
 
+TEST_F(MeshSets, OnMeshesWhoseSquaredAreasAreNoDoublesAreRefused)
+{
+    for (const double side : {1e-61, 1e61}) {
+        TriangleMesh mesh = square_mesh(2);
+        for (MeshPoint& vertex : mesh.vertices)
+            for (double& c : vertex) c *= side;
+        const MeshSetSettings settings = settings_of(mesh, {3, {0, 0, 0, side / 2, 0, 0}});
+        EXPECT_THAT(message_of([&] { read_mesh_set(settings); }), HasSubstr("must be from 1e-120 to 1e+120"));
+    }
+}
+
 TEST_F(MeshSets, OffTheMeshAreRefused)
 {
     const PointSet off{3, {0.5, 0.5, 0.001, 0.25, 0.5, 0.2, 0.75, 0.5, 0}};
