@@ -1,7 +1,7 @@
 // A packing over three colours around one over two, by annealing at a fixed temperature.
 #include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
-#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/packings.hpp"
 
 #include <array>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 #include "reports/drawings/tile_image.hpp"
 #include "reports/drawings/tilings/puzzle_image.hpp"
 #include "tiles/packing/closed_packing.hpp"
-#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/packings.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

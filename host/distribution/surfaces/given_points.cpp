@@ -14,6 +14,9 @@
 namespace poissonlab {
 namespace {
 
+/// Files of points on a mesh have places that are rounded; farther ones, in units of the grid, are told of.
+constexpr double rounded_units = 8;
+
 /// Points of files may be this part of the minimum distance away from the surface.
 constexpr double off_surface = 0.1;
 
@@ -121,8 +124,12 @@ std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSetting
     const FixedSurface& surface = mesh.surface;
     const double distance = surface_distance(settings, mesh);
     const auto read = [&](const std::filesystem::path& file) {
-        return file.empty() ? std::vector<SurfacePoint>{}
-                            : points_on_surface(surface, points_in_space(file), off_surface * distance, file).points;
+        if (file.empty()) return std::vector<SurfacePoint>{};
+        GivenPoints given = points_on_surface(surface, points_in_space(file), off_surface * distance, file);
+        if (given.farthest > rounded_units * surface.unit)
+            beginning->notes.push_back(
+                fmt::format("{}: points were moved to the surface, by at most {:.4g}", file.string(), given.farthest));
+        return std::move(given.points);
     };
     beginning->start = read(settings.start);
     beginning->obstacles = read(settings.obstacles);

@@ -57,24 +57,6 @@ void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
                                  darts.points.size(), *settings.points, advice));
 }
 
-/// Files of points on a mesh have places that are rounded; farther ones, in units of the grid, are told of.
-constexpr double rounded_units = 8;
-
-/// Adds a note if points of the file lie off the surface, to which they were moved.
-void note_moved(std::vector<std::string>& notes, const std::filesystem::path& file, const FixedSurface& surface,
-                const std::vector<SurfacePoint>& points)
-{
-    if (file.empty()) return;
-    const PointSet given = points_in_space(file), moved = points_of(surface, points);
-    double farthest = 0;
-    for (std::size_t i = 0; i < std::min(given.size(), moved.size()); ++i)
-        farthest = std::max(
-            farthest, std::hypot(given[i][0] - moved[i][0], given[i][1] - moved[i][1], given[i][2] - moved[i][2]));
-    if (farthest > rounded_units * surface.unit)
-        notes.push_back(
-            fmt::format("{}: points were moved to the surface, by at most {:.4g}", file.string(), farthest));
-}
-
 SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
 {
     const auto tell = [&](std::size_t points) {
@@ -149,8 +131,7 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
                    darts.darts};
     set.dart_distance = darts.min_distance;
     set.obstacles = beginning->obstacles;
-    note_moved(set.notes, settings.start, set.mesh->surface, beginning->start);
-    note_moved(set.notes, settings.obstacles, set.mesh->surface, beginning->obstacles);
+    set.notes.insert(set.notes.end(), beginning->notes.begin(), beginning->notes.end());
     if (beginning->least < darts.min_distance && set.points.size() > beginning->start.size())
         set.notes.push_back(
             fmt::format("two points of the start are {:.6g} apart, nearer than the {:.6g} that new points keep",

@@ -56,6 +56,7 @@ struct SurfaceBeginning
 {
     std::vector<SurfacePoint> start, obstacles;
     double least = 0; ///< the least distance of points of the start that see each other; infinite where none do
+    std::vector<std::string> notes; ///< on files whose points lie off the surface, to which they are moved
 };
 
 /// kind = "surface": points on the triangles of a mesh, also those of tiles over its texture coordinates.

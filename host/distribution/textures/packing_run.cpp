@@ -6,7 +6,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "tiles/packing/closed_packing.hpp"
-#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/packings.hpp"
 #include "tiles/packing/puzzle_piece.hpp"
 
 #include <fmt/format.h>

@@ -181,7 +181,7 @@ public:
         buffers_.counts.write({{{0, 0}}});
         std::int64_t least = count < size_ ? first_least(count) : 0;
         while (remove_down_to(least) < count) least /= weight_ratio;
-        return heaviest_removed(count);
+        return heaviest_removed(buffers_.weights.read(0, size_), ids().read(0, size_), count);
     }
 
 private:
@@ -305,21 +305,6 @@ private:
         });
     }
 
-    std::vector<std::uint32_t> heaviest_removed(std::size_t count) const
-    {
-        const std::vector<std::int64_t> weights = buffers_.weights.read(0, size_);
-        const std::vector<std::uint32_t> ids = this->ids().read(0, size_);
-        using Removed = std::pair<std::int64_t, std::uint32_t>; // one's complement: the heaviest is the least
-        std::vector<Removed> removed;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            if (weights[i] < 0) removed.emplace_back(weights[i], ids[i]);
-        std::ranges::sort(removed);
-        std::vector<std::uint32_t> order;
-        order.reserve(count);
-        for (std::size_t i = 0; i < count; ++i) order.push_back(removed[i].second);
-        return order;
-    }
-
     Device& device_;
     EliminationBuffers& buffers_;
     bool has_factors_ = false;
@@ -332,6 +317,19 @@ private:
     contract::sample_elimination::Elimination elimination_{};
     Kernel weigh_, eliminate_;
 };
+
+std::vector<std::uint32_t> heaviest_removed(const std::vector<std::int64_t>& weights,
+                                            const std::vector<std::uint32_t>& ids, std::size_t count)
+{
+    std::vector<std::pair<std::int64_t, std::uint32_t>> removed; // one's complement: the heaviest is the least
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (weights[i] < 0) removed.emplace_back(weights[i], ids[i]);
+    std::ranges::sort(removed);
+    std::vector<std::uint32_t> order;
+    order.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) order.push_back(removed[i].second);
+    return order;
+}
 
 SampleElimination::SampleElimination(Device device, std::size_t work_group_size)
     : DeviceMethod(std::move(device), work_group_size, std::make_shared<EliminationBuffers>())

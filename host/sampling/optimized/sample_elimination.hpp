@@ -62,6 +62,11 @@ std::vector<std::uint32_t> factored_removal_order(const PointSet& points, const 
                                                   std::size_t count, std::span<const std::uint32_t> factors);
 }
 
+/// Returns the ids of the `count` heaviest removed candidates, the heaviest first, equal ones by their ids. Kernels
+/// mark a candidate as removed by the one's complement of its weight.
+std::vector<std::uint32_t> heaviest_removed(const std::vector<std::int64_t>& weights,
+                                            const std::vector<std::uint32_t>& ids, std::size_t count);
+
 /// Finds the order of removal by kernels/sample_elimination.cl: every device finds that of the reference.
 class SampleElimination : DeviceMethod<struct EliminationBuffers>
 {

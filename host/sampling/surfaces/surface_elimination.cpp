@@ -3,6 +3,7 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ public:
         std::int64_t least = first_least(count);
         for (std::size_t removed = remove_down_to(least); removed < count; removed += remove_down_to(least))
             least /= next_weight_part;
-        return heaviest_removed(count);
+        return heaviest_removed(buffers_.weights.read(0, ids_.size()), ids_, count);
     }
 
 private:
@@ -144,19 +145,6 @@ private:
             of_round = b.removed.read(0, 1).front();
         }
         return removed;
-    }
-
-    std::vector<std::uint32_t> heaviest_removed(std::size_t count) const
-    {
-        const std::vector<std::int64_t> weights = buffers_.weights.read(0, ids_.size());
-        using Removed = std::pair<std::int64_t, std::uint32_t>; // one's complement: the heaviest is the least
-        std::vector<Removed> removed;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            if (weights[i] < 0) removed.emplace_back(weights[i], ids_[i]);
-        std::ranges::sort(removed);
-        std::vector<std::uint32_t> order;
-        for (std::size_t i = 0; i < count; ++i) order.push_back(removed[i].second);
-        return order;
     }
 
     SurfaceEliminationBuffers& buffers_;

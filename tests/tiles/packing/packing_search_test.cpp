@@ -1,5 +1,5 @@
 // Packings by search, printed and random ones: the dissertation's counts, tables and statements.
-#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/packings.hpp"
 
 #include "tests/support/chi_square.hpp"
 #include "tests/support/errors.hpp"

@@ -1,4 +1,4 @@
-// Packings by search.
+// Packings: by search, as they are printed, and from Eulerian circuits.
 //
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5.3: backtracking that places a tile at a time.
 // Recursive packings of corner tiles are found by changing colours of corners one at a time instead, which takes

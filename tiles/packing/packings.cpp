@@ -1,4 +1,4 @@
-#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/packings.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
