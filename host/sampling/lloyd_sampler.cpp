@@ -32,7 +32,7 @@ DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points,
 /// not all that is asked of each.
 std::size_t sets_at_once(const LloydRequest& request, std::size_t points, int dimension)
 {
-    if (dimension != 2 || request.keep_best || request.until_relative_radius <= 1) return 0;
+    if (points == 0 || dimension != 2 || request.keep_best || request.until_relative_radius <= 1) return 0;
     constexpr std::size_t moves_at_once = std::size_t{1} << 26; // seconds
     return std::min(LloydSets::most_sets(points), moves_at_once / (points * (request.iterations + 1)));
 }
