@@ -52,7 +52,7 @@ Movement movement_of_node(const StoredObject& node)
     return movement;
 }
 
-/// That of `inside` and then `outside`.
+/// Returns the transform of `inside` and then `outside`.
 Movement movement_of_both(const Movement& outside, const Movement& inside)
 {
     Movement result{};
