@@ -182,21 +182,25 @@ PngPixels sheet_of(const LayeredTiles& images, const FieldSettings& view)
 struct PictureDifference
 {
     double mean = 0, root_mean_square = 0;
+    double signed_mean = 0; ///< of the first picture less the second
     PngPixels picture;
 };
 
 PictureDifference difference_of(const PngPixels& a, const PngPixels& b)
 {
-    PictureDifference d{0, 0, a};
+    PictureDifference d;
+    d.picture = a;
     double squares = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         const int difference = std::abs(a.values[i] - b.values[i]);
+        d.signed_mean += a.values[i] - b.values[i];
         d.mean += difference;
         squares += difference * difference;
         d.picture.values[i] = static_cast<std::uint8_t>(255 - std::min(255, 2 * difference));
     }
     const auto count = static_cast<double>(a.values.size());
     d.mean /= count;
+    d.signed_mean /= count;
     d.root_mean_square = std::sqrt(squares / count);
     return d;
 }
@@ -290,6 +294,7 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
          fmt::format("in these, of {} bytes each", sizeof(DepthSample))},
         {"difference", "Difference", difference.mean, "of 255: mean over pixels, of the field and the whole scene"},
         {"root_mean_square", "Root mean square", difference.root_mean_square, "of the same differences"},
+        {"brightness", "Brightness", difference.signed_mean, "of 255: how much brighter the field is than the whole scene, on average"},
         {"aliasing", "Aliasing", aliasing.mean,
          "mean difference of the whole scene from itself, moved by half a sample"},
         {"aliasing_square", "Aliasing, root mean square", aliasing.root_mean_square, "of the same differences"}};

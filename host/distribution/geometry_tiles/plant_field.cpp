@@ -17,10 +17,9 @@ constexpr double least_depth = 0.05;   ///< tiles before the camera from which o
 constexpr double seen_elevation = 0.3; ///< of the views of layered depth images, radians
 constexpr int rows_at_once = 54;       ///< of samples, drawn by one thread
 constexpr int ground_cells = 4;        ///< along a tile's side
-constexpr double splat_size = 1.3;     ///< sides of squares, in distances of samples
-constexpr double hidden_margin = 0.02; ///< tiles that samples may be behind the ground
+constexpr double splat_size = 1.2;     ///< sides of squares, in distances of samples
 
-constexpr ScreenColor soil{0.2F, 0.23F, 0.09F}, haze_color{0.74F, 0.82F, 0.9F}, zenith{0.33F, 0.55F, 0.86F};
+constexpr ScreenColor soil{0.2F, 0.27F, 0.09F}, haze_color{0.74F, 0.82F, 0.9F}, zenith{0.33F, 0.55F, 0.86F};
 constexpr std::array<ScreenColor, 8> level_colors{{{0.85F, 0.1F, 0.1F},
                                                    {0.95F, 0.75F, 0.1F},
                                                    {0.3F, 0.75F, 0.2F},
@@ -277,8 +276,11 @@ void PlantField::draw_image(Canvas& canvas, const FieldTile& tile, const Layered
     const std::vector<Plant>& plants = set_.plants[tile.tile];
     std::vector<double> feet;
     for (const Plant& plant : plants) feet.push_back(ground(tile.x + plant.x, tile.y + plant.y));
-    const double base = ground(tile.x + 0.5, tile.y + 0.5);
-    const MeshPoint eye = image.view.seen({eye_[0] - tile.x - 0.5, eye_[1] - tile.y - 0.5, eye_[2] - base});
+    // The ground's slope shears the tile. What hides what stays the same where the eye is sheared back.
+    const double x = tile.x + 0.5, y = tile.y + 0.5, east = eye_[0] - x, north = eye_[1] - y;
+    const double plane = ground(x, y) + east * (ground(x + 0.5, y) - ground(x - 0.5, y)) +
+                         north * (ground(x, y + 0.5) - ground(x, y - 0.5));
+    const MeshPoint eye = image.view.seen({east, north, eye_[2] - plane});
     const auto order = [&](double middle, int count) { // from both ends to the pixel in which the camera is seen
         std::vector<int> numbers;
         const int turn = static_cast<int>(std::clamp(std::floor(middle / image.pixel), -1.0, count - 1.0));
@@ -291,7 +293,7 @@ void PlantField::draw_image(Canvas& canvas, const FieldTile& tile, const Layered
         for (const int column : columns)
             for (const DepthSample& s : image.at(column, row)) {
                 const MeshPoint p = image.place(column, row, s);
-                const MeshPoint seen = on_screen({p[0] + tile.x + 0.5, p[1] + tile.y + 0.5, p[2] + feet[s.plant]});
+                const MeshPoint seen = on_screen({p[0] + x, p[1] + y, p[2] + feet[s.plant]});
                 if (seen[2] < least_depth) continue;
                 const double half = splat_size / 2 * focal_ * image.pixel / seen[2];
                 const auto ends = [half](double middle, int least, int most) {
@@ -308,12 +310,16 @@ void PlantField::draw_image(Canvas& canvas, const FieldTile& tile, const Layered
                 for (std::size_t k = 0; k < 3; ++k)
                     color[k] = by_level ? color[k] * (0.35F + 0.65F * s.color[1] / 255.0F) : s.color[k] / 255.0F;
                 color = hazy(color, seen[2]);
-                const double alpha = image.alpha(s);
-                for (int y = first_row; y <= last_row; ++y)
-                    for (int x = first_column; x <= last_column; ++x) {
-                        const std::size_t place = canvas.at(x, y);
-                        if (seen[2] < static_cast<double>(canvas.depths[place]) + hidden_margin)
-                            canvas.colors[place] = blend(canvas.colors[place], color, alpha);
+                // More of a splat than its sample stands for lets as much more through, unless nothing shines through.
+                const double side = focal_ * image.pixel / seen[2];
+                const double splat = (last_row - first_row + 1.0) * (last_column - first_column + 1.0);
+                const double alpha = 1 - std::pow(1 - image.alpha(s), std::min(1.0, side * side / splat));
+                for (int i = first_row; i <= last_row; ++i)
+                    for (int k = first_column; k <= last_column; ++k) {
+                        const std::size_t place = canvas.at(k, i);
+                        if (seen[2] >= static_cast<double>(canvas.depths[place]) + 1.5 * image.pixel) continue;
+                        canvas.colors[place] = blend(canvas.colors[place], color, alpha);
+                        if (alpha >= 1) canvas.depths[place] = std::min(canvas.depths[place], static_cast<float>(seen[2]));
                     }
             }
 }

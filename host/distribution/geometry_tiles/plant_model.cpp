@@ -114,9 +114,9 @@ private:
         const double part = 0.16 + 0.7 * number / leaves + between(-0.03, 0.03);
         const double angle = 2.399963 * number + between(-0.3, 0.3),
                      length = between(0.75, 0.95) * (1.05 - 0.45 * part * part);
-        const double width = between(0.42, 0.52) * length, rise = between(0.25, 0.7), droop = between(0.5, 1.0);
+        const double width = between(0.5, 0.62) * length, rise = between(0.25, 0.7), droop = between(0.5, 1.0);
         const MeshPoint out{std::cos(angle), std::sin(angle), 0}, side{-out[1], out[0], 0}, foot = stem_at(part);
-        const ScreenColor color = mixed({0.2F, 0.4F, 0.09F}, {0.4F, 0.58F, 0.16F}, between(0, 1));
+        const ScreenColor color = mixed({0.26F, 0.47F, 0.12F}, {0.46F, 0.64F, 0.2F}, between(0, 1));
         for (int i = 0; i <= pieces; ++i) {
             const double s = static_cast<double>(i) / pieces;
             const double half = width * std::sin(std::numbers::pi * std::pow(0.06 + 0.94 * s, 0.75));
@@ -174,7 +174,7 @@ private:
         const bool is_behind = number >= petals;
         const double angle = turn * (number + (is_behind ? 0.5 : 0)) / petals + between(-0.06, 0.06);
         const double length = between(0.82, 0.95) + (is_behind ? 0.03 : 0), bend = between(-0.12, 0.1);
-        const double forward = is_behind ? -0.02 : 0.03, wide = 1.25 / petals;
+        const double forward = is_behind ? -0.02 : 0.03, wide = 1.9 / petals;
         const ScreenColor base{0.9F, 0.56F, 0.04F};
         const ScreenColor tip = mixed({0.98F, 0.76F, 0.08F}, {1.0F, 0.86F, 0.2F}, between(0, 1));
         const std::uint32_t first = vertex(head_.at(0.34, angle, forward), head_.normal, base);
