@@ -147,8 +147,7 @@ PngPixels sheet_of(const LayeredTiles& images, const FieldSettings& view)
 {
     const LayeredDepthImage& first = images.at({0, 0, 0});
     int side = 0;
-    for (std::uint32_t k = 0; k < view.directions; ++k)
-        side = std::max({side, images.at({0, k, 0}).columns, images.at({0, k, 0}).rows});
+    for (std::uint32_t k = 0; k < view.directions; ++k) side = std::max(side, images.at({0, k, 0}).columns);
     const int shrink = (side + 159) / 160; // pixels of level 0 for one of the sheet
     const int cell = (side + shrink - 1) / shrink + 4;
     const int cell_height = (first.rows + shrink - 1) / shrink + 4;
@@ -157,13 +156,15 @@ PngPixels sheet_of(const LayeredTiles& images, const FieldSettings& view)
     for (std::uint32_t k = 0; k < view.directions; ++k)
         for (int level = 0; level < static_cast<int>(view.levels); ++level) {
             const LayeredDepthImage& image = images.at({0, k, level});
+            const int margin = (side - images.at({0, k, 0}).columns) / 2; // of level 0, to each side
             for (int y = 0; y < cell_height - 4; ++y)
                 for (int x = 0; x < cell - 4; ++x) {
                     std::array<double, 3> sum{};
                     for (int i = 0; i < shrink * shrink; ++i) {
-                        const int column = (x * shrink + i % shrink) >> level, row = (y * shrink + i / shrink) >> level;
+                        const int column = (x * shrink + i % shrink - margin) >> level,
+                                  row = (y * shrink + i / shrink) >> level;
                         std::array<double, 3> seen{255, 255, 255};
-                        if (column < image.columns && row < image.rows)
+                        if (column >= 0 && column < image.columns && row < image.rows)
                             for (const DepthSample& s : image.at(column, row))
                                 for (std::size_t c = 0; c < 3; ++c)
                                     seen[c] += std::min(1.0, image.alpha(s)) * (s.color[c] - seen[c]);
@@ -294,7 +295,8 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
          fmt::format("in these, of {} bytes each", sizeof(DepthSample))},
         {"difference", "Difference", difference.mean, "of 255: mean over pixels, of the field and the whole scene"},
         {"root_mean_square", "Root mean square", difference.root_mean_square, "of the same differences"},
-        {"brightness", "Brightness", difference.signed_mean, "of 255: how much brighter the field is than the whole scene, on average"},
+        {"brightness", "Brightness", difference.signed_mean,
+         "of 255: how much brighter the field is than the whole scene, on average"},
         {"aliasing", "Aliasing", aliasing.mean,
          "mean difference of the whole scene from itself, moved by half a sample"},
         {"aliasing_square", "Aliasing, root mean square", aliasing.root_mean_square, "of the same differences"}};

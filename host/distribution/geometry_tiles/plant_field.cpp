@@ -319,7 +319,8 @@ void PlantField::draw_image(Canvas& canvas, const FieldTile& tile, const Layered
                         const std::size_t place = canvas.at(k, i);
                         if (seen[2] >= static_cast<double>(canvas.depths[place]) + 1.5 * image.pixel) continue;
                         canvas.colors[place] = blend(canvas.colors[place], color, alpha);
-                        if (alpha >= 1) canvas.depths[place] = std::min(canvas.depths[place], static_cast<float>(seen[2]));
+                        if (alpha >= 1)
+                            canvas.depths[place] = std::min(canvas.depths[place], static_cast<float>(seen[2]));
                     }
             }
 }
