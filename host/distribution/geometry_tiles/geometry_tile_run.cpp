@@ -142,43 +142,6 @@ std::optional<Terrain> field_terrain(const GeometryTileSettings& s)
     return terrain_of(instances);
 }
 
-/// A row of pictures for each level, with a picture for each direction, as layered depth images are seen from there.
-PngPixels sheet_of(const LayeredTiles& images, const FieldSettings& view)
-{
-    const LayeredDepthImage& first = images.at({0, 0, 0});
-    int side = 0;
-    for (std::uint32_t k = 0; k < view.directions; ++k) side = std::max(side, images.at({0, k, 0}).columns);
-    const int shrink = (side + 159) / 160; // pixels of level 0 for one of the sheet
-    const int cell = (side + shrink - 1) / shrink + 4;
-    const int cell_height = (first.rows + shrink - 1) / shrink + 4;
-    PngPixels sheet{cell * static_cast<int>(view.directions), cell_height * static_cast<int>(view.levels), 3, {}};
-    sheet.values.assign(sheet.at(0, sheet.height, 0), 255);
-    for (std::uint32_t k = 0; k < view.directions; ++k)
-        for (int level = 0; level < static_cast<int>(view.levels); ++level) {
-            const LayeredDepthImage& image = images.at({0, k, level});
-            const int margin = (side - images.at({0, k, 0}).columns) / 2; // of level 0, to each side
-            for (int y = 0; y < cell_height - 4; ++y)
-                for (int x = 0; x < cell - 4; ++x) {
-                    std::array<double, 3> sum{};
-                    for (int i = 0; i < shrink * shrink; ++i) {
-                        const int column = (x * shrink + i % shrink - margin) >> level,
-                                  row = (y * shrink + i / shrink) >> level;
-                        std::array<double, 3> seen{255, 255, 255};
-                        if (column >= 0 && column < image.columns && row < image.rows)
-                            for (const DepthSample& s : image.at(column, row))
-                                for (std::size_t c = 0; c < 3; ++c)
-                                    seen[c] += std::min(1.0, image.alpha(s)) * (s.color[c] - seen[c]);
-                        for (std::size_t c = 0; c < 3; ++c) sum[c] += seen[c] / (shrink * shrink);
-                    }
-                    for (int c = 0; c < 3; ++c)
-                        sheet.values[sheet.at(static_cast<int>(k) * cell + 2 + x, (level + 1) * cell_height - 3 - y,
-                                              c)] =
-                            static_cast<std::uint8_t>(std::clamp(sum[static_cast<std::size_t>(c)] + 0.5, 0.0, 255.0));
-                }
-        }
-    return sheet;
-}
-
 /// Differences of pictures: the mean over channels, the root of the mean square, and their picture, darker for more.
 struct PictureDifference
 {
@@ -240,7 +203,7 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
                                        const DistributionPlace& place, DistributionFiles& files)
 {
     PoissonTileSet tiles = plant_tile_set(s, seed, place);
-    const double radius = std::sqrt(static_cast<double>(tiles.squared_min_distance)) / 65536 / 2;
+    const double radius = plant_radius(tiles);
     std::vector<PlantModel> models =
         s.mesh.empty() ? sunflower_models(s.models) : std::vector{plant_of_mesh(read_triangle_mesh(s.mesh))};
     const double degree = std::numbers::pi / 180;
@@ -275,7 +238,7 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
         "Levels of detail: red, yellow, green, cyan, blue, violet, orange, from the finest.");
     add("plan.png", field.plan(),
         "The tiles that may be seen, from above, in the colours of their levels; every other direction is darker.");
-    add("tile.png", sheet_of(images, s.view),
+    add("tile.png", images.sheet(),
         "Layered depth images of a tile: a column for each direction, a row for each level.");
     const std::vector<FieldCost> costs = field.costs(images);
     FieldCost sum;

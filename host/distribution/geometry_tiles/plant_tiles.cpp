@@ -43,6 +43,13 @@ void check_plant_tiles(const PoissonTileSet& tiles)
                          "decide which plants of their neighbours reach into them");
 }
 
+double plant_radius(const PoissonTileSet& tiles)
+{
+    if (tiles.squared_min_distance == 0) throw InputError("must be tiles with a minimum distance");
+    const double proven = std::sqrt(static_cast<double>(tiles.squared_min_distance)) / 65536;
+    return std::min(proven, asked_min_distance(tiles.parameters)) / 2;
+}
+
 std::vector<Plant> plants_of_tile(const PoissonTileSet& tiles, std::uint32_t tile, double radius,
                                   const PlantLooks& looks)
 {

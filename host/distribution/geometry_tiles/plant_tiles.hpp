@@ -40,6 +40,10 @@ struct Plant
 /// Throws InputError for tiles whose borders do not decide what is above them: edge tiles, and those with chains.
 void check_plant_tiles(const PoissonTileSet& tiles);
 
+/// The radius of disks that do not overlap in any tiling, in tiles, no larger than the strips along borders are wide.
+/// Throws InputError for tiles that have no minimum distance.
+double plant_radius(const PoissonTileSet& tiles);
+
 /// The plants whose disks reach into a tile, also those that stand in tiles around it.
 std::vector<Plant> plants_of_tile(const PoissonTileSet& tiles, std::uint32_t tile, double radius,
                                   const PlantLooks& looks);
