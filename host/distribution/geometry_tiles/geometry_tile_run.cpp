@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 
 namespace poissonlab {
@@ -30,14 +31,20 @@ enum class PlantTileKind
 constexpr WordTable<PlantTileKind, 2> plant_tile_kinds{
     {{{PlantTileKind::corner, "corner"}, {PlantTileKind::template_tiles, "template"}}}};
 
+/// A mesh has at most so many vertices, which each plant of a tile needs some 40 bytes for, and is at most so high, in
+/// halves of its width.
+constexpr std::size_t most_mesh_vertices = 20'000;
+constexpr int most_mesh_height = 40;
+
 struct GeometryTileSettings
 {
     std::filesystem::path tiles; ///< empty: made of what follows
     PlantTileKind tile_kind = PlantTileKind::corner;
     std::uint32_t colors = 2; ///< of corners
     std::uint32_t tile_count = 8;
-    std::uint32_t plants = 20;  ///< in a tile
-    std::filesystem::path mesh; ///< empty: sunflowers
+    std::uint32_t plants = 20;               ///< in a tile
+    std::filesystem::path mesh;              ///< empty: sunflowers
+    std::shared_ptr<const PlantModel> model; ///< what it was read as
     std::uint32_t models = 11;
     double facing = -90, spread = 40; ///< degrees
     std::string terrain;              ///< empty: flat
@@ -65,16 +72,20 @@ void tile_keys(Keys& keys, GeometryTileSettings& s)
         .only_if(s.tile_kind == PlantTileKind::corner, "tile_kind = corner");
     keys.integer("tile_count", s.tile_count, 1, 64, "the number of template tiles")
         .only_if(s.tile_kind == PlantTileKind::template_tiles, "tile_kind = template");
-    keys.integer("plants", s.plants, 4, 512, "the number of plants in a tile");
+    keys.integer("plants", s.plants, 8, 512, "the number of plants in a tile");
     for (const char* key : {"tile_kind", "colors", "tile_count", "plants"})
         if (keys.is_given(key) && !s.tiles.empty())
             throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
-    if (keys.is_read() && s.tiles.empty()) keys.check([&] { check(tile_parameters(s)); });
+    if (!keys.is_read()) return;
+    if (s.tiles.empty())
+        keys.check([&] { check(tile_parameters(s)); });
+    else
+        keys.check("tiles", [&] { plant_radius(read_tile_set(s.tiles)); });
 }
 
 void camera_keys(Keys& keys, FieldSettings& v)
 {
-    keys.numbers("eye", v.eye, {{-1000, 2000}, {-1000, 2000}, {0.05, 1000}}, {"x", "y", "height"},
+    keys.numbers("eye", v.eye, {{-1000, 2000}, {-1000, 2000}, {0.5, 1000}}, {"x", "y", "height"},
                  "the camera: its place, and its height above the ground there")
         .unit("tiles");
     keys.number("heading", v.heading, {-360, 360}, "the direction in which it looks, from x towards y").unit("degrees");
@@ -110,8 +121,13 @@ void geometry_keys(Keys& keys, GeometryTileSettings& s)
     if (!keys.is_read()) return;
     if (!s.terrain.empty())
         keys.check("terrain", [&] { values_of_text(s.terrain, "light", s.view.field[0], s.view.field[1]); });
-    if (!s.mesh.empty())
-        for (const std::filesystem::path& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+    if (s.mesh.empty()) return;
+    keys.check("mesh", [&] { s.model = std::make_shared<PlantModel>(plant_of_mesh(read_triangle_mesh(s.mesh))); });
+    if (s.model->places.size() > most_mesh_vertices)
+        throw keys.invalid("mesh", fmt::format("must have at most {} vertices", most_mesh_vertices));
+    if (s.model->height > most_mesh_height)
+        throw keys.invalid("mesh", fmt::format("must be at most {} times as high as it is wide", most_mesh_height / 2));
+    for (const std::filesystem::path& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
 }
 
 std::string geometry_label(const GeometryTileSettings& s)
@@ -129,7 +145,6 @@ PoissonTileSet plant_tile_set(const GeometryTileSettings& s, std::uint64_t seed,
     } else {
         tiles = read_tile_set(s.tiles);
     }
-    check_plant_tiles(tiles);
     return tiles;
 }
 
@@ -204,8 +219,7 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
 {
     PoissonTileSet tiles = plant_tile_set(s, seed, place);
     const double radius = plant_radius(tiles);
-    std::vector<PlantModel> models =
-        s.mesh.empty() ? sunflower_models(s.models) : std::vector{plant_of_mesh(read_triangle_mesh(s.mesh))};
+    std::vector<PlantModel> models = s.mesh.empty() ? sunflower_models(s.models) : std::vector{*s.model};
     const double degree = std::numbers::pi / 180;
     const PlantLooks looks{static_cast<std::uint32_t>(models.size()),
                            {0.8, 1},

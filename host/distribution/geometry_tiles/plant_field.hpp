@@ -5,6 +5,8 @@
 // camera. Each sample point within each tile is splatted to the screen in back to front order". The order of samples is
 // that of McMillan: for a parallel projection, pixels that are farther from where the camera is seen come first.
 //
+// Places and colours depend on the C library's sines and may differ by rounding elsewhere.
+//
 // Plants stand upright on the terrain at their feet; the samples of a plant are lifted together.
 #pragma once
 

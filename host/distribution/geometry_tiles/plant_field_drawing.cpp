@@ -32,6 +32,7 @@ void PlantField::draw_sky_and_ground(PlantCanvas& canvas, double moved) const
             canvas.colors[canvas.at(column, row)] = blend(haze_color, zenith, std::clamp(2 * up, 0.0, 1.0));
         }
     for (const FieldTile& tile : seen_) {
+        stop_if_interrupted();
         const auto [low, high] = rows_of(tile);
         if (high < canvas.first_row || low > canvas.last_row) continue;
         std::array<std::array<MeshPoint, ground_cells + 1>, ground_cells + 1> screen{}, space{};
@@ -174,6 +175,7 @@ PngPixels PlantField::whole(double moved) const
     return picture([&](PlantCanvas& canvas) {
         draw_sky_and_ground(canvas, moved);
         for (const FieldTile& tile : seen_) {
+            stop_if_interrupted();
             const auto [low, high] = rows_of(tile);
             if (high >= canvas.first_row && low <= canvas.last_row) draw_plants(canvas, tile, moved);
         }
@@ -185,6 +187,7 @@ PngPixels PlantField::layered(const LayeredTiles& images, bool by_level) const
     return picture([&](PlantCanvas& canvas) {
         draw_sky_and_ground(canvas, 0);
         for (const FieldTile& tile : seen_) {
+            stop_if_interrupted();
             const auto [low, high] = rows_of(tile);
             if (high >= canvas.first_row && low <= canvas.last_row)
                 draw_image(canvas, tile, images.at({tile.tile, tile.direction, tile.level}), by_level);

@@ -45,6 +45,7 @@ void check_plant_tiles(const PoissonTileSet& tiles)
 
 double plant_radius(const PoissonTileSet& tiles)
 {
+    check_plant_tiles(tiles);
     if (tiles.squared_min_distance == 0) throw InputError("must be tiles with a minimum distance");
     const double proven = std::sqrt(static_cast<double>(tiles.squared_min_distance)) / 65536;
     return std::min(proven, asked_min_distance(tiles.parameters)) / 2;
@@ -87,7 +88,8 @@ void light_plant(const PlantModel& model, const Plant& plant, double radius, std
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const MeshPoint &p = model.places[i], &n = model.normals[i];
         const MeshPoint normal{c * n[0] - s * n[1], s * n[0] + c * n[1], n[2]};
-        const double height = std::clamp(p[2] / model.height, 0.0, 1.0), open = 0.4 + 0.6 * height * height;
+        const double height = std::clamp(p[2] / std::max(model.height, 1e-9), 0.0, 1.0),
+                     open = 0.4 + 0.6 * height * height;
         const double light = open * (0.5 + 0.62 * light_through(normal));
         vertices[i].place = {plant.x + size * (c * p[0] - s * p[1]), plant.y + size * (s * p[0] + c * p[1]),
                              size * p[2]};

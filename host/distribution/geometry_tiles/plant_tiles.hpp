@@ -41,7 +41,7 @@ struct Plant
 void check_plant_tiles(const PoissonTileSet& tiles);
 
 /// The radius of disks that do not overlap in any tiling, in tiles, no larger than the strips along borders are wide.
-/// Throws InputError for tiles that have no minimum distance.
+/// Throws InputError as check_plant_tiles() does, and for tiles that have no minimum distance.
 double plant_radius(const PoissonTileSet& tiles);
 
 /// The plants whose disks reach into a tile, also those that stand in tiles around it.

@@ -95,6 +95,11 @@ TEST(GeometryTiles, MeshesAreMovedAndScaledToFit)
     EXPECT_EQ(model.places, (std::vector<MeshPoint>{{-1, 0, 0}, {1, 0, 0}, {-1, 0, 2}}));
     EXPECT_EQ(model.height, 2);
     EXPECT_EQ(model.normals[0], (MeshPoint{0, -1, 0}));
+    mesh.vertices = {{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}; // without height
+    std::vector<LitVertex> lit;
+    light_plant(plant_of_mesh(mesh), {}, 0.1, lit);
+    ASSERT_EQ(lit.size(), 3U);
+    for (const LitVertex& v : lit) EXPECT_TRUE(v.color[0] > 0 && v.color[0] <= 1) << v.color[0];
     mesh.vertices = {{1, 1, 5}, {1, 1, 6}, {1, 1, 7}};
     EXPECT_THAT(message_of([&] { plant_of_mesh(mesh); }), HasSubstr("no extent along x and y"));
 }
