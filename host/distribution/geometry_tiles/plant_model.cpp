@@ -1,7 +1,7 @@
 #include "host/distribution/geometry_tiles/plant_model.hpp"
 
 #include "base/errors/errors.hpp"
-#include "runtime/poisson_tiles.h"
+#include "tiles/poisson/tile_lookup.hpp"
 
 #include <algorithm>
 #include <cmath>

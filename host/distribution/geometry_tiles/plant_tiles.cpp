@@ -2,7 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "kernels/common/fields/instances.h"
-#include "runtime/object_distribution.h"
+#include "tiles/objects/object_lookup.hpp"
 
 #include <algorithm>
 #include <cmath>
