@@ -9,9 +9,6 @@
 namespace poissonlab {
 namespace {
 
-/// Steps count in parts of a level.
-constexpr int step_unit = 256;
-
 /// A picture with a border of one pixel, which has the colours beside it.
 PngPixels with_rim(const PngPixels& picture)
 {
@@ -67,12 +64,11 @@ void Assembly::measure_steps(double weight)
     std::array<std::int64_t, 2> sums{};
     for (int y = 0; y < exemplar_.height; ++y)
         for (int x = 0; x < exemplar_.width; ++x) {
-            steps_.push_back({step_unit * distance(x, y, x + 1, y), step_unit * distance(x, y, x, y + 1)});
-            for (const std::size_t i : {0u, 1u}) sums[i] += steps_.back()[i];
+            sums[0] += step_unit * distance(x, y, x + 1, y);
+            sums[1] += step_unit * distance(x, y, x, y + 1);
         }
-    const auto count = static_cast<std::int64_t>(steps_.size());
-    for (Steps& steps : steps_)
-        for (const std::size_t i : {0u, 1u}) steps[i] -= static_cast<int>(sums[i] / count);
+    const std::int64_t count = std::int64_t{exemplar_.width} * exemplar_.height;
+    mean_steps_ = {static_cast<int>(sums[0] / count), static_cast<int>(sums[1] / count)};
     const double mean = static_cast<double>(sums[0] + sums[1]) / static_cast<double>(2 * count);
     const double pixels = static_cast<double>(cover_.parts().tiles.size()) * cover_.size(); // of a line
     line_ = seam_unit * weight / (step_unit * pixels * mean);
@@ -81,7 +77,7 @@ void Assembly::measure_steps(double weight)
 void Assembly::add_steps(std::vector<std::int64_t>& lines, SourcePixel source, int x, int y, int tiles) const
 {
     if (line_ == 0) return;
-    const Steps& steps = steps_beyond(source);
+    const Steps steps = steps_beyond(source);
     lines[static_cast<std::size_t>(x)] += std::int64_t{tiles} * steps[0];
     lines[static_cast<std::size_t>(cover_.size() + y)] += std::int64_t{tiles} * steps[1];
 }
@@ -189,7 +185,7 @@ double Assembly::change_cost(const ChangedPixel& pixel, int layers) const
         squares += then * then - now * now;
     }
     if (line_ > 0) {
-        const Steps &now = steps_beyond(source(pixel.pixel)), &then = steps_beyond(pixel.source);
+        const Steps now = steps_beyond(source(pixel.pixel)), then = steps_beyond(pixel.source);
         lines =
             static_cast<double>(lines_[static_cast<std::size_t>(pixel.tile_x)]) * (then[0] - now[0]) +
             static_cast<double>(lines_[static_cast<std::size_t>(cover_.size() + pixel.tile_y)]) * (then[1] - now[1]);

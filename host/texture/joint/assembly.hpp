@@ -122,7 +122,8 @@ private:
         return exemplar_.values[at] - means_[at];
     }
 
-    using Steps = std::array<int, 2>; ///< towards east and south
+    using Steps = std::array<int, 2>;     ///< towards east and south, in parts of a level
+    static constexpr int step_unit = 256; ///< parts of a level
 
     void weigh_directions();
     /// The sum over channels of differences between two pixels of the exemplar, or of its rim, by columns and rows.
@@ -133,9 +134,10 @@ private:
     /// Measures the exemplar's steps, if lines count.
     void measure_steps(double weight);
     /// The steps of a source to its eastern and southern neighbours in the exemplar beyond the mean ones.
-    const Steps& steps_beyond(SourcePixel source) const
+    Steps steps_beyond(SourcePixel source) const
     {
-        return steps_[static_cast<std::size_t>(source.y) * static_cast<std::size_t>(exemplar_.width) + source.x];
+        return {step_unit * distance(source.x, source.y, source.x + 1, source.y) - mean_steps_[0],
+                step_unit * distance(source.x, source.y, source.x, source.y + 1) - mean_steps_[1]};
     }
 
     const PngPixels& exemplar_;
@@ -150,7 +152,7 @@ private:
     std::vector<SourcePixel> sources_;
     std::vector<std::int64_t> sums_;
     std::int64_t squares_ = 0;
-    std::vector<Steps> steps_;        ///< of each pixel of the exemplar; none where lines do not count
+    Steps mean_steps_{};              ///< of the exemplar
     std::vector<std::int64_t> lines_; ///< sums of steps beyond the mean: by columns, then by rows
 };
 
