@@ -217,7 +217,7 @@ private:
             overlay(canvas, horizontal.at(north), half - reach, -reach);
             overlay(canvas, horizontal.at(south), half - reach, request_.size - reach);
         }
-        auto pieces = fitted(canvases, interior_roles(request_), "interiors");
+        auto pieces = fitted(canvases, interior_roles(request_), "interiors", request_.stages == 3);
         TextureSources result{{}, cost_, used_.windows(), patches_.size()};
         for (std::size_t i = 0; i < canvases.size(); ++i) {
             put_piece(canvases[i], pieces[i]);
@@ -228,9 +228,9 @@ private:
     }
 
     std::vector<FittedPiece> fitted(const std::vector<SourceCanvas>& canvases, const std::vector<PixelRole>& roles,
-                                    const std::string& stage)
+                                    const std::string& stage, bool keeps_steps = false)
     {
-        auto pieces = fit_pieces(exemplar_, canvases, roles, request_, used_, stage, progress_);
+        auto pieces = fit_pieces(exemplar_, canvases, roles, request_, used_, stage, progress_, keeps_steps);
         for (const FittedPiece& piece : pieces) cost_ += piece.cut.cost;
         return pieces;
     }

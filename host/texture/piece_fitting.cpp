@@ -3,6 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -21,14 +25,83 @@ PieceMask free_mask(const std::vector<PixelRole>& roles, int size)
     return mask;
 }
 
-FittedPiece cheapest_piece(const PngPixels& exemplar, const PngPixels& canvas, const std::vector<PixelRole>& roles,
-                           const std::vector<ExemplarWindow>& windows, SeamWeight weight)
+/// Keeps the mean step between neighbours of all pictures of a stage near the exemplar's. Patches of corners stand out
+/// little, and windows that fit best have less contrast than others, so that the set would lose edges. Only the middles
+/// of tiles make up for it, as there are most of them: what recurs should not stand out.
+class StepBalance
 {
-    std::vector<FittedPiece> pieces(windows.size());
+public:
+    StepBalance(const PngPixels& exemplar, int size, bool counts)
+        : natural_(counts ? sum_of_steps(exemplar) / pairs(exemplar.width, exemplar.height) * pairs(size, size) : 0)
+    {}
+
+    /// The steps of a picture beyond the natural ones, in parts of these.
+    double excess(const PngPixels& picture) const { return natural_ > 0 ? sum_of_steps(picture) / natural_ - 1 : 0; }
+
+    /// The cost of the sum of all excesses with one more, in parts of a cut's.
+    double cost(double excess) const { return 12 * std::abs(sum_ + excess); }
+
+    void add(double excess) { sum_ += excess; }
+
+private:
+    static double pairs(int width, int height) { return 2.0 * width * height - width - height; }
+
+    static double sum_of_steps(const PngPixels& picture)
+    {
+        std::int64_t sum = 0;
+        const auto add = [&](std::size_t first, std::size_t second) {
+            for (std::size_t c = 0; c < static_cast<std::size_t>(picture.channels); ++c)
+                sum += std::abs(picture.values[first + c] - picture.values[second + c]);
+        };
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                if (x > 0) add(picture.at(x - 1, y, 0), picture.at(x, y, 0));
+                if (y > 0) add(picture.at(x, y - 1, 0), picture.at(x, y, 0));
+            }
+        return static_cast<double>(sum);
+    }
+
+    double natural_; ///< the steps of as many pixels of the exemplar; 0: steps do not count
+    double sum_ = 0;
+};
+
+/// A piece that may be taken.
+struct CutWindow
+{
+    FittedPiece piece;
+    double excess = 0; ///< of the steps of what it makes
+};
+
+/// Cuts a window into a canvas.
+CutWindow cut_window(const PngPixels& exemplar, const PngPixels& canvas, const std::vector<PixelRole>& roles,
+                     const ExemplarWindow& window, SeamWeight weight, const StepBalance& balance)
+{
+    PngPixels made = canvas;
+    const PngPixels above = window_pixels(exemplar, window);
+    CutWindow candidate{{window, minimum_cut(canvas, above, roles, weight)}, 0};
+    const auto channels = static_cast<std::size_t>(canvas.channels);
+    for (std::size_t i = 0; i < made.values.size(); ++i)
+        if (candidate.piece.cut.taken[i / channels]) made.values[i] = above.values[i];
+    candidate.excess = balance.excess(made);
+    return candidate;
+}
+
+FittedPiece cheapest_piece(const PngPixels& exemplar, const PngPixels& canvas, const std::vector<PixelRole>& roles,
+                           const std::vector<ExemplarWindow>& windows, SeamWeight weight, StepBalance& balance)
+{
+    std::vector<CutWindow> candidates(windows.size());
     tbb::parallel_for(std::size_t{0}, windows.size(), [&](std::size_t i) {
-        pieces[i] = {windows[i], minimum_cut(canvas, window_pixels(exemplar, windows[i]), roles, weight)};
+        candidates[i] = cut_window(exemplar, canvas, roles, windows[i], weight, balance);
     });
-    return *std::ranges::min_element(pieces, {}, [](const FittedPiece& piece) { return piece.cut.cost; });
+    double mean = 0;
+    for (const CutWindow& candidate : candidates)
+        mean += static_cast<double>(candidate.piece.cut.cost) / static_cast<double>(candidates.size());
+    const auto cost = [&](const CutWindow& candidate) {
+        return static_cast<double>(candidate.piece.cut.cost) + mean * balance.cost(candidate.excess);
+    };
+    const auto best = std::ranges::min_element(candidates, {}, cost);
+    balance.add(best->excess);
+    return std::move(best->piece);
 }
 
 }
@@ -54,12 +127,14 @@ void put_piece(SourceCanvas& canvas, const FittedPiece& piece)
 
 std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector<SourceCanvas>& canvases,
                                     const std::vector<PixelRole>& roles, const TextureRequest& request,
-                                    UsedWindows& used, const std::string& stage, const PieceProgress& progress)
+                                    UsedWindows& used, const std::string& stage, const PieceProgress& progress,
+                                    bool keeps_steps)
 {
     std::vector<FittedPiece> pieces;
     if (canvases.empty()) return pieces;
     const int size = canvases[0].size;
     const MaskedSquares squares(exemplar, free_mask(roles, size));
+    StepBalance balance(exemplar, size, keeps_steps);
     for (std::size_t first = 0; first < canvases.size(); first += pieces_at_once) {
         const std::size_t count = std::min(pieces_at_once, canvases.size() - first);
         std::vector<PngPixels> pixels(count);
@@ -71,7 +146,7 @@ std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector
         for (std::size_t i = 0; i < count; ++i) {
             const auto windows =
                 used.best(sums[i], size, request.candidates, candidates_apart, canvases[first + i].ranges);
-            pieces.push_back(cheapest_piece(exemplar, pixels[i], roles, windows, request.weight));
+            pieces.push_back(cheapest_piece(exemplar, pixels[i], roles, windows, request.weight, balance));
             used.add(pieces.back().window);
             progress(stage, pieces.size(), canvases.size());
         }

@@ -41,9 +41,11 @@ using PieceProgress = std::function<void(const std::string& stage, std::size_t d
 
 /// The minimum-cost piece for each canvas, one after another: of all free windows those with the smallest masked sums
 /// of squares are cut, and the cheapest is taken. Roles are the same for all canvases. Used windows grow by those
-/// chosen.
+/// chosen. If `keeps_steps`, one that is a little dearer is taken where otherwise all canvases together would have
+/// smaller or larger steps between neighbours than the exemplar.
 std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector<SourceCanvas>& canvases,
                                     const std::vector<PixelRole>& roles, const TextureRequest& request,
-                                    UsedWindows& used, const std::string& stage, const PieceProgress& progress);
+                                    UsedWindows& used, const std::string& stage, const PieceProgress& progress,
+                                    bool keeps_steps = false);
 
 }

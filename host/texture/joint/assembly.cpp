@@ -55,6 +55,31 @@ Assembly::Assembly(const PngPixels& exemplar, const SetCover& cover, const Weigh
     if (spread == 0) return;
     repetition_ = seam_unit * weights.repetition / (tiles * spread);
     contrast_ = seam_unit * weights.contrast / (2 * spread * natural_squares_);
+    measure_steps(weights.lines);
+}
+
+void Assembly::measure_steps(double weight)
+{
+    if (weight <= 0) return;
+    std::array<std::int64_t, 2> sums{};
+    for (int y = 0; y < exemplar_.height; ++y)
+        for (int x = 0; x < exemplar_.width; ++x) {
+            sums[0] += step_unit * distance(x, y, x + 1, y);
+            sums[1] += step_unit * distance(x, y, x, y + 1);
+        }
+    const std::int64_t count = std::int64_t{exemplar_.width} * exemplar_.height;
+    mean_steps_ = {static_cast<int>(sums[0] / count), static_cast<int>(sums[1] / count)};
+    const double mean = static_cast<double>(sums[0] + sums[1]) / static_cast<double>(2 * count);
+    const double pixels = static_cast<double>(cover_.parts().tiles.size()) * cover_.size(); // of a line
+    line_ = seam_unit * weight / (step_unit * pixels * mean);
+}
+
+void Assembly::add_steps(std::vector<std::int64_t>& lines, SourcePixel source, int x, int y, int tiles) const
+{
+    if (line_ == 0) return;
+    const Steps steps = steps_beyond(source);
+    lines[static_cast<std::size_t>(x)] += std::int64_t{tiles} * steps[0];
+    lines[static_cast<std::size_t>(cover_.size() + y)] += std::int64_t{tiles} * steps[1];
 }
 
 /// The product of both weights is that of equal ones; steps that are missing altogether in one direction count no more
@@ -108,15 +133,19 @@ void Assembly::count_tiles()
 {
     const int size = cover_.size();
     sums_.assign(sum_at(0, size), 0);
+    lines_.assign(static_cast<std::size_t>(2 * size), 0);
     squares_ = 0;
     for (std::size_t tile = 0; tile < cover_.parts().tiles.size(); ++tile)
         for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+            for (int x = 0; x < size; ++x) {
+                const SourcePixel shown = source(cover_.pixel(tile, x, y));
+                add_steps(lines_, shown, x, y, 1);
                 for (int c = 0; c < exemplar_.channels; ++c) {
-                    const int its = deviation(source(cover_.pixel(tile, x, y)), c);
+                    const int its = deviation(shown, c);
                     sums_[sum_at(x, y) + static_cast<std::size_t>(c)] += its;
                     squares_ += its * its;
                 }
+            }
 }
 
 double Assembly::contrast_cost(std::int64_t squares) const
@@ -127,34 +156,49 @@ double Assembly::contrast_cost(std::int64_t squares) const
 
 double Assembly::sums_gain(const std::vector<ChangedPixel>& pixels) const
 {
-    std::vector<std::int64_t> changes(sums_.size());
+    std::vector<std::int64_t> changes(sums_.size()), line_changes(lines_.size());
     std::int64_t squares = squares_, repeated = 0;
-    for (const ChangedPixel& pixel : pixels)
+    for (const ChangedPixel& pixel : pixels) {
+        add_steps(line_changes, pixel.source, pixel.tile_x, pixel.tile_y, pixel.tiles);
+        add_steps(line_changes, source(pixel.pixel), pixel.tile_x, pixel.tile_y, -pixel.tiles);
         for (int c = 0; c < exemplar_.channels; ++c) {
             const int now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c);
             changes[sum_at(pixel.tile_x, pixel.tile_y) + static_cast<std::size_t>(c)] += pixel.tiles * (then - now);
             squares += pixel.tiles * (then * then - now * now);
         }
+    }
     for (std::size_t i = 0; i < sums_.size(); ++i) repeated -= changes[i] * (2 * sums_[i] + changes[i]);
-    return repetition_ * static_cast<double>(repeated) + contrast_cost(squares_) - contrast_cost(squares);
+    double lines = 0;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+        lines -= static_cast<double>(line_changes[i]) * static_cast<double>(2 * lines_[i] + line_changes[i]);
+    return repetition_ * static_cast<double>(repeated) + line_ * lines + contrast_cost(squares_) -
+           contrast_cost(squares);
 }
 
 double Assembly::change_cost(const ChangedPixel& pixel, int layers) const
 {
     const std::size_t at = sum_at(pixel.tile_x, pixel.tile_y);
-    double repeated = 0, squares = 0;
+    double repeated = 0, squares = 0, lines = 0;
     for (int c = 0; c < exemplar_.channels; ++c) {
         const double now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c), step = then - now;
         repeated += 2 * static_cast<double>(sums_[at + static_cast<std::size_t>(c)]) * step + layers * step * step;
         squares += then * then - now * now;
     }
+    if (line_ > 0) {
+        const Steps now = steps_beyond(source(pixel.pixel)), then = steps_beyond(pixel.source);
+        lines =
+            static_cast<double>(lines_[static_cast<std::size_t>(pixel.tile_x)]) * (then[0] - now[0]) +
+            static_cast<double>(lines_[static_cast<std::size_t>(cover_.size() + pixel.tile_y)]) * (then[1] - now[1]);
+    }
     const double excess = static_cast<double>(squares_) - natural_squares_;
-    return pixel.tiles * (repetition_ * repeated + 2 * contrast_ * excess * squares);
+    return pixel.tiles * (repetition_ * repeated + 2 * line_ * lines + 2 * contrast_ * excess * squares);
 }
 
 void Assembly::change(const std::vector<ChangedPixel>& pixels)
 {
     for (const ChangedPixel& pixel : pixels) {
+        add_steps(lines_, pixel.source, pixel.tile_x, pixel.tile_y, pixel.tiles);
+        add_steps(lines_, source(pixel.pixel), pixel.tile_x, pixel.tile_y, -pixel.tiles);
         for (int c = 0; c < exemplar_.channels; ++c) {
             const int now = deviation(source(pixel.pixel), c), then = deviation(pixel.source, c);
             sums_[sum_at(pixel.tile_x, pixel.tile_y) + static_cast<std::size_t>(c)] += pixel.tiles * (then - now);
@@ -166,9 +210,10 @@ void Assembly::change(const std::vector<ChangedPixel>& pixels)
 
 double Assembly::cost() const
 {
-    double repeated = 0;
+    double repeated = 0, lines = 0;
     for (const std::int64_t sum : sums_) repeated += static_cast<double>(sum) * static_cast<double>(sum);
-    return static_cast<double>(seams()) + repetition_ * repeated + contrast_cost(squares_);
+    for (const std::int64_t sum : lines_) lines += static_cast<double>(sum) * static_cast<double>(sum);
+    return static_cast<double>(seams()) + repetition_ * repeated + line_ * lines + contrast_cost(squares_);
 }
 
 namespace {

@@ -7,10 +7,12 @@
 // run from north to south, a break between two rows is seen, and one between two columns is not. Slopes are left out:
 // windows nearly always differ in them, so that cuts become short and colours meet that differ more.
 //
-// Two sums over all tiles are weighed against seams. Repetition is the power of the mean of all tiles without the
+// Sums over all tiles are weighed against seams. Repetition is the power of the mean of all tiles without the
 // exemplar's mean, by phase where it is regular: what a tiling has too much at whole multiples of 1/T. Contrast is the
 // square of what the variance of all pixels lacks or exceeds: windows without much in them fit everywhere, and nothing
-// else would keep a set from taking them.
+// else would keep a set from taking them. Lines count in smooth pictures, where one sees a line of steps that are
+// larger or smaller than others: the few windows along a border of tiles are steep or flat by chance, and recur in
+// every tile.
 #pragma once
 
 #include "host/texture/joint/phase_rule.hpp"
@@ -48,11 +50,13 @@ public:
 
     /// The weight of sums against seams. With a repetition of 1, a pixel that is one standard deviation from the mean
     /// in all tiles costs as much as a step of that height in each; so it does with a contrast of 2 if nothing else
-    /// varies.
+    /// varies. With a weight of 1, a line between columns or rows of all tiles, whose steps in the windows differ from
+    /// the exemplar's mean by a part e of it, costs e^2 times as much as its steps.
     struct Weights
     {
         double repetition = 0.5;
         double contrast = 2;
+        double lines = 0;
     };
 
     /// Exemplar and cover must live longer. `waves` are those that fit the tiles.
@@ -118,10 +122,23 @@ private:
         return exemplar_.values[at] - means_[at];
     }
 
+    using Steps = std::array<int, 2>;     ///< towards east and south, in parts of a level
+    static constexpr int step_unit = 256; ///< parts of a level
+
     void weigh_directions();
     /// The sum over channels of differences between two pixels of the exemplar, or of its rim, by columns and rows.
     int distance(int ax, int ay, int bx, int by) const;
     double contrast_cost(std::int64_t squares) const;
+    /// Adds the steps of so many tiles at a place to sums over columns and rows, if lines count.
+    void add_steps(std::vector<std::int64_t>& lines, SourcePixel source, int x, int y, int tiles) const;
+    /// Measures the exemplar's steps, if lines count.
+    void measure_steps(double weight);
+    /// The steps of a source to its eastern and southern neighbours in the exemplar beyond the mean ones.
+    Steps steps_beyond(SourcePixel source) const
+    {
+        return {step_unit * distance(source.x, source.y, source.x + 1, source.y) - mean_steps_[0],
+                step_unit * distance(source.x, source.y, source.x, source.y + 1) - mean_steps_[1]};
+    }
 
     const PngPixels& exemplar_;
     const SetCover& cover_;
@@ -130,10 +147,13 @@ private:
     std::vector<std::uint8_t> means_;   ///< for each of the exemplar's numbers
     double repetition_ = 0;             ///< the cost of a square of a sum
     double contrast_ = 0;               ///< the cost of a square of what squares_ differs by
+    double line_ = 0;                   ///< the cost of a square of a line's sum; 0: lines do not count
     double natural_squares_ = 0;        ///< what squares_ would be with the exemplar's variance
     std::vector<SourcePixel> sources_;
     std::vector<std::int64_t> sums_;
     std::int64_t squares_ = 0;
+    Steps mean_steps_{};              ///< of the exemplar
+    std::vector<std::int64_t> lines_; ///< sums of steps beyond the mean: by columns, then by rows
 };
 
 // Pixels that a move changes, in little room: many moves are looked for before one is made.

@@ -15,6 +15,7 @@
 #include "host/texture/joint/joint_patches.hpp"
 #include "host/texture/joint/site_move.hpp"
 #include "host/texture/joint/window_search.hpp"
+#include "host/texture/seam_blending.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -45,6 +46,18 @@ constexpr std::size_t sites_at_once = 16;
 
 /// So many of the moves of a site are kept until one of them is made.
 constexpr std::size_t kept_moves = 8;
+
+/// How much lines of steep or flat windows count in smooth pictures. In 20 pictures of waves of 40 pixels and more, 4
+/// reduced the steps across the worst line of tiles of 32 pixels from 1.56 natural ones to 1.25, on average. With 30
+/// and 100 they were 1.19 and 1.18, but colours differed so much at seams that blending took a fifth of the contrast.
+constexpr double line_weight = 4;
+
+Assembly::Weights weights_of(const PngPixels& exemplar)
+{
+    Assembly::Weights weights;
+    if (is_smooth(exemplar)) weights.lines = line_weight;
+    return weights;
+}
 
 /// A square with round corners around (0, 0).
 bool is_in_rounded_box(double x, double y, double half_width, double half_height)
@@ -130,8 +143,8 @@ public:
                  const PieceProgress& progress)
         : exemplar_(exemplar), request_(request), progress_(progress), features_(feature_map(exemplar, matched_slopes)),
           cover_(set_parts(request, tiles), request.size, request.ring_pixels()), sites_(sites_of(cover_)),
-          tried_(sites_.size()), waves_(fitting_waves(exemplar, request.size)), assembly_(exemplar, cover_, {}, waves_),
-          used_(distance())
+          tried_(sites_.size()), waves_(fitting_waves(exemplar, request.size)),
+          assembly_(exemplar, cover_, weights_of(exemplar), waves_), used_(distance())
     {}
 
     TextureSources make()

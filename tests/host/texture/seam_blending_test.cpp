@@ -1,6 +1,7 @@
 // Blended seams against a direct solver, and what a person sees: no line of large steps in smooth pictures.
 #include "host/texture/seam_blending.hpp"
 
+#include "host/texture/joint/assembly.hpp"
 #include "host/texture/joint/set_cover.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tests/host/texture/random_picture.hpp"
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -141,6 +143,51 @@ TEST(SeamBlending, KeepsTilesThatFit)
     }
 }
 
+/// Lines cost what their definition says, by sums over all tiles. Steps are counted in 256ths of a level, so that e
+/// errs by at most 1/256 of a level over the mean step, and its square by twice e times that.
+TEST(Assembly, CountsLinesOfSteepWindows)
+{
+    const TextureRequest request = blended_request(TextureKind::corner, 2, 16);
+    const SetCover cover(set_parts(request, requested_tiles(request)), 16, 1);
+    const PngPixels picture = smooth_waves(60, 20, 3, 3);
+    Assembly::Weights weights;
+    weights.lines = 1;
+    Assembly plain(picture, cover, {}), counting(picture, cover, weights);
+    std::mt19937 random(5);
+    for (std::size_t i = 0; i < cover.pixels(); ++i) {
+        const SourcePixel source{static_cast<std::uint16_t>(random() % 60), static_cast<std::uint16_t>(random() % 60)};
+        plain.show(i, source);
+        counting.show(i, source);
+    }
+    plain.count_tiles();
+    counting.count_tiles();
+    const auto step = [&](int x, int y, int direction) {
+        double sum = 0;
+        for (int c = 0; c < 3; ++c)
+            sum +=
+                std::abs(picture.values[picture.at(std::min(59, x + 1 - direction), std::min(59, y + direction), c)] -
+                         picture.values[picture.at(x, y, c)]);
+        return sum;
+    };
+    std::array<double, 2> means{};
+    for (int i = 0; i < 7200; ++i) means[static_cast<std::size_t>(i % 2)] += step(i / 2 % 60, i / 120, i % 2) / 3600;
+    const double mean = (means[0] + means[1]) / 2, steps = 16.0 * 16 * mean; // 16 tiles of 16 pixels
+    double expected = 0, error = 0;
+    for (int line = 0; line < 32; ++line) {
+        double excess = 0;
+        for (int i = 0; i < 256; ++i) {
+            const int along = i % 16, across = line % 16, direction = line / 16;
+            const SourcePixel source = plain.source(cover.pixel(
+                static_cast<std::size_t>(i / 16), direction == 0 ? across : along, direction == 0 ? along : across));
+            excess += step(source.x, source.y, direction) - means[static_cast<std::size_t>(direction)];
+        }
+        expected += Assembly::seam_unit * excess * excess / steps;
+        error += Assembly::seam_unit * 2 * (std::abs(excess) + 1) / mean / 256;
+    }
+    EXPECT_GT(expected, 20 * error);
+    EXPECT_NEAR(counting.cost() - plain.cost(), expected, error);
+}
+
 /// The largest mean step across a column or a row of tiles, in parts of a natural one.
 double largest_step(const TextureSet& set)
 {
@@ -158,48 +205,24 @@ TEST(SeamBlending, LeavesNoLineOfLargeSteps)
         request.joint = is_joint;
         request.rounds = 8;
         TextureSet set = build_texture(request, picture, never_tell).set;
-        EXPECT_GT(largest_step(set), 1.35);
+        const double before = largest_step(set);
+        EXPECT_GT(before, is_joint ? 1.2 : 1.35); // windows that are chosen together are not steep along lines
         blend_seams(set);
-        EXPECT_LT(largest_step(set), 1.35);
+        EXPECT_LT(largest_step(set), is_joint ? 1.2 : 1.35);
     }
 }
 
-/// Returns the largest sum of steps over a line between two columns inside of tiles, over the largest such sum of the
-/// windows themselves.
-double worst_line_beyond_windows(const TextureSet& set)
-{
-    const auto light = [&](int x, int y) {
-        return static_cast<double>(
-            set.exemplar.values[set.exemplar.at(std::clamp(x, 0, set.exemplar.width - 1), y, 0)]);
-    };
-    double most_shown = 0, most_own = 0;
-    for (int x = 0; x + 1 < set.size; ++x) {
-        double shown = 0, own = 0;
-        for (std::size_t tile = 0; tile < set.tiles.size(); ++tile)
-            for (int y = 0; y < set.size; ++y) {
-                const auto at = static_cast<std::size_t>(y * set.size + x);
-                const SourcePixel a = set.sources_of(tile)[at], b = set.sources_of(tile)[at + 1];
-                shown += std::abs(set.values_of(tile)[at + 1] - set.values_of(tile)[at]);
-                own += std::abs(light(a.x + 1, a.y) - light(a.x, a.y) + light(b.x, b.y) - light(b.x - 1, b.y)) / 2;
-            }
-        most_shown = std::max(most_shown, shown);
-        most_own = std::max(most_own, own);
-    }
-    return most_shown / most_own;
-}
-
-/// In pictures with waves longer than tiles, a line may have much larger steps than the exemplar, since few windows
-/// cross it and these may be steep. After blending, seams add little to that.
-TEST(SeamBlending, LeavesTheStepsOfWindows)
+/// In pictures with waves longer than tiles, few windows cross a line, and these may be steep by chance: the worst
+/// lines of such sets had 2.1 and 2.3 natural steps until lines counted.
+TEST(SeamBlending, LeavesFewStepsWhereWavesAreLong)
 {
     for (const unsigned seed : {4u, 5u}) {
         TextureRequest request = blended_request(TextureKind::corner, 3, 32);
         request.joint = true;
         request.rounds = TextureRequest{}.rounds;
         TextureSet set = build_texture(request, smooth_waves(160, 40, 1, seed), never_tell).set;
-        EXPECT_GT(worst_line_beyond_windows(set), 1.2);
         blend_seams(set);
-        EXPECT_LT(worst_line_beyond_windows(set), 1.1);
+        EXPECT_LT(largest_step(set), 1.7);
     }
 }
 

@@ -157,7 +157,9 @@ TEST(SiteMove, GainsWhatAllCostsSay)
         const TextureRequest request = joint_request(kind, 2);
         const SetCover cover(set_parts(request, requested_tiles(request)), 32, 2);
         const PngPixels picture = test::random_picture(60, 60, 3, 5);
-        Assembly assembly(picture, cover, {});
+        Assembly::Weights weights;
+        weights.lines = 30;
+        Assembly assembly(picture, cover, weights);
         std::mt19937 random(11);
         for (std::size_t i = 0; i < cover.pixels(); ++i)
             assembly.show(i, {static_cast<std::uint16_t>(random() % 60), static_cast<std::uint16_t>(random() % 60)});
