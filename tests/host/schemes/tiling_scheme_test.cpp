@@ -54,6 +54,15 @@ TEST_F(Schemes, AnyTwoWangTilesLieDiagonallyAndOneInSoManyCornerTiles)
     EXPECT_EQ(number(made(CornerProblemSettings{2}), "compact_wang_pairs"), 1);
 }
 
+/// Each colour is that of a side of 2 C tiles of the compact set. At most, no tile has both colours; of two colours,
+/// each tile of a pair for the same neighbours has another one in the south, so that two tiles have both.
+TEST_F(Schemes, ObjectsAcrossCornersAreInSixOfEightAndInTwelveOfEighteenWangTiles)
+{
+    EXPECT_EQ(number(made(CornerProblemSettings{2}), "adapted_tiles"), 6);
+    for (const Color colors : {3U, 4U})
+        EXPECT_EQ(number(made(CornerProblemSettings{colors}), "adapted_tiles"), 4 * colors);
+}
+
 TEST_F(Schemes, ScanlinesHaveAsManyChoicesAsTheyShould)
 {
     struct Case
