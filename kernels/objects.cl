@@ -34,6 +34,8 @@ kernel void draw_objects(struct ObjectScene scene, struct ObjectTiles tiles, glo
         const uint j = row * scene.samples + sample / scene.samples;
         struct TilePlace place;
         float light = 1;
+        float3 part = (float3)(((float)i + 0.5f) / (float)(scene.width * scene.samples),
+                               ((float)j + 0.5f) / (float)(scene.height * scene.samples), 0.5f);
         if (scene.view == VIEW_PLANE) {
             const long x = scene.left + i * scene.step, y = scene.bottom + j * scene.step;
             place.tile = (int3)((int)(x >> 32), (int)(y >> 32), tiles.dimension == 3 ? (int)(scene.z >> 32) : 0);
@@ -51,15 +53,17 @@ kernel void draw_objects(struct ObjectScene scene, struct ObjectTiles tiles, glo
             const float x = seen.x * scale, y = seen.y * scale, z = tiles.dimension == 3 ? seen.z * scale : 0;
             place.tile = (int3)((int)whole_part(x), (int)whole_part(y), (int)whole_part(z));
             place.f = (float3)(x - whole_part(x), y - whole_part(y), z - whole_part(z));
+            part = (float3)(seen.x + 1, seen.y + 1, seen.z + 1) / 2;
             light = seen.light;
         }
         const struct pobjects_object object = pobjects_at(words, t, scene.radius, place.tile, place.f);
         if (sample == 0) ids[id] = object.id;
         const uint behind = background_color(&scene, (float)place.tile.x + place.f.x, (float)place.tile.y + place.f.y,
                                              (float)place.tile.z + place.f.z);
+        const float3 at = part - object.offset / scene.extent;
         uint inside;
-        uint color =
-            object_color(&scene, shapes, object.id, object.offset.x, object.offset.y, object.offset.z, behind, &inside);
+        uint color = object_color(&scene, shapes, object.id, object.offset.x, object.offset.y, object.offset.z,
+                                  (struct ObjectCoordinates){at.x, at.y, at.z}, behind, &inside);
         color = mixed(0, color, light);
         sums[0] += color >> 16 & 255;
         sums[1] += color >> 8 & 255;

@@ -160,6 +160,10 @@ const std::vector<Look>& plane_looks()
          {0x5b5550, 0x938b84, 0x2b2a2c, 0xb9aca0, 0xd8cec4, 0x8d7468, 0xc49a84, 0x6f6a6a},
          5},
         {"frames", {}, {0xffffff, 0xffffff}},
+        {"inside", {}, {0xffffff, 0xffffff}},
+        {"coordinates", {}, {0xffffff, 0xffffff}},
+        {"number", {}, {0xffffff, 0xffffff}},
+        {"distance", {}, {0xffffff, 0xffffff}},
         {"cells",
          {{disk_shape, 1, 1, 2, 6}},
          {0xffffff, 0xffffff, 0xe41a1c, 0x377eb8, 0x4daf4a, 0x984ea3, 0xff7f00, 0xa65628}},
@@ -180,6 +184,10 @@ const std::vector<Look>& space_looks()
          {0x5b5550, 0x938b84, 0x2b2a2c, 0xb9aca0, 0xd8cec4, 0x8d7468, 0xc49a84, 0x6f6a6a},
          5},
         {"frames", {}, {0xffffff, 0xffffff}},
+        {"inside", {}, {0xffffff, 0xffffff}},
+        {"coordinates", {}, {0xffffff, 0xffffff}},
+        {"number", {}, {0xffffff, 0xffffff}},
+        {"distance", {}, {0xffffff, 0xffffff}},
         {"cells", {{0, 1, 1, 2, 6}}, {0xffffff, 0xffffff, 0xe41a1c, 0x377eb8, 0x4daf4a, 0x984ea3, 0xff7f00, 0xa65628}},
     };
     return looks;
@@ -235,8 +243,10 @@ void set_look(ObjectScene& scene, const std::string& name, int dimension)
     scene.background = look->palette[0];
     scene.ripples = look->palette[1];
     scene.noise_cells = look->noise_cells;
-    scene.shows_cells = name == "cells";
-    scene.shows_frames = name == "frames";
+    static const std::array<std::string, 7> shown{"", "cells", "frames", "inside", "coordinates", "number", "distance"};
+    const auto place = std::ranges::find(shown, name);
+    scene.shows =
+        place == shown.end() ? std::uint32_t{SHOWS_LAYERS} : static_cast<std::uint32_t>(place - shown.begin());
     scene.has_bodies = dimension == 3;
 }
 

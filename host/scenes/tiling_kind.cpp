@@ -203,11 +203,36 @@ void read_given_set(const Keys& keys, const ConfigNode& node, ShownTiling& s)
     s.set = given_tiles_word;
 }
 
+constexpr std::size_t most_hash_tables = 16;
+constexpr auto table_sizes_allowed = "whole numbers from 2 to 65536, at most 16 of them";
+
+void read_table_sizes(const Keys& keys, const ConfigNode& node, std::vector<std::uint32_t>& sizes)
+{
+    const auto* list = node.get_if<ConfigList>();
+    const ConfigList items = list ? *list : ConfigList(1, node);
+    for (const ConfigNode& item : items)
+        if (const auto* size = item.get_if<std::int64_t>(); size && *size >= 2 && *size <= PermutationHash::max_size)
+            sizes.push_back(static_cast<std::uint32_t>(*size));
+    if (items.empty() || sizes.size() != items.size() || sizes.size() > most_hash_tables)
+        throw keys.invalid("entries", std::string("must be ") + table_sizes_allowed);
+}
+
 void hash_keys(Keys& keys, TilingRequest& request)
 {
     std::string hash = hash_names()[static_cast<std::size_t>(request.hash)];
     keys.word("hash", hash, hash_names(), "what gives lattice points their colours");
     request.hash = static_cast<HashKind>(std::ranges::find(hash_names(), hash) - hash_names().begin());
+    keys.value(
+            "entries", table_sizes_allowed,
+            "entries of the hash function's tables; those of \"long-period\" have no common divisors, and the first is "
+            "the range, a multiple of the number of colours",
+            [&](const ConfigNode& node) { read_table_sizes(keys, node, request.entries); })
+        .at_most(most_hash_tables)
+        .otherwise("256 or a little less; of \"long-period\" 24 and six primes near it, or near these");
+    keys.check("entries", [&] {
+        for (const Color colors : {request.colors, request.all_colors().vertical})
+            make_color_hash(request.hash_choice(), colors, 1);
+    });
     const std::size_t axes = axes_of(request.kind);
     const std::vector<std::string> names{"MX", "MY", "MZ"};
     std::vector<std::int64_t> p;
@@ -258,10 +283,10 @@ void check_own_keys(const Keys& keys, const ShownTiling& s)
 {
     const TilingRequest& request = s.request;
     if (request.is_given())
-        for (const char* key : {"algorithm", "hash", "period", "window"})
+        for (const char* key : {"algorithm", "hash", "entries", "period", "window"})
             if (keys.is_given(key)) throw keys.invalid(key, "has no place beside indices");
     if (request.is_direct() || (request.is_scanline() && s.is_drawn)) return;
-    for (const char* key : {"hash", "period"})
+    for (const char* key : {"hash", "entries", "period"})
         if (keys.is_given(key))
             throw keys.invalid(key, "has no place beside " + keys.shown("algorithm", request.algorithm));
 }

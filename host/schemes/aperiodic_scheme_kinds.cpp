@@ -43,15 +43,42 @@ std::vector<std::uint32_t> read_colors_of(const ConfigTable& entries, const char
     return {numbers->begin(), numbers->end()};
 }
 
-/// coloring = { colors = 3, aspects = [0, 1, 2], steps = [1, 2] }: see TileColoring.
+/// Two permutations of the colours, each a list of the colours that follow 0, 1, ...
+std::array<std::vector<std::uint32_t>, 2> read_permutations(const ConfigTable& entries, std::uint32_t colors)
+{
+    const ConfigNode& node = *find(entries, "permutations");
+    const auto refused = [&] {
+        return invalid_node("permutations", node,
+                            fmt::format("must be two lists of all colours from 0 to {}", colors - 1));
+    };
+    const auto* lists = node.get_if<ConfigList>();
+    if (!lists || lists->size() != 2) throw refused();
+    std::array<std::vector<std::uint32_t>, 2> permutations;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto numbers = numbers_of_list((*lists)[i]);
+        if (!numbers || numbers->size() != colors) throw refused();
+        for (std::uint32_t color = 0; color < colors; ++color)
+            if (std::ranges::count(*numbers, static_cast<double>(color)) != 1) throw refused();
+        permutations[i].assign(numbers->begin(), numbers->end());
+    }
+    return permutations;
+}
+
+/// coloring = { colors = 3, aspects = [0, 1, 2], steps = [1, 2] }, or with permutations = [[1, 2, 0], [2, 0, 1]] in
+/// place of steps: see TileColoring.
 TileColoring coloring_of(const Keys& keys, const ConfigNode& node, std::size_t aspects)
 {
     const auto* entries = node.get_if<ConfigTable>();
-    if (!entries) throw keys.invalid("coloring", "must be a table { colors, aspects, steps }");
-    check_keys(*entries, {"colors", "aspects", "steps"});
+    if (!entries) throw keys.invalid("coloring", "must be a table { colors, aspects, steps or permutations }");
+    check_keys(*entries, {"colors", "aspects", "steps", "permutations"});
     TileColoring coloring;
     Keys(*entries, node.location, "").integer("colors", coloring.colors, 1, 8, "how many there are");
     coloring.aspects = read_colors_of(*entries, "aspects", aspects, coloring.colors);
+    if (find(*entries, "permutations")) {
+        if (find(*entries, "steps")) throw keys.invalid("coloring", "must have steps or permutations, not both");
+        coloring.permutations = read_permutations(*entries, coloring.colors);
+        return coloring;
+    }
     const auto steps = read_colors_of(*entries, "steps", 2, coloring.colors);
     coloring.steps = {steps[0], steps[1]};
     return coloring;
@@ -154,7 +181,7 @@ void isohedral_keys(Keys& keys, IsohedralSettings& s)
     keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
     const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
     shape_keys(keys, s, type);
-    keys.value("coloring", "a table { colors, aspects, steps }", "the colours of tiles",
+    keys.value("coloring", "a table { colors, aspects, steps or permutations }", "the colours of tiles",
                [&](const ConfigNode& node) { s.coloring = coloring_of(keys, node, type.shape.aspects.size()); })
         .otherwise("the fewest colours");
     keys.value("window", "[width, height], each from 1 to 100", "in sides of a square as large as the tile",

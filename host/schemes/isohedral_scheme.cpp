@@ -52,7 +52,9 @@ DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64
     result.facts = {fmt::format("IH{}: {}", type.number, type.symbol), fmt::format("topology {}", type.topology),
                     fmt::format("{} aspects, {} parameters, {} curves", type.shape.aspects.size(),
                                 type.shape.parameters(), type.shape.curve_shapes.size()),
-                    is_proper(tile, coloring) ? "neighbours differ in colour" : "some neighbours have the same colour"};
+                    is_proper(tile, coloring) ? "neighbours differ in colour" : "some neighbours have the same colour",
+                    is_perfect(tile, coloring) ? "a perfect colouring: symmetries permute colours"
+                                               : "not a perfect colouring"};
     if (type.is_marked)
         result.facts.emplace_back("its tiles need markings: without them this is a tiling of another type");
     const auto& t = tile.translations();

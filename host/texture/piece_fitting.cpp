@@ -25,6 +25,37 @@ PieceMask free_mask(const std::vector<PixelRole>& roles, int size)
     return mask;
 }
 
+/// A pixel and its eastern neighbour, or the one below.
+struct PixelPair
+{
+    int x = 0;
+    int y = 0;
+    bool is_vertical = false;
+};
+
+/// The pairs whose costs say how well a window may fit. Near the middle of a side: within an eighth of the side.
+std::vector<PixelPair> searched_pairs(const std::vector<PixelRole>& roles, int size, PieceSearch search)
+{
+    const auto is_near_middle = [&](int x, int y) {
+        const int u = 2 * std::min(x, size - 1 - x), v = 2 * std::min(y, size - 1 - y);
+        const int from_u = u + 1 - size, from_v = v + 1 - size; // twice the distances from the axes of symmetry
+        return 16 * (u * u + from_v * from_v) <= size * size || 16 * (v * v + from_u * from_u) <= size * size;
+    };
+    std::vector<PixelPair> pairs;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (const bool is_vertical : {false, true}) {
+                const int other = is_vertical ? (y + 1) * size + x : y * size + x + 1;
+                if ((is_vertical ? y : x) + 1 == size) continue;
+                const bool is_kept = roles[static_cast<std::size_t>(y * size + x)] == PixelRole::kept;
+                const bool other_is_kept = roles[static_cast<std::size_t>(other)] == PixelRole::kept;
+                if (search == PieceSearch::circle ? is_kept != other_is_kept
+                                                  : is_near_middle(x, y) && !(is_kept && other_is_kept))
+                    pairs.push_back({x, y, is_vertical});
+            }
+    return pairs;
+}
+
 /// Keeps the mean step between neighbours of all pictures of a stage near the exemplar's. Patches of corners stand out
 /// little, and windows that fit best have less contrast than others, so that the set would lose edges. Only the middles
 /// of tiles make up for it, as there are most of them: what recurs should not stand out.
@@ -106,6 +137,24 @@ FittedPiece cheapest_piece(const PngPixels& exemplar, const PngPixels& canvas, c
 
 }
 
+SquareSums cost_sums(const PngPixels& exemplar, const PngPixels& canvas, const std::vector<PixelRole>& roles,
+                     PieceSearch search, SeamWeight weight)
+{
+    const int size = canvas.width;
+    SquareSums sums{exemplar.width - size + 1, exemplar.height - size + 1, {}};
+    sums.sums.resize(static_cast<std::size_t>(sums.columns) * static_cast<std::size_t>(sums.rows));
+    const std::vector<PixelPair> pairs = searched_pairs(roles, size, search);
+    tbb::parallel_for(0, sums.rows, [&](int row) {
+        for (int column = 0; column < sums.columns; ++column) {
+            const PngPixels window = window_pixels(exemplar, {column, row, size});
+            std::uint64_t& sum = sums.sums[static_cast<std::size_t>(row * sums.columns + column)];
+            for (const PixelPair& pair : pairs)
+                sum += static_cast<std::uint64_t>(pair_cost(canvas, window, pair.x, pair.y, pair.is_vertical, weight));
+        }
+    });
+    return sums;
+}
+
 PngPixels canvas_pixels(const PngPixels& exemplar, const SourceCanvas& canvas)
 {
     PngPixels pixels{canvas.size, canvas.size, exemplar.channels, {}};
@@ -141,7 +190,9 @@ std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector
         std::vector<SquareSums> sums(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
             pixels[i] = canvas_pixels(exemplar, canvases[first + i]);
-            sums[i] = squares.sums(pixels[i]);
+            sums[i] = request.search == PieceSearch::area
+                          ? squares.sums(pixels[i])
+                          : cost_sums(exemplar, pixels[i], roles, request.search, request.weight);
         });
         for (std::size_t i = 0; i < count; ++i) {
             const auto windows =

@@ -45,25 +45,27 @@ std::vector<TextureTile> tiles_of_letters(std::span<const std::string_view> lett
 
 std::vector<TextureTile> omega_tiles(const std::string& name)
 {
-    if (name == "4") return tiles_of_letters(four_tiles, 1);
-    if (name == "8") return tiles_of_letters(eight_tiles, 1);
-    if (name == "16") return tiles_of_letters(figure_8a, 1);
-    if (name == "16b") return tiles_of_letters(figure_8b, 1);
-    return tiles_of_letters(figure_8a, 2);
+    const std::uint32_t variants = name == "32" || name.ends_with("-doubled") ? 2 : 1;
+    if (name.starts_with("4")) return tiles_of_letters(four_tiles, variants);
+    if (name.starts_with("8")) return tiles_of_letters(eight_tiles, variants);
+    return tiles_of_letters(name.starts_with("16b") ? figure_8b : figure_8a, variants);
 }
 
 /// Cohen's sets of 8, 12 and 18 tiles: two for each pair of northern and western colours (Cohen and others 2003,
-/// section 2, who leave open which). With two numbers of colours, the eastern and southern ones count on as for one
-/// number.
+/// section 2, who leave open which).
 std::vector<TextureTile> compact_tiles(WangColors colors)
 {
     std::vector<TextureTile> tiles;
-    for (Color north = 0; north < colors.horizontal; ++north)
-        for (Color west = 0; west < colors.vertical; ++west)
+    if (colors.horizontal != colors.vertical) {
+        const TileSet set = compact_wang_set(colors);
+        for (std::uint64_t i = 0; i < set.size(); ++i) tiles.push_back({set.index(i), 0});
+        return tiles;
+    }
+    const Color c = colors.horizontal;
+    for (Color north = 0; north < c; ++north)
+        for (Color west = 0; west < c; ++west)
             for (Color k = 0; k < 2; ++k)
-                tiles.push_back(
-                    {wang_index({north, (north + k) % colors.vertical, (west + k) % colors.horizontal, west}, colors),
-                     0});
+                tiles.push_back({wang_index({north, (north + k) % c, (west + k) % c, west}, colors), 0});
     return tiles;
 }
 
@@ -155,7 +157,7 @@ void check_colors_of(const TextureRequest& r)
 const std::vector<std::string>& texture_tile_names(TextureKind kind)
 {
     static const std::vector<std::string> corner{"complete"}, wang{"complete", "compact", random_marks},
-        omega{"16", "4", "8", "16b", "32"};
+        omega{"16", "4", "8", "16b", "32", "4-doubled", "8-doubled", "16b-doubled"};
     return kind == TextureKind::corner ? corner : kind == TextureKind::wang ? wang : omega;
 }
 
@@ -174,6 +176,8 @@ void check(const TextureRequest& r)
         refuse("stages", std::to_string(r.stages), "must be 0, 1 or 3");
     if (!(r.overlap >= 0.03 && r.overlap <= 0.5))
         refuse("overlap", fmt::format("{}", r.overlap), "must be a number from 0.03 to 0.5");
+    if (r.search != PieceSearch::area && !(r.has_corners() && r.stages == 1))
+        refuse("search", piece_searches[r.search], "is for corner and omega tiles with stages = 1");
     check_range("candidates", r.candidates, 1, most_texture_candidates);
     if (r.diversity) check_range("diversity", *r.diversity, 0, r.size);
     check_range("attempts", r.attempts, 1, most_texture_attempts);
@@ -232,6 +236,7 @@ std::map<std::string, std::string> parameters_of(const TextureRequest& r)
     } else {
         if (r.has_corners()) parameters["stages"] = std::to_string(r.stages);
         parameters["candidates"] = std::to_string(r.candidates);
+        if (r.search != PieceSearch::area) parameters["search"] = piece_searches[r.search];
         if (r.stages == 0) parameters["overlap"] = fmt::format("{}", r.overlap);
         parameters["core"] = fmt::format("{}", r.core_radius());
     }

@@ -22,6 +22,16 @@ enum class QuiltingCut
 inline constexpr WordTable<QuiltingCut, 2> quilting_cuts{
     {{{QuiltingCut::minimum_cut, "min-cut"}, {QuiltingCut::path, "path"}}}};
 
+/// How the windows are found that are cut for a piece.
+enum class PieceSearch
+{
+    area,    ///< the smallest sums of squared differences over all pixels that may be cut
+    circle,  ///< the smallest sums of the cut's costs around the circle (Ng and others 2005, section 3.2)
+    middles, ///< these costs near the middles of sides, their alternative
+};
+inline constexpr WordTable<PieceSearch, 3> piece_searches{
+    {{{PieceSearch::area, "area"}, {PieceSearch::circle, "circle"}, {PieceSearch::middles, "middles"}}}};
+
 // Largest values of a request.
 inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of others 8
 inline constexpr int most_texture_candidates = 256;
@@ -38,11 +48,12 @@ struct TextureRequest
 {
     TextureKind kind = TextureKind::corner;
     WangColors colors;
-    std::string tiles;            ///< one of texture_tile_names(); empty: the kind's first
-    int size = 64;                ///< T
-    std::optional<int> ring;      ///< w; T / 16 unless given
-    int stages = 3;               ///< corner and omega: 3, 1 as Ng and others have it, or 0: no new piece in a tile
-    int candidates = 8;           ///< windows that are cut for a piece
+    std::string tiles;       ///< one of texture_tile_names(); empty: the kind's first
+    int size = 64;           ///< T
+    std::optional<int> ring; ///< w; T / 16 unless given
+    int stages = 3;          ///< corner and omega: 3, 1 as Ng and others have it, or 0: no new piece in a tile
+    int candidates = 8;      ///< windows that are cut for a piece
+    PieceSearch search = PieceSearch::area;
     std::optional<int> diversity; ///< pixels between any two windows; T / 4 or what fits unless given
     SeamWeight weight = SeamWeight::plain;
     QuiltingCut cut = QuiltingCut::minimum_cut; ///< wang

@@ -85,18 +85,23 @@ inline constexpr double drawn_amplitude = 0.3;
 /// True where two parts of a closed polyline that do not follow each other meet.
 bool crosses_itself(const std::vector<PlanePoint>& outline);
 
-/// A colouring that repeats with the translations: the colour of aspect k at (column, row) is aspects[k] + column *
-/// step1
-/// + row * step2 modulo `colors`.
+/// A colouring that repeats with the translations: the colour of aspect k at (column, row) is
+/// p2^row(p1^column(aspects[k])) for two permutations of the colours (Kaplan's notes, section 7.4.1), or aspects[k] +
+/// column * step1 + row * step2 modulo `colors`, which are cyclic shifts.
 struct TileColoring
 {
     std::uint32_t colors = 1;
     std::vector<std::uint32_t> aspects;
     std::array<std::uint32_t, 2> steps{};
+    std::array<std::vector<std::uint32_t>, 2> permutations{}; ///< none: shifts by `steps`
     bool is_perfect = false; ///< every symmetry of the tiling maps tiles of one colour to tiles of one colour
 
     std::uint32_t of(const TilePlace& place) const;
 };
+
+/// True if every symmetry of the tiling that its type has maps tiles of one colour to tiles of one colour, and those of
+/// different colours to different colours.
+bool is_perfect(const IsohedralTile& tile, const TileColoring& coloring);
 
 /// A colouring with the fewest colours in which no two neighbours across an edge have the same, perfect if one with as
 /// many colours is, or with one more.

@@ -1,11 +1,12 @@
 // Colourings of isohedral tilings: no two neighbours alike, and perfect ones where they are found.
 //
-// Kaplan, SIGGRAPH 2008 class notes, II, sections 7.2 and 7.4.1: translations permute colours; here they are cyclic
-// shifts. Whether a colouring is perfect is checked, not assumed.
+// Kaplan, SIGGRAPH 2008 class notes, II, sections 7.2 and 7.4.1: translations permute colours; those found here are
+// cyclic shifts. Whether a colouring is perfect is checked, not assumed.
 #include "tiles/isohedral/isohedral_tile.hpp"
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -27,6 +28,26 @@ std::vector<NeighbourPair> neighbour_pairs(const IsohedralTile& tile)
         for (std::size_t edge = 0; edge < tile.corners().size(); ++edge)
             pairs.push_back({aspect, tile.neighbour({aspect, 0, 0}, edge)});
     return pairs;
+}
+
+/// The least number of times after which a permutation has brought all back.
+std::int32_t order_of(const std::vector<std::uint32_t>& permutation)
+{
+    std::int32_t order = 1;
+    for (std::uint32_t color = 0; color < permutation.size(); ++color) {
+        std::int32_t length = 1;
+        for (std::uint32_t at = permutation[color]; at != color; at = permutation[at]) ++length;
+        order = std::lcm(order, length);
+    }
+    return order;
+}
+
+/// The image of a colour under a power of a permutation.
+std::uint32_t power_image(const std::vector<std::uint32_t>& permutation, std::uint32_t color, std::int32_t power)
+{
+    const std::int32_t order = order_of(permutation), steps = (power % order + order) % order;
+    for (std::int32_t i = 0; i < steps; ++i) color = permutation[color];
+    return color;
 }
 
 class ColoringSearch
@@ -67,7 +88,7 @@ private:
     {
         if (aspect == trial_.aspects.size()) {
             TileColoring coloring = trial_;
-            coloring.is_perfect = is_perfect();
+            coloring.is_perfect = is_perfect(tile_, trial_);
             if (found_.colors == 1 || coloring.is_perfect) found_ = coloring;
             return coloring.is_perfect || ++tries_ > most_tries;
         }
@@ -76,23 +97,6 @@ private:
             if (fits(aspect) && extend(aspect + 1)) return true;
         }
         return false;
-    }
-
-    /// Each hop maps the tiles around it; colours must go to colours, one to one. Translations shift colours, so that
-    /// the tiles of a few units tell all.
-    bool is_perfect() const
-    {
-        for (std::size_t edge = 0; edge < tile_.corners().size(); ++edge) {
-            std::map<std::uint32_t, std::uint32_t> image;
-            for (std::uint32_t aspect = 0; aspect < trial_.aspects.size(); ++aspect)
-                for (const std::int32_t column : {0, 1})
-                    for (const std::int32_t row : {0, 1}) {
-                        const TilePlace place{aspect, column, row};
-                        const std::uint32_t to = trial_.of(tile_.image(place, edge));
-                        if (image.try_emplace(trial_.of(place), to).first->second != to) return false;
-                    }
-        }
-        return true;
     }
 
     const IsohedralTile& tile_;
@@ -105,10 +109,33 @@ private:
 
 std::uint32_t TileColoring::of(const TilePlace& place) const
 {
+    if (!permutations[0].empty())
+        return power_image(permutations[1], power_image(permutations[0], aspects[place.aspect], place.column),
+                           place.row);
     const std::int64_t sum = std::int64_t{aspects[place.aspect]} + std::int64_t{steps[0]} * place.column +
                              std::int64_t{steps[1]} * place.row;
     const std::int64_t rest = sum % colors;
     return static_cast<std::uint32_t>(rest < 0 ? rest + colors : rest);
+}
+
+bool is_perfect(const IsohedralTile& tile, const TileColoring& coloring)
+{
+    // Each hop maps the tiles around it; colours must go to colours, one to one. Shifts are the same everywhere, so
+    // that the tiles of a few units tell all; permutations repeat after their orders.
+    const auto& permutations = coloring.permutations;
+    const std::int32_t units =
+        permutations[0].empty() ? 2 : std::max(2, std::lcm(order_of(permutations[0]), order_of(permutations[1])));
+    for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
+        std::map<std::uint32_t, std::uint32_t> image;
+        for (std::uint32_t aspect = 0; aspect < tile.aspects().size(); ++aspect)
+            for (std::int32_t column = 0; column < units; ++column)
+                for (std::int32_t row = 0; row < units; ++row) {
+                    const TilePlace place{aspect, column, row};
+                    const std::uint32_t from = coloring.of(place), to = coloring.of(tile.image(place, edge));
+                    if (image.try_emplace(from, to).first->second != to) return false;
+                }
+    }
+    return true;
 }
 
 TileColoring proper_coloring(const IsohedralTile& tile)

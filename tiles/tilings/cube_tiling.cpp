@@ -30,7 +30,7 @@ TileIndex index_at(const TileSet& set, const Hash& hash, const Lattice& lattice,
 
 }
 
-CubeTiling::CubeTiling(Color colors, HashKind hash, std::uint64_t seed, Period period, TileKind kind)
+CubeTiling::CubeTiling(Color colors, const HashChoice& hash, std::uint64_t seed, Period period, TileKind kind)
     : tile_set_(TileSet::complete(kind, colors)), period_(checked_period(period)),
       hash_(make_color_hash(hash, colors, seed))
 {
@@ -66,7 +66,7 @@ void CubeTiling::stream(const CubeWindow& window, const CubeSink& sink) const
     }
 }
 
-DominoTiling::DominoTiling(Color colors, HashKind hash, std::uint64_t seed, std::int64_t period)
+DominoTiling::DominoTiling(Color colors, const HashChoice& hash, std::uint64_t seed, std::int64_t period)
     : tile_set_(TileSet::complete(TileKind::domino, colors)), period_(checked_period({period, 0, 0})),
       hash_(make_color_hash(hash, colors, seed))
 {}

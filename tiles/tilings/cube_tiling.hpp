@@ -32,7 +32,8 @@ class CubeTiling
 public:
     /// Throws InputError for fewer than 2 colours or more than most_colors_of(kind), and for a period that is
     /// negative. `kind`: cube or wang_cube.
-    CubeTiling(Color colors, HashKind hash, std::uint64_t seed, Period period = {}, TileKind kind = TileKind::cube);
+    CubeTiling(Color colors, const HashChoice& hash, std::uint64_t seed, Period period = {},
+               TileKind kind = TileKind::cube);
 
     const TileSet& tile_set() const { return tile_set_; }
     Period period() const { return period_; }
@@ -55,7 +56,7 @@ class DominoTiling
 {
 public:
     /// Throws InputError for fewer than 2 colours or more than max_colors, and for a period that is negative.
-    DominoTiling(Color colors, HashKind hash, std::uint64_t seed, std::int64_t period = 0);
+    DominoTiling(Color colors, const HashChoice& hash, std::uint64_t seed, std::int64_t period = 0);
 
     const TileSet& tile_set() const { return tile_set_; }
     const ColorHash& hash() const { return hash_; }

@@ -3,10 +3,7 @@
 #include <cstddef>
 
 namespace poissonlab {
-namespace {
 
-/// The least divisor d of the number of values such that, cyclically, each value and the d-th after it are
-/// the same modulo `modulus`.
 std::uint64_t cyclic_period(std::span<const std::uint32_t> values, std::uint64_t modulus)
 {
     const std::size_t n = values.size();
@@ -17,8 +14,6 @@ std::uint64_t cyclic_period(std::span<const std::uint32_t> values, std::uint64_t
         if (repeats) return d;
     }
     return n;
-}
-
 }
 
 HashPeriod permutation_period(std::span<const std::uint32_t> permutation, Color colors)

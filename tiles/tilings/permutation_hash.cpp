@@ -8,9 +8,8 @@
 #include <string>
 
 namespace poissonlab {
-namespace {
 
-std::uint32_t checked_size(Color colors, std::uint32_t size)
+std::uint32_t PermutationHash::checked_size(Color colors, std::uint32_t size)
 {
     if (size < colors || size > PermutationHash::max_size)
         throw InputError("permutation table of " + std::to_string(size) + " entries for " + std::to_string(colors) +
@@ -19,14 +18,8 @@ std::uint32_t checked_size(Color colors, std::uint32_t size)
     return size;
 }
 
-}
-
 PermutationHash::PermutationHash(Color colors, std::uint32_t size, const StreamKey& key)
     : PermutationHash(colors, random_permutation(checked_size(colors, size), key, 0))
-{}
-
-PermutationHash::PermutationHash(Color colors, const StreamKey& key)
-    : PermutationHash(colors, max_colors / colors * colors, key)
 {}
 
 PermutationHash::PermutationHash(Color colors, std::vector<std::uint32_t> permutation)

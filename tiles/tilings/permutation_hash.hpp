@@ -27,9 +27,15 @@ public:
     /// Takes a random permutation of 0, 1, ..., size - 1. Throws InputError unless colors <= size <= max_size.
     PermutationHash(Color colors, std::uint32_t size, const StreamKey& key);
 
-    /// Takes the largest table of at most max_colors entries in which all colours are as frequent: 256 for 2,
-    /// 4, 8 and 16 colours, 255 for 3 and 5, 252 for 6 and 7.
-    PermutationHash(Color colors, const StreamKey& key);
+    /// Returns the size that it is given. Throws InputError unless colors <= size <= max_size.
+    static std::uint32_t checked_size(Color colors, std::uint32_t size);
+
+    /// The largest table of at most max_colors entries in which all colours are as frequent: 256 for 2, 4, 8 and 16
+    /// colours, 255 for 3 and 5, 252 for 6 and 7.
+    static std::uint32_t default_size(Color colors) { return max_colors / colors * colors; }
+
+    /// Takes a table of the default size.
+    PermutationHash(Color colors, const StreamKey& key) : PermutationHash(colors, default_size(colors), key) {}
 
     /// Takes this permutation of 0, 1, ..., size - 1.
     PermutationHash(Color colors, std::vector<std::uint32_t> permutation);

@@ -2,6 +2,9 @@
 
 #include "base/errors/errors.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -9,21 +12,29 @@ namespace poissonlab {
 
 const std::vector<std::string>& hash_names()
 {
-    static const std::vector<std::string> names{"permutation", "long-period", "xxh64"};
+    static const std::vector<std::string> names{"permutation", "long-period", "xxh64", "two-tables"};
     return names;
 }
 
-ColorHash make_color_hash(HashKind kind, Color colors, std::uint64_t seed, std::uint32_t stream)
+ColorHash make_color_hash(const HashChoice& choice, Color colors, std::uint64_t seed, std::uint32_t stream)
 {
     if (colors < 2 || colors > max_colors)
         throw InputError("colors = " + std::to_string(colors) + ": must be an integer from 2 to " +
                          std::to_string(max_colors));
     const StreamKey key = stream_key(seed, Purpose::tiling_colors, stream);
-    switch (kind) {
+    const auto& sizes = choice.entries;
+    if (choice.kind != HashKind::long_period && sizes.size() > (choice.kind == HashKind::xxh64 ? 0 : 1))
+        throw InputError(fmt::format("tables with {} entries: {} has {}", fmt::join(sizes, ", "),
+                                     hash_names()[static_cast<std::size_t>(choice.kind)],
+                                     choice.kind == HashKind::xxh64 ? "none" : "tables of one size"));
+    const std::uint32_t size = sizes.empty() ? PermutationHash::default_size(colors) : sizes.front();
+    switch (choice.kind) {
     case HashKind::permutation:
-        return PermutationHash(colors, key);
+        return PermutationHash(colors, size, key);
+    case HashKind::two_tables:
+        return TwoTableHash(colors, size, key);
     case HashKind::long_period:
-        return LongPeriodHash(colors, key);
+        return LongPeriodHash(colors, sizes.empty() ? tiling_hash_design(colors) : LongPeriodDesign{size, sizes}, key);
     case HashKind::xxh64:
         return Xxh64Hash(colors, key);
     }

@@ -5,6 +5,7 @@
 
 #include "tiles/tilings/long_period_hash.hpp"
 #include "tiles/tilings/permutation_hash.hpp"
+#include "tiles/tilings/two_table_hash.hpp"
 #include "tiles/tilings/xxh64_hash.hpp"
 
 #include <cstdint>
@@ -21,16 +22,28 @@ enum class HashKind
     permutation, ///< fast, repeats after 252 to 256 points
     long_period, ///< repeats after 5,930,659,848 points, with 2, 3, 4, 6 or 8 colours
     xxh64,       ///< does not repeat
+    two_tables,  ///< repeats after 252 to 256 points, and makes few of the tiles
 };
 
-/// "permutation", "long-period", "xxh64": in the order of the kinds.
+/// A hash function and the sizes of its tables, of which the first is the range; none: the default ones.
+struct HashChoice
+{
+    HashKind kind = HashKind::long_period;
+    std::vector<std::uint32_t> entries;
+
+    HashChoice(HashKind of, std::vector<std::uint32_t> sizes = {}) : kind(of), entries(std::move(sizes)) {}
+};
+
+/// "permutation", "long-period", "xxh64", "two-tables": in the order of the kinds.
 const std::vector<std::string>& hash_names();
 
-using ColorHash = std::variant<PermutationHash, LongPeriodHash, Xxh64Hash>;
+using ColorHash = std::variant<PermutationHash, LongPeriodHash, Xxh64Hash, TwoTableHash>;
 
 /// The hash function number `stream` of a seed, for this number of colours; those of different streams are
-/// independent. Throws InputError for fewer than 2 colours or more than max_colors.
-ColorHash make_color_hash(HashKind kind, Color colors, std::uint64_t seed, std::uint32_t stream = 0);
+/// independent. Throws InputError for fewer than 2 colours or more than max_colors, and for sizes of tables that the
+/// hash function cannot have: a permutation has one, two equal tables as well, XXH64 none, and those of
+/// LongPeriodDesign.
+ColorHash make_color_hash(const HashChoice& choice, Color colors, std::uint64_t seed, std::uint32_t stream = 0);
 
 inline HashPeriod period_of(const ColorHash& hash)
 {

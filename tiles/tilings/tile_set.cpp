@@ -66,19 +66,23 @@ std::optional<std::uint64_t> TileSet::position(TileIndex index) const
     return static_cast<std::uint64_t>(found - indices_.begin());
 }
 
-TileSet compact_wang_set(Color colors)
+TileSet compact_wang_set(WangColors colors)
 {
-    check_colors(TileKind::wang, colors);
+    check_colors(TileKind::wang, colors.horizontal);
+    check_colors(TileKind::wang, colors.vertical);
     std::vector<TileIndex> indices;
-    for (Color north = 0; north < colors; ++north) {
-        for (Color west = 0; west < colors; ++west) {
+    for (Color north = 0; north < colors.horizontal; ++north) {
+        for (Color west = 0; west < colors.vertical; ++west) {
             for (Color k = 0; k < 2; ++k) {
-                const WangTile tile{north, (north + k) % colors, (west + k) % colors, west};
-                indices.push_back(wang_index(tile, {colors, colors}));
+                // For one number of colours, this pair is (W, N); for two, each pair of (S, E) comes once as well.
+                const Color pair = west * colors.horizontal + north;
+                const Color south = pair / colors.vertical, east = pair % colors.vertical;
+                const WangTile tile{north, (east + k) % colors.vertical, (south + k) % colors.horizontal, west};
+                indices.push_back(wang_index(tile, colors));
             }
         }
     }
-    return {TileKind::wang, {colors, colors}, std::move(indices)};
+    return {TileKind::wang, colors, std::move(indices)};
 }
 
 TileSet one_hash_wang_set(Color colors)

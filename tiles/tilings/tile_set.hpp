@@ -98,8 +98,10 @@ private:
 /// 2 C^2 tiles with two choices for each pair of north and west colours, and for each pair of south and east
 /// colours (D. 3.2.1, figure 3.2): those with (E, S) = (N + k, W + k) mod C, k = 0 and 1. Then all edges of a tiling by
 /// scanlines are independent where they meet a tile, and all tiles as frequent. For two colours, these are the tiles 0,
-/// 3, 5, 6, 9, 10, 12 and 15 that the SIGGRAPH 2008 class notes (part I) name; for more, D. names none.
-TileSet compact_wang_set(Color colors);
+/// 3, 5, 6, 9, 10, 12 and 15 that the SIGGRAPH 2008 class notes (part I) name; for more, D. names none. With
+/// two numbers of colours, as in figure 1c of Cohen and others 2003, there are twice their product.
+TileSet compact_wang_set(WangColors colors);
+inline TileSet compact_wang_set(Color colors) { return compact_wang_set(WangColors{colors, colors}); }
 
 /// The C^3 tiles that the direct algorithm with one hash function makes: N + S = E + W modulo C (D. 3.3.2.2).
 /// For two colours, the set above.

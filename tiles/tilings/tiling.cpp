@@ -230,7 +230,7 @@ TileIndex tile_at(DirectAlgorithm algorithm, WangColors colors, const Hash& hori
 
 }
 
-Tiling::Tiling(DirectAlgorithm algorithm, WangColors colors, HashKind hash, std::uint64_t seed, Period period)
+Tiling::Tiling(DirectAlgorithm algorithm, WangColors colors, const HashChoice& hash, std::uint64_t seed, Period period)
     : algorithm_(algorithm), colors_(checked_colors(algorithm, colors)), tile_set_(tile_set_of(algorithm, colors)),
       period_(checked_period(period)), horizontal_(make_color_hash(hash, colors.horizontal, seed)),
       vertical_(make_color_hash(hash, colors.vertical, seed, vertical_stream(algorithm, colors)))

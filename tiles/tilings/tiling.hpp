@@ -38,7 +38,8 @@ public:
     /// Throws InputError for numbers of colours that the tile set or hash function cannot have, for a period
     /// that is negative or 2^62 or more, and for horizontal and vertical colours that differ where the
     /// algorithm needs them to be the same.
-    Tiling(DirectAlgorithm algorithm, WangColors colors, HashKind hash, std::uint64_t seed, Period period = {});
+    Tiling(DirectAlgorithm algorithm, WangColors colors, const HashChoice& hash, std::uint64_t seed,
+           Period period = {});
 
     DirectAlgorithm algorithm() const { return algorithm_; }
     const TileSet& tile_set() const { return tile_set_; }

@@ -18,8 +18,8 @@ then at the bottom (cube); N E S W top bottom (wang-cube); E W (domino).
   wang-cube     face-hash
 Names of aperiodic sets are those of `poissonlab aperiodic`; --colors must be theirs.
 Scanline tilings start at their north-west tile; the window must be at 0 0.
---hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats);
-with edge-hash, after half as many.
+--hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats),
+two-tables (256, few of the tiles); with edge-hash, after half as many. --entries sets the sizes of tables.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
 void print_tiling(const KindOptions& options)

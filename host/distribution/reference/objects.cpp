@@ -21,6 +21,7 @@ struct SamplePlace
 {
     std::array<std::int32_t, 3> tile{};
     std::array<float, 3> f{};
+    std::array<float, 3> part{}; ///< of the picture
     float light = 1;
     bool is_there = true;
 };
@@ -72,6 +73,8 @@ SamplePlace plane_place(const ObjectScene& scene, std::uint32_t i, std::uint32_t
     const std::array<std::int64_t, 3> at{scene.left + i * scene.step, scene.bottom + j * scene.step,
                                          in_space ? scene.z : 0};
     SamplePlace place;
+    place.part = {(static_cast<float>(i) + 0.5f) / static_cast<float>(scene.width * scene.samples),
+                  (static_cast<float>(j) + 0.5f) / static_cast<float>(scene.height * scene.samples), 0.5f};
     for (std::size_t a = 0; a < 3; ++a) {
         place.tile[a] = static_cast<std::int32_t>(at[a] >> 32);
         place.f[a] = fraction_of_place(at[a]);
@@ -88,6 +91,7 @@ SamplePlace body_place(const ObjectScene& scene, std::uint32_t i, std::uint32_t 
     SamplePlace place;
     place.is_there = seen.is_there != 0;
     place.light = seen.light;
+    place.part = {(seen.x + 1) / 2, (seen.y + 1) / 2, (seen.z + 1) / 2};
     const float scale = scene.extent / 2;
     const std::array<float, 3> at{seen.x * scale, seen.y * scale, in_space ? seen.z * scale : 0};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -122,10 +126,14 @@ ObjectPicture draw_objects(const ObjectTileSet& tiles, const PoissonTiling& tili
                 if (sample == 0) picture.ids[pixel] = object.id;
                 std::array<float, 3> at{};
                 for (std::size_t a = 0; a < 3; ++a) at[a] = static_cast<float>(place.tile[a]) + place.f[a];
-                color = mixed(0,
-                              object_color(&scene, shapes.radii.data(), object.id, object.offset[0], object.offset[1],
-                                           object.offset[2], background_color(&scene, at[0], at[1], at[2]), &inside),
-                              place.light);
+                const ObjectCoordinates point{place.part[0] - object.offset[0] / scene.extent,
+                                              place.part[1] - object.offset[1] / scene.extent,
+                                              place.part[2] - object.offset[2] / scene.extent};
+                color =
+                    mixed(0,
+                          object_color(&scene, shapes.radii.data(), object.id, object.offset[0], object.offset[1],
+                                       object.offset[2], point, background_color(&scene, at[0], at[1], at[2]), &inside),
+                          place.light);
             }
             for (std::size_t c = 0; c < 3; ++c) sums[c] += color >> (16 - 8 * c) & 255;
             sums[3] += inside;

@@ -10,6 +10,7 @@
 #include "host/distribution/tabled_noise.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
+#include "tiles/poisson/proof/tile_certificate.hpp"
 
 #include <fmt/format.h>
 
@@ -107,18 +108,10 @@ LookupCosts lookup_costs(const ObjectTileSet& tiles)
 
 using namespace contract::objects;
 
-const std::vector<std::string>& looks_of(int dimension)
-{
-    static const std::vector<std::string> plane{"dots",    "stars",     "flowers",  "hearts",  "daisies", "mondriaan",
-                                                "squares", "triangles", "starfish", "granite", "frames",  "cells"};
-    static const std::vector<std::string> space{"dots", "mondriaan", "granite", "frames", "cells"};
-    return dimension == 3 ? space : plane;
-}
-
 void object_keys(Keys& keys, ObjectSettings& s)
 {
     keys.integer("dimension", s.dimension, 2, 3, "objects in the plane, or in space");
-    keys.word("object", s.object, looks_of(s.dimension), "the look of objects");
+    keys.word("object", s.object, object_looks(s.dimension), "the look of objects");
     keys.tiles(s.tiles).otherwise("corner tiles of 3 colours, 32 points; in space sphere tiles of 2, 128 points");
     keys.number("objects", s.objects, {1e-6, 1e6}, "objects in a unit square or cube, on average");
     keys.number("window", s.window, {1e-6, 1e3}, "the side of the picture").unit("units");
@@ -198,10 +191,28 @@ void add_numbers(const ObjectSettings& settings, const ObjectTileSet& tiles, con
                                   settings.dimension == 3 ? "4/3 π R³ of each point" : "π R² of each point"});
 }
 
+/// The shares of look-ups that visit 1, 2 and 4 tiles by the rule of D 7.6.2.1: a place nearer to a corner than the
+/// largest empty circle's radius needs four, one nearer to an edge two. Points that leave their tiles are nearer by
+/// that.
+void add_visited_tiles(const ObjectTileSet& tiles, DistributionResult& result)
+{
+    const ptiles_set set = tiles.distribution({}).tiling.set;
+    if (set.dimension == 3) return;
+    const double radius = certify(tiles.tiles()).largest_empty_radius, out = std::max(set.below, set.above) / 65536.0;
+    if (radius + out > 0.5) return;
+    const double inner = 1 - 2 * (radius + out);
+    const double one = inner * inner, four = std::numbers::pi * radius * radius + 8 * radius * out + 4 * out * out;
+    result.numbers.push_back({"largest_empty_radius", "Largest empty circle", radius, "tiles, of any tiling"});
+    result.numbers.push_back({"one_tile", "Look-ups in one tile", one, "no edge is in reach of this circle"});
+    result.numbers.push_back({"two_tiles", "Look-ups in two tiles", 1 - one - four, "an edge is"});
+    result.numbers.push_back({"four_tiles", "Look-ups in four tiles", four, "a corner is"});
+}
+
 /// Speeds of this machine: they differ from run to run, and are measured where the config asks for them.
 void add_costs(const ObjectSettings& settings, const ObjectTileSet& tiles, DistributionResult& result)
 {
     if (!settings.has_timing) return;
+    add_visited_tiles(tiles, result);
     const LookupCosts costs = lookup_costs(tiles);
     result.numbers.push_back({"timed_dimension", "Dimension of look-ups", static_cast<double>(settings.dimension),
                               "of what follows, on the host, by one thread"});

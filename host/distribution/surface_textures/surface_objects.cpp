@@ -47,9 +47,11 @@ public:
         const MeshPoint place = place_on(surface_.mesh, quad, u, v);
         const auto part = [&](std::size_t k) { return static_cast<float>(place[k] * per_unit_); };
         const std::uint32_t behind = background_color(&scene_, part(0), part(1), part(2));
+        const QuadPoint point = object.id > 0 ? points_.points[object.id - 1] : QuadPoint{};
+        const ObjectCoordinates at{static_cast<float>(point.u), static_cast<float>(point.v), 0};
         std::uint32_t is_inside = 0;
         return object_color(&scene_, object_shapes().radii.data(), object.id, static_cast<float>(object.offset[0]),
-                            static_cast<float>(object.offset[1]), 0, behind, &is_inside);
+                            static_cast<float>(object.offset[1]), 0, at, behind, &is_inside);
     }
 
 private:

@@ -91,6 +91,9 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_advised = false)
         .otherwise("T / 4, or what is sure to fit");
     keys.integer("stages", r.stages, 0, 3, "3, 1: without pieces around edges, or 0: without new pieces");
     keys.integer("candidates", r.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
+    keys.word("search", r.search, piece_searches,
+              "with one stage: these windows are the most similar ones in all that may be cut, or in the costs of cuts "
+              "around the circle or near the middles of sides");
     keys.integer("attempts", r.attempts, 1, most_texture_attempts,
                  "sets of patches that are drawn, of which the best is taken; with joint where patches that are chosen "
                  "together do not fit");
@@ -200,9 +203,10 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
             if (keys.is_given(name)) throw keys.invalid(name, allowed);
     };
     if (s.endless) {
-        refuse({"colors",   "vertical_colors", "tiles", "ring",    "diversity",  "stages",  "candidates",
-                "attempts", "weight",          "cut",   "overlap", "core",       "joint",   "rounds",
-                "smooth",   "marked_exemplar", "marks", "also",    "straighten", "flatten", "blend"},
+        refuse({"colors",     "vertical_colors", "tiles",           "ring",  "diversity", "search",     "stages",
+                "candidates", "attempts",        "weight",          "cut",   "overlap",   "core",       "joint",
+                "rounds",     "smooth",          "marked_exemplar", "marks", "also",      "straighten", "flatten",
+                "blend"},
                "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
         check_keys_of_method(keys, s.endless->method, "kind");
     } else {

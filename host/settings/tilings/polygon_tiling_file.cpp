@@ -441,8 +441,9 @@ const std::vector<std::string>& substitution_words()
 const std::vector<std::string>& periodic_words()
 {
     static const std::vector<std::string> words{
-        "3.3.3.3.3.3", "4.4.4.4", "6.6.6",  "3.3.3.3.6", "3.3.3.4.4",        "3.3.4.3.4", "3.4.6.4",
-        "3.6.3.6",     "3.12.12", "4.6.12", "4.8.8",     "matched-octagons", "trihedral", "cheese-sandwich"};
+        "3.3.3.3.3.3", "4.4.4.4",          "6.6.6",     "3.3.3.3.6",       "3.3.3.4.4",
+        "3.3.4.3.4",   "3.4.6.4",          "3.6.3.6",   "3.12.12",         "4.6.12",
+        "4.8.8",       "matched-octagons", "trihedral", "cheese-sandwich", "anisohedral-octomino"};
     return words;
 }
 

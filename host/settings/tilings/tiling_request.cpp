@@ -81,7 +81,7 @@ Color own_colors(TileKind kind, const std::string& word)
 TileSet make_tile_set(TileKind kind, WangColors colors, const std::string& name)
 {
     const Color horizontal = colors.horizontal;
-    if (name != "complete" && colors.vertical != horizontal)
+    if (name != "complete" && name != "compact" && colors.vertical != horizontal)
         throw InputError(
             fmt::format("vertical_colors = {}: must be {}, as colors is, with {}", colors.vertical, horizontal, name));
     if (const Color own = own_colors(kind, name); own > 0) {
@@ -91,7 +91,7 @@ TileSet make_tile_set(TileKind kind, WangColors colors, const std::string& name)
     if (name == "one-hash") return one_hash_wang_set(horizontal);
     if (name == "corner") return equivalent_wang_set(TileSet::complete(TileKind::corner, horizontal));
     if (name != "compact") return TileSet::complete(kind, colors);
-    return kind == TileKind::corner ? compact_corner_set(horizontal) : compact_wang_set(horizontal);
+    return kind == TileKind::corner ? compact_corner_set(horizontal) : compact_wang_set(colors);
 }
 
 TileSet tile_set_of(const TilingRequest& request)
@@ -126,7 +126,8 @@ void check_given_tiles(const TilingRequest& request)
 
 HashPeriod hash_period_of(const TilingRequest& request)
 {
-    if (axes_of(request.kind) != 2) return period_of(make_color_hash(request.hash, request.colors, request.seed));
+    if (axes_of(request.kind) != 2)
+        return period_of(make_color_hash(request.hash_choice(), request.colors, request.seed));
     const Tiling tiling = make_direct_tiling(request);
     const HashPeriod first = period_of(tiling.hash()), second = period_of(tiling.vertical_hash());
     return {common_period(first.x, second.x), common_period(first.y, second.y)};
@@ -138,7 +139,7 @@ Tiling make_direct_tiling(const TilingRequest& request)
     if (request.algorithm == "two-hashes") algorithm = DirectAlgorithm::wang_two_hashes;
     if (request.algorithm == "one-hash") algorithm = DirectAlgorithm::wang_one_hash;
     if (request.algorithm == "edge-hash") algorithm = DirectAlgorithm::wang_edge_hash;
-    return Tiling(algorithm, request.all_colors(), request.hash, request.seed, request.period);
+    return Tiling(algorithm, request.all_colors(), request.hash_choice(), request.seed, request.period);
 }
 
 void stream_tiles(const TilingRequest& request, const CubeWindow& window, const CubeSink& sink)
@@ -147,9 +148,10 @@ void stream_tiles(const TilingRequest& request, const CubeWindow& window, const 
         sink(x, y, window.z, tiles);
     };
     if (axes_of(request.kind) == 3) {
-        CubeTiling(request.colors, request.hash, request.seed, request.period, request.kind).stream(window, sink);
+        CubeTiling(request.colors, request.hash_choice(), request.seed, request.period, request.kind)
+            .stream(window, sink);
     } else if (request.kind == TileKind::domino && request.is_direct()) {
-        DominoTiling(request.colors, request.hash, request.seed, request.period.x).stream(window, sink);
+        DominoTiling(request.colors, request.hash_choice(), request.seed, request.period.x).stream(window, sink);
     } else if (request.is_given()) {
         stream_given(request, window, sink);
     } else if (request.is_aperiodic()) {

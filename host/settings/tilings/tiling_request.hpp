@@ -29,10 +29,13 @@ struct TilingRequest
     Color vertical_colors = 0;        ///< of the vertical edges of Wang tiles; 0: as many as `colors`
     std::string algorithm = "direct"; ///< one of tiling_algorithms(kind), or given_tiles_word
     HashKind hash = HashKind::long_period;
+    std::vector<std::uint32_t> entries{}; ///< of the hash function's tables, its range first; none: the default ones
     std::uint64_t seed = 1;
     Period period;
     std::vector<TileIndex> given{}; ///< rows of tiles from north to south, from (0, 0) on; or those of a set
     std::uint64_t given_width = 0;
+
+    HashChoice hash_choice() const { return {hash, entries}; }
 
     WangColors all_colors() const { return {colors, vertical_colors > 0 ? vertical_colors : colors}; }
 

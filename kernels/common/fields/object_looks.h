@@ -1,5 +1,6 @@
-// The looks of objects of a distribution: sizes, turns and colours by their identity, shapes as radii by direction. Kernel
-// and plain twin share it; it comes after runtime/object_distribution.h or, in kernels, object_distribution_gpu.h.
+// The looks of objects of a distribution: sizes, turns and colours by their identity, shapes as radii by direction.
+// Kernel and plain twin share it; it comes after runtime/object_distribution.h or, in kernels,
+// object_distribution_gpu.h.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 7.6.1 and 7.6.2. Nothing here calls a library: cosines
 // are polynomials, and directions are told apart by quotients, so that all devices draw the same.
@@ -29,7 +30,14 @@ enum
     VIEW_PLANE = 0,      ///< x to the right, y upwards; in space, a slice
     VIEW_SPHERE = 1,
     VIEW_TORUS = 2,
-    PURPOSE_SIZE = 0, ///< each takes six numbers
+    SHOWS_LAYERS = 0,
+    SHOWS_CELLS = 1,       ///< colours of the nearest objects around their disks
+    SHOWS_FRAMES = 2,      ///< the local coordinates as colours
+    SHOWS_INSIDE = 3,      ///< this and those that follow are what a look-up returns: black in disks
+    SHOWS_COORDINATES = 4, ///< of the nearest point, as red, green and blue
+    SHOWS_NUMBER = 5,      ///< a random colour of the nearest point's number
+    SHOWS_DISTANCE = 6,    ///< from the nearest point, white from three radii on
+    PURPOSE_SIZE = 0,      ///< each takes six numbers
     PURPOSE_TURN = 6,
     PURPOSE_ASPECT = 12,
     PURPOSE_SHAPE = 18,
@@ -74,11 +82,27 @@ struct ObjectScene
     uint background;          ///< a colour
     uint ripples;             ///< the colour into which noise fades the background; the same: none
     float noise_cells;        ///< of the noise, a tile
-    uint shows_cells;         ///< colours of the nearest objects around their disks
-    uint shows_frames;        ///< the local coordinates as colours
+    uint shows;               ///< SHOWS_LAYERS, ...
     uint has_bodies;          ///< layers are faces of bodies in space
     uint palette[MAX_COLORS]; ///< 0xrrggbb
 };
+
+/// The point of an object in parts of the picture, or in those of a surface's quad.
+struct ObjectCoordinates
+{
+    float x, y, z;
+};
+
+LOOKS_FUNCTION float root_of(float squared)
+{
+#ifdef __cplusplus
+    return std::sqrt(squared);
+#else
+    return sqrt(squared);
+#endif
+}
+
+LOOKS_FUNCTION float within(float x, float low, float high) { return x < low ? low : x > high ? high : x; }
 
 /// The value of an object, at least `low` and at most `high`.
 LOOKS_FUNCTION float spread_value(struct Spread spread, uint id, uint purpose, float low, float high)
@@ -86,7 +110,7 @@ LOOKS_FUNCTION float spread_value(struct Spread spread, uint id, uint purpose, f
     float value = spread.a;
     if (spread.kind == SPREAD_UNIFORM) value = spread.a + (spread.b - spread.a) * (float)pobjects_uniform(id, purpose);
     if (spread.kind == SPREAD_NORMAL) value = spread.a + spread.b * (float)pobjects_normal(id, purpose);
-    return value < low ? low : value > high ? high : value;
+    return within(value, low, high);
 }
 
 LOOKS_FUNCTION float whole_part(float x)
@@ -165,14 +189,26 @@ LOOKS_FUNCTION int in_body(uint id, uint faces, float scale, float x, float y, f
     return 1;
 }
 
+/// An output of the function as a colour; `away`: the distance from the object's point, in tiles.
+LOOKS_FUNCTION uint output_color(const struct ObjectScene* scene, uint id, struct ObjectCoordinates at, float away,
+                                 uint inside)
+{
+    if (scene->shows == SHOWS_INSIDE) return inside ? 0 : 0xffffff;
+    if (scene->shows == SHOWS_NUMBER) return pobjects_bits(id, PURPOSE_COLOR) & 0xffffff;
+    if (scene->shows == SHOWS_DISTANCE) return mixed(0, 0xffffff, within(away / (3 * scene->radius), 0, 1));
+    return mixed(0, 0xff0000, within(at.x, 0, 1)) | mixed(0, 0x00ff00, within(at.y, 0, 1)) |
+           mixed(0, 255, within(at.z, 0, 1));
+}
+
 /// The colour of an object at `offset` from its point, in tiles, or `behind` where it has a hole there; `inside` is set
 /// to whether the place is in its disk.
 LOOKS_FUNCTION uint object_color(const struct ObjectScene* scene, LOOKS_TABLE shapes, uint id, float x, float y,
-                                 float z, uint behind, uint* inside)
+                                 float z, struct ObjectCoordinates at, uint behind, uint* inside)
 {
     const float size = spread_value(scene->size, id, PURPOSE_SIZE, 0, 1), disk = scene->radius * size;
     *inside = x * x + y * y + z * z < disk * disk;
-    if (scene->shows_cells) {
+    if (scene->shows >= SHOWS_INSIDE) return output_color(scene, id, at, root_of(x * x + y * y + z * z), *inside);
+    if (scene->shows == SHOWS_CELLS) {
         const uint own =
             scene->palette[scene->layer[0].color + pobjects_bits(id, PURPOSE_COLOR) % scene->layer[0].colors];
         const uint dot = x * x + y * y + z * z < disk * disk / 100;
@@ -189,7 +225,7 @@ LOOKS_FUNCTION uint object_color(const struct ObjectScene* scene, LOOKS_TABLE sh
         u /= aspect;
     const float w = z / disk;
     if (u * u + v * v + w * w >= 1) return behind;
-    if (scene->shows_frames)
+    if (scene->shows == SHOWS_FRAMES)
         return mixed(0, 0xff0000, (u + 1) / 2) | mixed(0, 0x00ff00, (v + 1) / 2) |
                (scene->has_bodies ? mixed(0, 255, (w + 1) / 2) : 96);
     uint color = behind;
@@ -230,15 +266,6 @@ struct SurfacePlace
     float light;
     uint is_there;
 };
-
-LOOKS_FUNCTION float root_of(float squared)
-{
-#ifdef __cplusplus
-    return std::sqrt(squared);
-#else
-    return sqrt(squared);
-#endif
-}
 
 /// The distance from the surface of a torus of the radii 0.66 and 0.3, tilted towards the eye, which looks along -z.
 LOOKS_FUNCTION float torus_distance(float x, float y, float z)

@@ -3,17 +3,21 @@
 
 #include "base/errors/errors.hpp"
 #include "host/distribution/object_shapes.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <random>
 #include <set>
 
 namespace poissonlab {
@@ -185,16 +189,86 @@ TEST(ObjectLooks, HaveCosines)
         EXPECT_NEAR(turn_cosine(static_cast<float>(i) / 777), std::cos(2 * std::numbers::pi * i / 777), 3e-6);
 }
 
-/// The config names looks itself, as it does not look into this folder.
-TEST(ObjectLooks, AreThoseOfTheConfig)
+/// The outputs of the function, figure 7.7, against the nearest points by ptiles_nearest.
+TEST(ObjectLooks, OfOutputsShowWhatALookUpReturns)
 {
-    for (const int dimension : {2, 3})
-        for (const std::string& look : object_looks(dimension)) {
-            EXPECT_EQ(exhibits_in("[[distribution]]\ndimension = " + std::to_string(dimension) +
-                                  "\nkind = \"objects\"\nobject = \"" + look + "\"")
-                          .size(),
-                      1);
+    for (const int dimension : {2, 3}) {
+        const ObjectTileSet& tiles = shipped_tiles(dimension);
+        const ptiles_tiling tiling = runtime_tiling(tiles.tiles(), {9, 0});
+        std::map<std::string, ObjectPicture> pictures;
+        ObjectScene scene;
+        for (const std::string name : {"inside", "coordinates", "number", "distance"}) {
+            scene = scene_of(name, dimension, 64, 1.3);
+            scene.samples = 1;
+            scene.step *= 2;
+            scene.size = {SPREAD_CONSTANT, 1, 0};
+            pictures[name] = ObjectPainter(Device::open(), tiles, object_shapes()).draw({9, 0}, scene);
         }
+        const double low[3] = {static_cast<double>(scene.left) / 0x1p32, static_cast<double>(scene.bottom) / 0x1p32,
+                               static_cast<double>(scene.z) / 0x1p32};
+        std::map<std::uint32_t, std::set<std::uint32_t>> colors;
+        for (std::uint32_t pixel = 0; pixel < 64 * 64; ++pixel) {
+            const double at[3] = {low[0] + 1.3 * (pixel % 64) / 64, low[1] + 1.3 * (63 - pixel / 64) / 64, low[2]};
+            ptiles_point nearest;
+            ptiles_nearest(&tiling, at, &nearest);
+            double squared = 0;
+            for (int a = 0; a < dimension; ++a) squared += std::pow(nearest.position[a] - at[a], 2);
+            const auto color = [&](const char* name, int channel) {
+                return static_cast<int>(pictures[name].pixels[4 * pixel + static_cast<std::uint32_t>(channel)]);
+            };
+            const double away = std::sqrt(squared) / tiles.radius();
+            if (std::abs(away - 1) > 1e-3) {
+                ASSERT_EQ(color("inside", 0), away < 1 ? 0 : 255) << pixel;
+            }
+            ASSERT_NEAR(color("distance", 1), std::min(1.0, away / 3) * 255, 1) << pixel;
+            if (pictures["number"].ids[pixel] != nearest.id) continue; // two points are about equally near
+            for (int a = 0; a < dimension; ++a) {
+                const double part = (nearest.position[a] - low[a]) / 1.3 + (a < 2 ? 0.5 / 64 : 0.5);
+                ASSERT_NEAR(color("coordinates", a), std::clamp(part, 0.0, 1.0) * 255, 1) << pixel << " " << a;
+            }
+            colors[nearest.id].insert(
+                static_cast<std::uint32_t>(color("number", 0) << 16 | color("number", 1) << 8 | color("number", 2)));
+        }
+        std::set<std::uint32_t> all;
+        for (const auto& [id, own] : colors) {
+            EXPECT_EQ(own.size(), 1) << id;
+            all.insert(own.begin(), own.end());
+        }
+        EXPECT_GE(all.size() + 1, colors.size()); // 24 bits for about a hundred
+    }
+}
+
+/// Section 7.6.2.1: by the rule of the text, a look-up near a corner visits four tiles and one near an edge two. The
+/// text has about 10, 40 and 50 % for a radius of 0.16; random places say 8.0, 45.7 and 46.2 %.
+TEST(Objects, VisitTheTilesThatTheLargestEmptyCircleReaches)
+{
+    ObjectSettings settings;
+    settings.tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+    settings.pixels = 16, settings.has_timing = true;
+    DistributionPlace place;
+    place.engine = Engine::reference;
+    const TemporaryFolder folder;
+    std::map<std::string, double> numbers;
+    for (const DistributionNumber& number : made_of(settings, 1, folder.path(), place).numbers)
+        numbers[number.key] = number.value;
+    const double radius = numbers.at("largest_empty_radius");
+    EXPECT_GT(radius, shipped_tiles(2).radius() * 2 * 0.7); // disks of the minimum distance nearly cover the plane
+    EXPECT_LT(radius, shipped_tiles(2).radius() * 2 * 1.3);
+    const ptiles_set set = shipped_tiles(2).distribution({}).tiling.set;
+    const double out = std::max(set.below, set.above) / 65536.0; // points of this set leave their tiles
+    EXPECT_GT(out, 0);
+    std::mt19937_64 random(4);
+    std::array<double, 3> counts{};
+    constexpr int places = 400'000;
+    for (int i = 0; i < places; ++i) {
+        const double x = static_cast<double>(random() >> 11) * 0x1p-53,
+                     y = static_cast<double>(random() >> 11) * 0x1p-53;
+        const double u = std::max(std::min(x, 1 - x) - out, 0.0), v = std::max(std::min(y, 1 - y) - out, 0.0);
+        ++counts[std::hypot(u, v) < radius ? 2 : std::min(u, v) < radius ? 1 : 0];
+    }
+    const char* const keys[] = {"one_tile", "two_tiles", "four_tiles"};
+    for (std::size_t i = 0; i < 3; ++i) // five standard errors of a share
+        EXPECT_NEAR(numbers.at(keys[i]), counts[i] / places, 5 * 0.5 / std::sqrt(places)) << keys[i];
 }
 
 TEST(Objects, NeedAMinimumDistance)

@@ -228,5 +228,27 @@ TEST_F(TextureRun, DrawsPackingsWithTheirNumbers)
     EXPECT_FALSE(packing_fault(read_packing(folder_.path() / "tiles.txt", TileKind::corner, 2)));
 }
 
+/// D. section 5.4: corner tiles need half of the memory. All edges along a column of a product packing have one colour,
+/// and all along a row, so that C^2 of the C^4 corners of Wang tiles are in it; a second packing has them all.
+TEST_F(TextureRun, CountsTheCornersThatPackingsLack)
+{
+    for (Color c = 2; c <= 5; ++c) {
+        PackingSettings settings;
+        settings.colors = c;
+        EXPECT_EQ(number(make(settings), "stored_squares"), c * c * c * c);
+        settings.kind = TileKind::wang;
+        const DistributionResult wang = make(settings);
+        EXPECT_EQ(number(wang, "stored_squares"), 2 * c * c * c * c);
+        EXPECT_EQ(number(wang, "corners_in_packing"), c * c);
+        settings.show = "corners";
+        EXPECT_EQ(number(make(settings), "corners_in_packing"), c * c * c * c);
+    }
+    PackingSettings searched;
+    searched.kind = TileKind::wang, searched.method = "search";
+    const double corners = number(make(searched), "corners_in_packing");
+    EXPECT_GE(corners, 4);
+    EXPECT_LE(corners, 16);
+}
+
 }
 }

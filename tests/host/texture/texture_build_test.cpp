@@ -187,11 +187,13 @@ TEST(TextureBuild, MakesAllSetsOfCohenAndNg)
     twelve.colors.vertical = 3;
     twelve.tiles = "compact";
     EXPECT_EQ(built(twelve).set.tiles.size(), 12u);
-    for (const std::string tiles : {"4", "8", "16", "16b", "32"}) {
+    for (const std::string tiles : {"4", "8", "16", "16b", "32", "4-doubled", "8-doubled", "16b-doubled"}) {
         TextureRequest request = small_request(TextureKind::omega, 4);
         request.tiles = tiles;
+        request.diversity = 4;
         const BuiltTexture texture = built(request);
-        EXPECT_EQ(texture.set.tiles.size(), std::strtoul(tiles.c_str(), nullptr, 10));
+        EXPECT_EQ(texture.set.tiles.size(),
+                  std::strtoul(tiles.c_str(), nullptr, 10) * (tiles.ends_with("doubled") ? 2 : 1));
         EXPECT_EQ(certify_texture(texture.set).exceptions, 0u);
     }
 }
@@ -301,11 +303,14 @@ TEST(TextureBuild, RefusesWhatCannotBe)
 /// Ng and others 2005, section 4.2: a row's first tile has two choices, all others one; a tile is never beside itself.
 TEST(OmegaTiles, HaveTheChoicesThatTheArticleSays)
 {
-    for (const std::string name : {"16", "16b"}) {
+    for (const std::string name : {"16", "16b", "16b-doubled", "32"}) {
+        const std::size_t variants = name.starts_with("16") && !name.ends_with("doubled") ? 1 : 2;
         TextureRequest request = small_request(TextureKind::omega, 4);
         request.tiles = name;
-        std::vector<TileIndex> indices;
-        for (const TextureTile& tile : requested_tiles(request)) indices.push_back(tile.index);
+        std::set<TileIndex> different;
+        for (const TextureTile& tile : requested_tiles(request)) different.insert(tile.index);
+        EXPECT_EQ(requested_tiles(request).size(), 16 * variants);
+        const std::vector<TileIndex> indices(different.begin(), different.end());
         const FittingTiles fitting({TileKind::corner, {4, 4}, indices});
         for (const TileIndex north : indices) {
             EXPECT_EQ(fitting.choices(&north, nullptr).size(), 2u);

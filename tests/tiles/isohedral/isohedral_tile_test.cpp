@@ -102,6 +102,29 @@ TEST(IsohedralTiles, NeighboursAreMutual)
     }
 }
 
+/// Kaplan's notes, section 7.4.1: permutations that are no shifts, on IH41, whose symmetries are translations alone, so
+/// that all colourings by permutations that commute are perfect; those that do not are none. Shifts written as
+/// permutations are shifts.
+TEST(IsohedralTiles, TakeColouringsByAnyPermutations)
+{
+    const IsohedralTile tile(isohedral_types()[40], {});
+    const TileColoring four{4, {0}, {}, {{{1, 0, 3, 2}, {2, 3, 0, 1}}}};
+    for (int column = -5; column <= 5; ++column)
+        for (int row = -5; row <= 5; ++row) EXPECT_EQ(four.of({0, column, row}), (column & 1) + 2 * (row & 1));
+    EXPECT_TRUE(is_perfect(tile, four));
+    EXPECT_FALSE(is_perfect(tile, {3, {0}, {}, {{{1, 0, 2}, {0, 2, 1}}}}));
+    for (const IsohedralType& type : isohedral_types()) {
+        const IsohedralTile any(type, {});
+        TileColoring shifts = proper_coloring(any), permuted = shifts;
+        for (std::size_t i = 0; i < 2; ++i)
+            for (std::uint32_t color = 0; color < shifts.colors; ++color)
+                permuted.permutations[i].push_back((color + shifts.steps[i]) % shifts.colors);
+        EXPECT_EQ(permuted.of({0, -7, 12}), shifts.of({0, -7, 12}));
+        EXPECT_EQ(is_perfect(any, permuted), shifts.is_perfect) << "IH" << type.number;
+        EXPECT_EQ(is_perfect(any, shifts), shifts.is_perfect) << "IH" << type.number;
+    }
+}
+
 TEST(IsohedralTiles, ColouringsTellNeighboursApart)
 {
     int perfect = 0;

@@ -9,7 +9,8 @@
 namespace poissonlab {
 namespace {
 
-constexpr HashKind cube_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
+constexpr HashKind cube_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64,
+                                    HashKind::two_tables};
 
 /// The eight corners; [up][north][east].
 struct Corners

@@ -75,6 +75,27 @@ TEST(TileSet, CompactSetsLeaveTwoChoicesEverywhere)
     }
 }
 
+/// Cohen and others 2003, section 2 and figure 1: 8, 12 and 18 tiles, two for each pair of northern and western
+/// colours.
+TEST(TileSet, CompactWangSetsMayHaveTwoNumbersOfColours)
+{
+    for (Color h = 2; h <= 5; ++h)
+        for (Color v = 2; v <= 5; ++v) {
+            std::map<std::array<Color, 2>, int> north_west, south_east;
+            for (const TileIndex index : indices_of(compact_wang_set({h, v}))) {
+                const WangTile tile = wang_tile(index, {h, v});
+                ++north_west[{tile.north, tile.west}];
+                ++south_east[{tile.south, tile.east}];
+            }
+            EXPECT_EQ(north_west.size(), h * v);
+            for (const auto& [colors, count] : north_west) EXPECT_EQ(count, 2);
+            EXPECT_EQ(south_east.size(), h * v);
+            for (const auto& [colors, count] : south_east) EXPECT_EQ(count, 2);
+        }
+    EXPECT_EQ(compact_wang_set({2, 3}).size(), 12);
+    EXPECT_THROW(compact_wang_set({2, 1}), InputError);
+}
+
 TEST(TileSet, CompactSetsHaveTheTilesThatTheyPromise)
 {
     for (Color c = 2; c <= 8; ++c) {

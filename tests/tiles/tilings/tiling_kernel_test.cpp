@@ -11,7 +11,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr HashKind hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
+constexpr HashKind hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64, HashKind::two_tables};
 
 /// One work-item owns one place, three coordinates.
 constexpr auto kernels = R"(

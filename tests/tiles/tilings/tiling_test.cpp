@@ -16,7 +16,8 @@ namespace {
 
 constexpr DirectAlgorithm algorithms[] = {DirectAlgorithm::corner, DirectAlgorithm::wang_two_hashes,
                                           DirectAlgorithm::wang_one_hash, DirectAlgorithm::wang_edge_hash};
-constexpr HashKind tiling_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
+constexpr HashKind tiling_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64,
+                                      HashKind::two_tables};
 
 /// Lower left corners of windows around the origin, far away, and across both ends of the coordinates and of their
 /// halves.

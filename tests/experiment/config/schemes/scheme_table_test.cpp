@@ -89,6 +89,12 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"isohedral\"\ncurves = [[[0.5, 101]]]", "points [x, y] from -100 to 100");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\ncoloring = { colors = 2, aspects = [2], steps = [0, 0] }",
                           "must be a list of 1 colours from 0 to 1");
+    expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\ncoloring = { colors = 2, permutations = [[0, 0], [1, 0]] }",
+                          "must be two lists of all colours from 0 to 1");
+    expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\ncoloring = { colors = 2, permutations = [[0, 1]] }",
+                          "must be two lists of all colours from 0 to 1");
+    expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\ncoloring = { colors = 2, permutations = 3, steps = [0, 0] }",
+                          "must have steps or permutations, not both");
     expect_scheme_refusal("kind = \"isohedral\"\nwindow = [0, 4]", "must be [width, height], each from 1 to 100");
     expect_scheme_refusal("kind = \"surface\"\ncubes = [[0, 0, 0], [0, 0, 0]]", "must be a list of different cubes");
     expect_scheme_refusal("kind = \"surface\"\ncubes = [[0, 0.5, 0]]", "must be a list of different cubes");
