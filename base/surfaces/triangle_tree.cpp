@@ -105,7 +105,8 @@ std::uint32_t TriangleTree::add_node(std::uint32_t begin, std::uint32_t end)
     return number;
 }
 
-MeshPosition TriangleTree::nearest(const MeshPoint& place) const
+MeshPosition TriangleTree::nearest(const MeshPoint& place,
+                                   const std::function<bool(std::uint32_t triangle)>& counts) const
 {
     MeshPosition best;
     double least = INFINITY;
@@ -117,6 +118,7 @@ MeshPosition TriangleTree::nearest(const MeshPoint& place) const
         if (squared_to_box(place, node.low, node.high) >= least) continue;
         if (node.right == 0) {
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
+                if (!counts(order_[i])) continue;
                 const MeshPosition on = nearest_on(mesh_, order_[i], place);
                 if (const double off = squared_off(mesh_, on, place); off < least) least = off, best = on;
             }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace poissonlab {
@@ -25,7 +26,13 @@ public:
     explicit TriangleTree(const TriangleMesh& mesh);
 
     /// Returns the position nearest to a place; if several are, the first one in the tree's order.
-    MeshPosition nearest(const MeshPoint& place) const;
+    MeshPosition nearest(const MeshPoint& place) const
+    {
+        return nearest(place, [](std::uint32_t) { return true; });
+    }
+
+    /// Looks only at triangles for which the function is true, of which there is one or more.
+    MeshPosition nearest(const MeshPoint& place, const std::function<bool(std::uint32_t triangle)>& counts) const;
 
 private:
     struct Node

@@ -5,7 +5,8 @@
 // be uncovered, by their areas, and pieces that one disk covers are dropped, others divided. The host divides, see
 // host/sampling/surfaces/surface_darts.hpp.
 //
-//   find_darts    a work-item a dart: where it falls, and whether points of former batches cover it
+//   find_darts    a work-item a dart: where it falls, and whether points of former batches cover it; darts are in the
+//                 order of their pieces, and their numbers decide which come first
 //   settle_darts  (again and again) a work-item a dart: accepted if no dart before it in the batch is in conflict that
 //                 is accepted or may be
 //   clear_darts   takes darts of a batch out of their buckets
@@ -77,14 +78,15 @@ void find_shares(global const struct Piece* piece, uint u, uint v, uint* shares)
     }
 }
 
-kernel void find_darts(struct SurfaceBatch batch, Rule rule, global const struct Triangle* triangles,
-                       global const struct Piece* pieces, global const ulong* ends, global const uint* guide,
+/// order: the batch's darts by their pieces, so that work-items side by side look at the same points.
+kernel void find_darts(struct SurfaceBatch batch, Rule rule, global const uint* order,
+                       global const struct Triangle* triangles, global const struct Piece* pieces, global const ulong* ends, global const uint* guide,
                        global const uint* heads, global const Point* points, global Point* darts, global uint* states,
                        global uint* dart_heads)
 {
     const uint id = get_global_id(0);
     if (id >= batch.darts) return;
-    const ulong number = batch.first + id;
+    const ulong number = batch.first + order[id];
     const uint4 words = philox((uint4)((uint)number, (uint)(number >> 32), 0, 0), (uint2)(batch.key_x, batch.key_y));
     global const struct Piece* piece = &pieces[find_piece((ulong)words.x << 32 | words.y, batch, ends, guide)];
     uint shares[2];
@@ -97,7 +99,7 @@ kernel void find_darts(struct SurfaceBatch batch, Rule rule, global const struct
     for (int k = 0; k < 2; ++k) dart->shares[k] = shares[k];
     dart->triangle = spot.triangle;
     dart->next = 0;
-    dart->unused = 0;
+    dart->number = order[id];
     const bool is_covered = has_conflict(&spot, triangles, &rule, heads, points);
     states[id] = is_covered ? COVERED : UNDECIDED;
     if (!is_covered)
@@ -113,7 +115,7 @@ uint state_among(uint id, struct SurfaceBatch batch, const Rule* rule, global co
     spot.triangle = darts[id].triangle;
     uint state = ACCEPTED;
     FOR_EACH_NEAR(&spot, rule->cell, batch.bucket_mask, dart_heads, darts, {
-        if (link - 1 >= id) continue;
+        if (point->number >= darts[id].number) continue;
         const uint other = atomic_or(&states[link - 1], 0); // others write them
         if (other == REJECTED || !are_in_conflict(&spot, point, triangles, rule)) continue;
         if (other == ACCEPTED) return REJECTED;
@@ -157,10 +159,22 @@ kernel void add_points(Rule rule, uint first, uint count, global Point* points, 
         atomic_xchg(&heads[own_bucket(&place, rule.cell, rule.bucket_mask)], first + id + 1);
 }
 
-/// Is the piece covered by one point's disk?
+bool is_wider(const Place* a, const Place* b, ulong squared)
+{
+    ulong sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const long difference = (long)a->c[k] - b->c[k];
+        sum += (ulong)(difference * difference);
+    }
+    return sum > squared;
+}
+
+/// Is the piece covered by one point's disk? Its edges are no longer than a disk is wide then.
 bool is_covered(const Spot* corners, global const struct Triangle* triangles, const Rule* rule,
                 global const uint* heads, global const Point* points)
 {
+    for (int i = 0; i < 3; ++i)
+        if (is_wider(&corners[i].place, &corners[(i + 1) % 3].place, 4 * rule->covered)) return false;
     FOR_EACH_NEAR(&corners[0], rule->cell, rule->bucket_mask, heads, points, {
         bool is_inside = true;
         for (int i = 0; i < 3; ++i)

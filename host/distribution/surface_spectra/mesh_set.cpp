@@ -53,6 +53,12 @@ BlueNoiseVerdict verdict_of(const MeshSetMeasures& set, std::size_t points, bool
     return *blue_noise_verdict(series, 2);
 }
 
+/// The methods of the settings but for the one whose points are measured.
+std::vector<std::string> methods_beside(const MeshSetSettings& settings)
+{
+    return {settings.methods.begin() + (settings.set.empty() ? 1 : 0), settings.methods.end()};
+}
+
 /// Measures a set whose powers are known.
 class MeshSetMeasurement
 {
@@ -116,6 +122,7 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
                         "unit of length",
                         settings.mesh.string(), surface.area));
     read.mesh = triangles_of(surface);
+    if (settings.set.empty()) return std::make_shared<const MeshWithPoints>(std::move(read));
     const PointSet places = points_in_space(settings.set);
     if (places.size() < 2) throw InputError(settings.set.string() + ": has one point; a spectrum needs at least two");
     read.tolerance =
@@ -124,6 +131,18 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
     read.points = std::move(given.points);
     read.farthest = given.farthest;
     return std::make_shared<const MeshWithPoints>(std::move(read));
+}
+
+std::vector<SurfacePoint> points_by_method(const std::string& method, std::size_t count,
+                                           const std::shared_ptr<const SurfaceMesh>& mesh,
+                                           const MeshSetSettings& settings, std::uint64_t seed)
+{
+    MeshPointSettings of_method;
+    of_method.read = mesh;
+    of_method.method = *surface_methods.find(method);
+    of_method.points = count;
+    of_method.normal_angle = settings.normal_angle;
+    return make_surface_set(of_method, seed, {.engine = Engine::reference, .device = {}}).points;
 }
 
 MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings& settings, std::uint64_t seed,
@@ -147,29 +166,34 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     check_room_for_eigenfunctions(static_cast<double>(mesh.vertices.size()));
     spectra.elements = mesh.triangles.size();
 
-    if (on_step) on_step("darts on the mesh, to compare with");
-    MeshPointSettings of_darts;
-    of_darts.read = points.surface;
-    of_darts.points = count;
-    of_darts.normal_angle = settings.normal_angle;
-    const SurfaceSet darts = make_surface_set(of_darts, seed, {.engine = Engine::reference, .device = {}});
+    const auto made = [&](const std::string& method) {
+        if (on_step) on_step(method + " on the mesh, to compare with");
+        return points_by_method(method, count, points.surface, settings, seed);
+    };
     const auto random = surface_candidates(surface, count, stream_key(seed, Purpose::surface_candidates, 1));
     const TriangleTree tree(mesh);
+    std::vector<std::vector<SurfacePoint>> compared{points.points, random, made("darts")};
+    for (const std::string& method : methods_beside(settings)) compared.push_back(made(method));
     std::vector<std::vector<MeshPosition>> sets;
-    for (const auto& of : {points.points, random, darts.points})
-        sets.push_back(positions_of(tree, points_of(surface, of)));
+    for (const auto& of : compared) sets.push_back(positions_of(tree, points_of(surface, of)));
     const EigenfunctionPowers found = eigenfunction_powers(mesh, highest, sets, [&](std::size_t done, std::size_t all) {
         if (on_step) on_step(fmt::format("{} of {} eigenfunctions of {} vertices", done, all, mesh.vertices.size()));
     });
     spectra.eigenfunctions = found.eigenvalues.size();
     const MeshSetMeasurement measurement(surface, mesh, found, highest, settings.normal_angle);
-    spectra.set = measurement.measure(points.points, sets[0], 0);
-    spectra.random = measurement.measure(random, sets[1], 1);
-    spectra.darts = measurement.measure(darts.points, sets[2], 2);
     const double width = std::max(1.0, std::round(std::sqrt(static_cast<double>(count)) / rings_of_curve));
     const auto curve = [&](std::size_t number) {
         return eigenfunction_rings(found.eigenvalues, found.powers[number], surface.area, highest, width);
     };
+    const auto measures = [&](std::size_t number) {
+        return measurement.measure(compared[number], sets[number], number);
+    };
+    spectra.set = measures(0);
+    spectra.random = measures(1);
+    spectra.darts = measures(2);
+    const std::vector<std::string> others = methods_beside(settings);
+    for (std::size_t i = 0; i < others.size(); ++i)
+        spectra.methods.push_back({others[i], measures(3 + i), curve(3 + i)});
     spectra.set_curve = curve(0);
     spectra.random_curve = curve(1);
     spectra.darts_curve = curve(2);

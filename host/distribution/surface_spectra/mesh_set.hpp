@@ -21,8 +21,10 @@ namespace poissonlab {
 /// The keys of kind = "mesh-set".
 struct MeshSetSettings
 {
-    std::filesystem::path set;
+    std::filesystem::path set; ///< empty: the points are those of the first method
     std::filesystem::path mesh;
+    std::vector<std::string> methods{};  ///< of SurfaceMethod, compared with each other
+    std::optional<std::size_t> points{}; ///< of methods, where there is no set
     std::uint32_t eigenfunctions = 5000;
     double normal_angle = 120;
     std::optional<double> tolerance;
@@ -34,17 +36,23 @@ struct MeshSetSettings
 struct MeshWithPoints
 {
     std::shared_ptr<const SurfaceMesh> surface;
-    TriangleMesh mesh; ///< the triangles of the surface
-    std::vector<SurfacePoint> points;
-    double tolerance = 0; ///< the largest distance from the mesh that is accepted, in its units
-    double farthest = 0;  ///< the largest distance of a point from the mesh
+    TriangleMesh mesh;                ///< the triangles of the surface
+    std::vector<SurfacePoint> points; ///< none where a method is to make them
+    double tolerance = 0;             ///< the largest distance from the mesh that is accepted, in its units
+    double farthest = 0;              ///< the largest distance of a point from the mesh
 };
 
 /// Reads the mesh. Throws InputError.
 std::shared_ptr<const SurfaceMesh> surface_of(const MeshSetSettings& settings);
 
-/// Reads both, unless the settings have them. Throws InputError if there are fewer than two points, or if a point is
-/// farther off the mesh than the tolerance, which is a tenth of the square root of the area per point by default.
+/// Makes the points of a method. Throws InputError.
+std::vector<SurfacePoint> points_by_method(const std::string& method, std::size_t count,
+                                           const std::shared_ptr<const SurfaceMesh>& mesh,
+                                           const MeshSetSettings& settings, std::uint64_t seed);
+
+/// Reads both, unless the settings have them; without a set, there are no points yet. Throws InputError if there are
+/// fewer than two points, or if a point is farther off the mesh than the tolerance, which is a tenth of the square root
+/// of the area per point by default.
 std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& settings);
 
 /// The measures of one set.
@@ -60,6 +68,14 @@ struct MeshSetMeasures
     BlueNoiseVerdict verdict;
 };
 
+/// A method beside the points that are measured: as many of its points.
+struct MethodSpectrum
+{
+    std::string name;
+    MeshSetMeasures set;
+    std::vector<RadialBin> curve; ///< rings as wide as curves show them
+};
+
 struct MeshSpectra
 {
     double area = 0;                ///< in squares of the mesh's units
@@ -69,6 +85,7 @@ struct MeshSpectra
     std::size_t triangles = 0;      ///< of the mesh
     std::size_t elements = 0;       ///< triangles after division
     MeshSetMeasures set, random, darts;
+    std::vector<MethodSpectrum> methods;                         ///< the others
     std::vector<RadialBin> set_curve, random_curve, darts_curve; ///< rings as wide as curves show them
 };
 

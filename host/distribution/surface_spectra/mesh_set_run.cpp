@@ -5,10 +5,12 @@
 #include "host/distribution/surface_spectra/mesh_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/sampler_table.hpp"
 #include "results/curve_tables.hpp"
 #include "results/pictures/curve_chart.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +24,19 @@ constexpr double uneven = 1e-3;
 
 void mesh_set_keys(Keys& keys, MeshSetSettings& s)
 {
-    keys.file("set", s.set, "the points: a file of points with three coordinates, in the mesh's units").required();
+    keys.file("set", s.set, "the points: a file of points with three coordinates, in the mesh's units")
+        .otherwise("the points of the first method");
     keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
         .required();
+    keys.words(
+        "methods", s.methods,
+        {std::string(surface_methods[SurfaceMethod::elimination]), std::string(surface_methods[SurfaceMethod::lloyd]),
+         std::string(surface_methods[SurfaceMethod::gaussian])},
+        "methods that make as many points on the mesh, to be compared; random points and dart throwing are always "
+        "compared");
+    keys.integer("points", s.points, 2, max_points, "the number of points of methods")
+        .excludes("set")
+        .otherwise("as many as the set has");
     keys.integer(
         "eigenfunctions", s.eigenfunctions, 10, 200'000,
         "the approximate number of eigenfunctions; the spectrum ends at 1.6 times the square root of the number of "
@@ -36,14 +48,23 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
         .unit("units of the mesh")
         .otherwise("a tenth of the square root of the area per point");
     if (!keys.is_read()) return;
+    if (s.set.empty() && (s.methods.empty() || !s.points))
+        throw keys.problem(fmt::format("needs {}, or {} and {}", keys.name_of("set"), keys.name_of("methods"),
+                                       keys.name_of("points")));
     keys.check("mesh", [&] { s.surface = surface_of(s); });
-    keys.check("set", [&] { s.read = read_mesh_set(s); });
+    if (s.surface->surface.open_edges > 0 &&
+        std::ranges::count(s.methods, surface_methods[SurfaceMethod::gaussian]) > 0)
+        throw keys.invalid("methods",
+                           "cannot have gaussian-blue-noise on an open mesh, at whose border it would gather");
+    keys.check(s.set.empty() ? "mesh" : "set", [&] { s.read = read_mesh_set(s); });
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
 }
 
 std::string mesh_set_label(const MeshSetSettings& s)
 {
-    return fmt::format("{} on {}", s.set.stem().string(), name_of_input(s.mesh.string()));
+    return fmt::format("{} on {}",
+                       s.set.empty() ? fmt::format("{}", fmt::join(s.methods, ", ")) : s.set.stem().string(),
+                       name_of_input(s.mesh.string()));
 }
 
 std::vector<std::string> facts_of(const MeshWithPoints& points, const MeshSpectra& spectra)
@@ -77,20 +98,22 @@ std::vector<std::string> facts_of(const MeshWithPoints& points, const MeshSpectr
     return facts;
 }
 
-DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& spectra)
+DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& spectra, bool is_from_file)
 {
     const MeshSetMeasures& set = spectra.set;
     DistributionNumbers numbers{
         {"points", "Points", static_cast<double>(points.points.size()), "on the mesh"},
         {"area", "Area", spectra.area, "of the mesh, in squares of its units"},
-        {"off_mesh", "Largest distance from the mesh", points.farthest,
-         fmt::format("before points were put on it, in its units; at most {:.4g} is accepted", points.tolerance)},
         {"eigenfunctions", "Eigenfunctions", static_cast<double>(spectra.eigenfunctions),
          "eigenfunctions of the mesh's Laplacian, by which the spectrum is measured"},
         {"spectrum_reach", "End of the spectrum", spectra.reach, "in units of √(N / area)"},
         {"least_distance", "Least distance", set.least,
          "of two points whose normals are near enough, straight through space, in units of the mesh"},
         {"mean_nearest", "Mean nearest distance", set.mean_nearest, "straight through space, in units of the mesh"}};
+    if (is_from_file)
+        numbers.push_back(
+            {"off_mesh", "Largest distance from the mesh", points.farthest,
+             fmt::format("before points were put on it, in its units; at most {:.4g} is accepted", points.tolerance)});
     const auto add = [&](const char* key, const char* title, const std::optional<double>& value, const char* meaning) {
         if (value && std::isfinite(*value)) numbers.push_back({key, title, *value, meaning, {}, true});
     };
@@ -103,18 +126,25 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
     return numbers;
 }
 
-/// Compares the set with random points and darts.
-DistributionTable comparison_of(const MeshSpectra& spectra)
+/// Compares the set with other methods, random points and darts.
+DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& name)
 {
-    DistributionTable table{
-        "The points compared with others on this mesh", {"", "points", "random points", "dart throwing"}, {}};
-    const auto add = [&](const std::string& name,
+    DistributionTable table{"The points compared with others on this mesh", {"", name}, {}};
+    std::vector<const MeshSetMeasures*> sets{&spectra.set};
+    for (const MethodSpectrum& method : spectra.methods) {
+        table.columns.push_back(method.name);
+        sets.push_back(&method.set);
+    }
+    table.columns.insert(table.columns.end(), {"random points", "dart throwing"});
+    sets.insert(sets.end(), {&spectra.random, &spectra.darts});
+    const auto add = [&](const std::string& measure,
                          const std::function<std::optional<double>(const MeshSetMeasures&)>& of) {
         const auto cell = [&](const MeshSetMeasures& set) {
             const auto value = of(set);
             return value && std::isfinite(*value) ? fmt::format("{:.3g}", *value) : std::string("–");
         };
-        table.rows.push_back({name, cell(spectra.set), cell(spectra.random), cell(spectra.darts)});
+        std::vector<std::string>& row = table.rows.emplace_back(1, measure);
+        for (const MeshSetMeasures* set : sets) row.push_back(cell(*set));
     };
     add("Relative radius: the least distance over that of the densest packing in a plane of the same area",
         [](const MeshSetMeasures& set) { return set.relative_radius; });
@@ -130,45 +160,50 @@ DistributionTable comparison_of(const MeshSpectra& spectra)
         add(fmt::format("Counts over {} parts of equal area: the probability that those of random points vary as much",
                         parts),
             [](const MeshSetMeasures& set) { return set.counts.p_value; });
-    table.rows.push_back(
-        {"Blue noise", spectra.set.verdict.answer, spectra.random.verdict.answer, spectra.darts.verdict.answer});
+    std::vector<std::string>& row = table.rows.emplace_back(1, "Blue noise");
+    for (const MeshSetMeasures* set : sets) row.push_back(set->verdict.answer);
     return table;
 }
 
-CurveChart chart_of(const MeshSpectra& spectra, std::size_t points, const ChartAxis& y, double level,
-                    double RadialBin::*value)
+CurveChart chart_of(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
+                    double level, double RadialBin::*value)
 {
     const double unit = 1 / std::sqrt(static_cast<double>(points));
     CurveChart chart{{"frequency / √(N / area)", 0, std::max(0.1, spectra.reach), 0.25}, y, level, {}};
-    const auto add = [&](const char* name, const char* color, const std::vector<RadialBin>& rings) {
-        ChartCurve& curve = chart.curves.emplace_back(ChartCurve{name, color, {}});
+    const auto add = [&](const std::string& of, const std::string& color, const std::vector<RadialBin>& rings) {
+        ChartCurve& curve = chart.curves.emplace_back(ChartCurve{of, color, {}});
         for (const RadialBin& ring : rings)
             if (ring.*value > least_anisotropy_db) curve.places.push_back({ring.frequency * unit, ring.*value});
     };
     add("random points", "#8a8f98", spectra.random_curve);
     add("dart throwing", "#c8553d", spectra.darts_curve);
-    add("points", "#2c728e", spectra.set_curve);
+    const std::vector<std::string> colors{"#6a4c93", "#588157", "#e09f3e"};
+    for (std::size_t i = 0; i < spectra.methods.size(); ++i)
+        add(spectra.methods[i].name, colors[i % colors.size()], spectra.methods[i].curve);
+    add(name, "#2c728e", spectra.set_curve);
     return chart;
 }
 
 DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                    DistributionFiles& files)
 {
-    const auto read = read_mesh_set(settings);
-    const MeshWithPoints& points = *read;
+    MeshWithPoints points = *read_mesh_set(settings);
+    if (settings.set.empty())
+        points.points = points_by_method(settings.methods.front(), *settings.points, points.surface, settings, seed);
+    const std::string name = settings.set.empty() ? settings.methods.front() : "points";
     const MeshSpectra spectra = measure_mesh_set(points, settings, seed, place.on_step);
     DistributionResult result;
     result.facts = facts_of(points, spectra);
-    result.numbers = numbers_of(points, spectra);
-    result.tables = {comparison_of(spectra)};
+    result.numbers = numbers_of(points, spectra, !settings.set.empty());
+    result.tables = {comparison_of(spectra, name)};
     const std::size_t count = points.points.size();
     files.add_curves(
-        "power", chart_of(spectra, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
+        "power", chart_of(spectra, name, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
         "Radially averaged power: the mean power of the mesh's eigenfunctions in rings of equal frequency; "
         "random points have 1, and blue noise has little on the left.",
         result);
     files.add_curves(
-        "anisotropy", chart_of(spectra, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
+        "anisotropy", chart_of(spectra, name, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
         "Anisotropy: the variance of the power of the eigenfunctions in a ring. Random points have 0 dB, and peaks of "
         "a lattice rise above it.",
         result);

@@ -20,7 +20,8 @@ constexpr double rounded_units = 8;
 /// Points of files may be this part of the minimum distance away from the surface.
 constexpr double off_surface = 0.1;
 
-/// The triangles of a surface in units of its grid, in which no squares overflow or underflow. Corners are not shared.
+}
+
 TriangleMesh triangles_on_grid(const FixedSurface& surface)
 {
     TriangleMesh mesh;
@@ -33,10 +34,6 @@ TriangleMesh triangles_on_grid(const FixedSurface& surface)
     return mesh;
 }
 
-/// Makes a point of a position and the place that a file gives, in units of the grid. Places that darts round to the
-/// grid are off their triangle by up to sqrt(3)/2, and the shares and the place of the nearest position are rounded by
-/// up to 1/2 each along an axis. Places that differ by no more than one unit therefore stay as given: the points of
-/// this program keep their distances.
 SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& position, const MeshPoint& given)
 {
     constexpr std::int64_t whole = std::int64_t{1} << contract::surface::BARYCENTRIC_BITS;
@@ -56,8 +53,6 @@ SurfacePoint surface_point(const FixedSurface& surface, const MeshPosition& posi
     }
     if (is_there) std::ranges::copy(rounded, point.place);
     return point;
-}
-
 }
 
 TriangleMesh triangles_of(const FixedSurface& surface)

@@ -101,15 +101,16 @@ std::vector<std::uint64_t> squared_nearest_of_all(const FixedSurface& surface, c
     constexpr std::uint64_t all = std::uint64_t{1} << (contract::surface::COORDINATE_BITS + 1);
     const double spacing = std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points.size()));
     std::vector<std::uint64_t> squared(points.size(), no_distance);
-    std::vector<std::size_t> lonely(points.size());
-    std::iota(lonely.begin(), lonely.end(), std::size_t{0});
+    std::vector<std::uint32_t> lonely(points.size());
+    std::iota(lonely.begin(), lonely.end(), 0u);
     const auto first = std::min(static_cast<std::uint64_t>(1.1 * surface.units_of(spacing)) + 1, all);
     for (const std::uint64_t reach : {first, std::min(4 * first, all), std::min(16 * first, all), all}) {
         if (lonely.empty() || (reach == all && points.size() > few_points)) break;
         const SurfaceNeighbours near(surface, points, reach);
-        tbb::parallel_for(std::size_t{0}, lonely.size(),
-                          [&](std::size_t i) { squared[lonely[i]] = near.squared_nearest(lonely[i], least_cosine); });
-        std::erase_if(lonely, [&](std::size_t i) { return squared[i] != no_distance; });
+        const std::vector<std::uint32_t>& asked = reach == first ? near.order() : lonely;
+        tbb::parallel_for(std::size_t{0}, asked.size(),
+                          [&](std::size_t i) { squared[asked[i]] = near.squared_nearest(asked[i], least_cosine); });
+        std::erase_if(lonely, [&](std::uint32_t i) { return squared[i] != no_distance; });
     }
     return squared;
 }
@@ -163,7 +164,9 @@ bool keep_distance(const FixedSurface& surface, const std::vector<SurfacePoint>&
     const double units = surface.units_of(distance) * (1 - 0x1p-50);
     const SurfaceNeighbours near(surface, points, static_cast<std::uint64_t>(units) + 1);
     std::vector<char> is_kept(points.size(), 1);
-    tbb::parallel_for(first, points.size(), [&](std::size_t i) {
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t place) {
+        const std::uint32_t i = near.order()[place];
+        if (i < first) return;
         const std::uint64_t squared = near.squared_nearest(i, least_cosine);
         is_kept[i] = squared == no_distance || std::sqrt(static_cast<double>(squared)) >= units;
     });

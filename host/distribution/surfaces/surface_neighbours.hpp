@@ -29,6 +29,9 @@ public:
     template <typename Visit>
     void for_each_around(const MeshPlace& place, const Visit& visit) const;
 
+    /// The numbers of the points by their cells: neighbours come one after the other.
+    const std::vector<std::uint32_t>& order() const { return order_; }
+
 private:
     std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) const;
 

@@ -4,6 +4,7 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/surfaces/given_points.hpp"
+#include "host/distribution/surfaces/relaxed_surface.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/tiled_quads.hpp"
@@ -23,8 +24,15 @@
 namespace poissonlab {
 namespace {
 
-/// Distances that shrink begin so many times larger than that at which darts saturate with as many points.
-constexpr double first_part = 1.02;
+/// Returns the distance with which darts begin that shrinks, over that at which as many saturate a plane of the same
+/// area. Few points begin above it, as borders and curved surfaces have room for more. Many begin below it by three
+/// standard deviations, so that they almost surely fit at once: a set that was saturated before its distance shrinks
+/// has fewer points in the end, and takes as long again.
+double first_part(std::size_t points)
+{
+    constexpr std::size_t many = 4096;
+    return points < many ? 1.02 : 1 - 0.3 / std::sqrt(static_cast<double>(points));
+}
 
 /// Places at which it is looked whether a set leaves them uncovered.
 constexpr std::uint64_t looked_at = 1 << 16;
@@ -161,6 +169,29 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
     return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
 }
 
+SurfaceSet moved_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
+                     const DistributionPlace& place)
+{
+    const SurfaceSet darts = dart_set(settings, std::move(mesh), seed, place);
+    const auto tell = [&](std::size_t steps) {
+        if (place.on_step) place.on_step(fmt::format("{} steps of {} points", steps, darts.points.size()));
+    };
+    const bool is_lloyd = settings.method == SurfaceMethod::lloyd;
+    RelaxedSurface moved =
+        (is_lloyd ? relax_on_surface : descend_on_surface)(darts.mesh->surface, darts.points, settings, tell);
+    SurfaceSet set{.mesh = darts.mesh, .points = std::move(moved.points), .angle = settings.normal_angle};
+    set.of_method = {
+        {"iterations", "Iterations", static_cast<double>(moved.energies.size() - 1), "steps that all points made"},
+        {"energy_before", "Energy before", moved.energies.front(), "of the darts with which it begins"},
+        {"energy", "Energy", moved.energies.back(),
+         is_lloyd
+             ? "the mean squared distance of places from their nearest point, over that of a triangular lattice in "
+               "a plane of the same area"
+             : "the sum of the Gaussians of other points at a point, less that of points spread evenly in a plane; "
+               "random points have 1"}};
+    return set;
+}
+
 /// The part of the surface that is not nearer than a distance to any point, from uniform places: the distance of darts,
 /// or the least one of the set.
 DistributionNumber uncovered_part(const SurfaceSet& set, double least, std::uint64_t seed)
@@ -230,10 +261,10 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
                                      "around it: there is room for one point",
                                      distance, most));
     if (!settings.min_distance)
-        distance =
-            settings.relative_radius
-                ? *settings.relative_radius * packed_distance(surface.area, *settings.points)
-                : first_part * std::sqrt(saturated_count(surface.area, 1) / static_cast<double>(*settings.points));
+        distance = settings.relative_radius
+                       ? *settings.relative_radius * packed_distance(surface.area, *settings.points)
+                       : first_part(*settings.points) *
+                             std::sqrt(saturated_count(surface.area, 1) / static_cast<double>(*settings.points));
     if (distance < least)
         throw InputError(
             fmt::format("a distance of {:.4g} is too small for a mesh of this size: at least {:.4g}", distance, least));
@@ -243,10 +274,13 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
     return std::min(distance, most);
 }
 
+bool moves_points(SurfaceMethod method) { return method == SurfaceMethod::lloyd || method == SurfaceMethod::gaussian; }
+
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
     if (settings.method == SurfaceMethod::tiles) return tiled_surface(settings, surface_mesh(settings), seed, place);
     if (settings.method == SurfaceMethod::quads) return tiled_quads(settings, surface_mesh(settings), seed);
+    if (moves_points(settings.method)) return moved_set(settings, surface_mesh(settings), seed, place);
     return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
                                                    : eliminated_set(settings, surface_mesh(settings), seed, place);
 }
@@ -258,6 +292,8 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
                            set.tiling->tiles_per_unit);
     if (settings.method == SurfaceMethod::quads) return "tiles on quads";
     if (settings.method == SurfaceMethod::elimination) return "sample elimination";
+    if (settings.method == SurfaceMethod::lloyd) return "Lloyd relaxation";
+    if (settings.method == SurfaceMethod::gaussian) return "Gaussian blue noise";
     if (set.is_saturated && !settings.points) return "saturated: no further point fits";
     return settings.min_distance || settings.relative_radius ? "stopped at that number"
                                                              : "the distance shrank until so many fitted";
@@ -284,7 +320,7 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     if (set.darts > 0)
         numbers.push_back({"darts", "Darts", static_cast<double>(set.darts), "random points of which these are"});
     if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
-    std::ranges::copy(set.quads, std::back_inserter(numbers));
+    std::ranges::copy(set.of_method, std::back_inserter(numbers));
     if (set.points.size() < 2) return numbers;
     const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle),
                                                      set.tiling ? set.tiling->covered_area : surface.area);

@@ -28,12 +28,16 @@ enum class SurfaceMethod
 {
     darts,
     elimination,
+    lloyd,
+    gaussian,
     tiles,
     quads
 };
 
-inline constexpr WordTable<SurfaceMethod, 4> surface_methods{{{{SurfaceMethod::darts, "darts"},
+inline constexpr WordTable<SurfaceMethod, 6> surface_methods{{{{SurfaceMethod::darts, "darts"},
                                                                {SurfaceMethod::elimination, "elimination"},
+                                                               {SurfaceMethod::lloyd, "lloyd"},
+                                                               {SurfaceMethod::gaussian, "gaussian-blue-noise"},
                                                                {SurfaceMethod::tiles, "tiles"},
                                                                {SurfaceMethod::quads, "quads"}}}};
 
@@ -71,6 +75,8 @@ struct MeshPointSettings
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
+    std::optional<std::uint32_t> iterations;     ///< of the methods that move points; empty: as many as is usual
+    double sigma = 1;                            ///< of Gaussian blue noise, in mean distances
     std::filesystem::path start, obstacles;      ///< files of points; empty: there are none
     SurfaceOrder order = SurfaceOrder::own;      ///< the order of darts
     std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
@@ -110,7 +116,7 @@ struct SurfaceSet
     double small_area = 0;                         ///< see SurfaceDarts
     std::uint64_t darts = 0;                       ///< random points of which these are; 0: of tilings
     std::shared_ptr<const SurfaceTiling> tiling{}; ///< of tilings
-    std::vector<DistributionNumber> quads{};       ///< of tiles on quads: what they came to
+    std::vector<DistributionNumber> of_method{};   ///< numbers that its method alone has
     bool follows_density = false;
     double dart_distance = 0; ///< that darts keep: more than min_distance where points of the start are nearer
     std::vector<SurfacePoint> obstacles{}; ///< points from which darts keep away
@@ -126,6 +132,9 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
 /// Reads the files of start and obstacles, whose points are moved to the surface from at most a tenth of the distance
 /// away. Throws InputError, also where points of the start are nearer to each other than a distance that is to be kept.
 std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh);
+
+/// Does the method move points that darts made?
+bool moves_points(SurfaceMethod method);
 
 /// Makes the points. Throws InputError where there is no room for as many, or no memory.
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);

@@ -49,16 +49,16 @@ SurfaceSet tiled_quads(const MeshPointSettings& settings, std::shared_ptr<const 
         if (point.triangle != UINT32_MAX) set.points.push_back(point);
     }
     const StretchOfAll stretch = stretch_of_quads(triangles);
-    set.quads = quad_numbers(quads, stretch);
+    set.of_method = quad_numbers(quads, stretch);
     const auto add = [&](const char* key, const char* title, std::size_t count, const char* words) {
-        set.quads.push_back({key, title, static_cast<double>(count), words});
+        set.of_method.push_back({key, title, static_cast<double>(count), words});
     };
     add("tiles", "Tiles", laid.tiles, "that differ by more than a turn");
     add("tile_edges", "Edges of tiles", laid.edges, "that differ");
     add("tile_disks", "Disks around vertices", laid.disks, "that differ: of each valence, each colour");
-    set.quads.push_back({"tile_distance", "Distance of the tiles", distance,
-                         "that all points keep along the quads, in sides of a tile: proven"});
-    set.quads.push_back(
+    set.of_method.push_back({"tile_distance", "Distance of the tiles", distance,
+                             "that all points keep along the quads, in sides of a tile: proven"});
+    set.of_method.push_back(
         {"surface_distance", "Distance on the surface", distance * stretch.extremes.least,
          "that all points keep along the surface, in units of the mesh: proven; through space they may be "
          "nearer"});

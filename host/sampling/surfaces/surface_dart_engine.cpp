@@ -2,7 +2,9 @@
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace poissonlab {
 
@@ -21,8 +23,11 @@ struct SurfaceDartBuffers
     Buffer<std::uint64_t> ends;
     Words guide, piece_states;
     Buffer<SurfacePoint> points, darts;
-    Words heads, dart_heads, states, undecided;
+    Words heads, dart_heads, order, states, undecided;
 };
+
+/// Darts are sorted into groups of 2^that many, about.
+constexpr int darts_side_by_side = 3;
 
 /// Rounds that are enqueued before the host looks whether darts are left.
 constexpr int settling_rounds = 3;
@@ -37,7 +42,7 @@ NeededBuffers buffers_of_points(SurfaceDartBuffers& b, std::size_t points)
 
 NeededBuffers buffers_of_darts(SurfaceDartBuffers& b, std::size_t darts)
 {
-    return {{b.darts, darts}, {b.states, darts}, {b.dart_heads, surface_bucket_count(darts)}};
+    return {{b.darts, darts}, {b.order, darts}, {b.states, darts}, {b.dart_heads, surface_bucket_count(darts)}};
 }
 
 NeededBuffers buffers_of_pieces(SurfaceDartBuffers& b, std::size_t pieces, std::size_t guide)
@@ -70,16 +75,24 @@ public:
         reserve(device_, buffers_of_points(*buffers_, capacity));
         buffers_->heads.write(std::vector<std::uint32_t>(buckets));
         count_ = 0;
-        add(points);
+        std::vector<SurfacePoint> by_buckets;
+        by_buckets.reserve(points.size());
+        for (const std::uint32_t id : surface_bucket_order(points, rule_.cell, rule_.bucket_mask).ids)
+            by_buckets.push_back(points[id]);
+        add(by_buckets);
     }
 
-    void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) override
+    void set_pieces(const std::vector<SurfacePiece>& pieces) override
     {
         pieces_ = pieces.size();
+        reserve(device_, buffers_of_pieces(*buffers_, pieces_, surface_guide_size(pieces_)));
+        buffers_->pieces.write(pieces);
+    }
+
+    void set_choice(const SurfacePieceChoice& choice) override
+    {
         total_ = choice.total();
         guide_bits_ = choice.guide_bits;
-        reserve(device_, buffers_of_pieces(*buffers_, pieces_, choice.guide.size()));
-        buffers_->pieces.write(pieces);
         buffers_->ends.write(choice.ends);
         buffers_->guide.write(choice.guide);
     }
@@ -99,12 +112,15 @@ public:
                                  .key_y = stream_[1],
                                  .bucket_mask = static_cast<std::uint32_t>(b.dart_heads.size() - 1),
                                  .pieces = static_cast<std::uint32_t>(pieces_)};
-        find_.run(darts, work_group_size_, batch, rule_, b.triangles, b.pieces, b.ends, b.guide, b.heads, b.points,
-                  b.darts, b.states, b.dart_heads);
+        b.order.write(order_of(first, darts));
+        find_.run(darts, work_group_size_, batch, rule_, b.order, b.triangles, b.pieces, b.ends, b.guide, b.heads,
+                  b.points, b.darts, b.states, b.dart_heads);
         settle(batch);
         clear_.run(darts, work_group_size_, batch, rule_, b.darts, b.states, b.dart_heads);
         std::vector<SurfacePoint> accepted = accepted_of(darts, most);
         add(accepted);
+        std::ranges::sort(accepted, {}, &SurfacePoint::number);
+        for (SurfacePoint& point : accepted) point.number = 0;
         return accepted;
     }
 
@@ -130,16 +146,40 @@ private:
         }
     }
 
+    /// The numbers of a batch's darts, by the random words that choose their pieces.
+    std::vector<std::uint32_t> order_of(std::uint64_t first, std::uint32_t darts) const
+    {
+        const int shift = 32 - std::max(1, static_cast<int>(std::bit_width(darts)) - darts_side_by_side);
+        std::vector<std::uint32_t> starts((std::size_t{1} << (32 - shift)) + 1), groups(darts), order(darts);
+        for (std::uint32_t i = 0; i < darts; ++i) {
+            const std::uint64_t number = first + i;
+            groups[i] = philox({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0, 0},
+                               stream_)[0] >>
+                        shift;
+            ++starts[groups[i] + 1];
+        }
+        std::partial_sum(starts.begin(), starts.end(), starts.begin());
+        for (std::uint32_t i = 0; i < darts; ++i) order[starts[groups[i]]++] = i;
+        return order;
+    }
+
+    /// The first `most` of the darts that are accepted, in the order in which they lie on the device.
     std::vector<SurfacePoint> accepted_of(std::uint32_t darts, std::size_t most) const
     {
         const std::vector<std::uint32_t> states = buffers_->states.read(0, darts);
         const std::vector<SurfacePoint> all = buffers_->darts.read(0, darts);
         std::vector<SurfacePoint> accepted;
-        for (std::uint32_t i = 0; i < darts && accepted.size() < most; ++i)
+        for (std::uint32_t i = 0; i < darts; ++i)
             if (states[i] == ACCEPTED) {
                 accepted.push_back(all[i]);
                 accepted.back().next = 0;
             }
+        if (accepted.size() <= most) return accepted;
+        std::vector<std::uint32_t> numbers;
+        for (const SurfacePoint& point : accepted) numbers.push_back(point.number);
+        const auto end = numbers.begin() + static_cast<std::ptrdiff_t>(most);
+        std::ranges::nth_element(numbers, end);
+        std::erase_if(accepted, [&](const SurfacePoint& point) { return point.number >= *end; });
         return accepted;
     }
 

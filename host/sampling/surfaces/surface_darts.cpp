@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -74,7 +77,14 @@ void add_halves(const FixedSurface& surface, const SurfacePiece& piece, std::vec
 constexpr std::size_t least_surface_batch = 256, most_surface_batch = std::size_t{1} << 19;
 
 /// Pieces are refined where fewer than one in so many darts is accepted.
-constexpr std::size_t worthwhile_darts = 4;
+constexpr std::size_t worthwhile_darts = 16;
+constexpr std::size_t growth_of_batches = 4;
+
+/// Refining pieces takes as long as so many darts for each point.
+constexpr double dear_darts = 4;
+
+/// Pieces are not refined without further darts where there are more than so many for each point.
+constexpr std::size_t many_pieces = 4;
 
 class ThrowingOnSurface
 {
@@ -129,26 +139,67 @@ private:
     void set_pieces(std::vector<SurfacePiece> pieces)
     {
         pieces_ = std::move(pieces);
-        if (!pieces_.empty()) engine_.set_pieces(pieces_, surface_piece_choice(*request_.surface, pieces_));
+        has_choice_ = false;
+        if (!pieces_.empty()) engine_.set_pieces(pieces_);
+    }
+
+    double area_of_pieces() const
+    {
+        double area = 0;
+        for (const SurfacePiece& piece : pieces_) area += area_of(*request_.surface, piece);
+        return area;
     }
 
     /// Throws darts until there are enough points, or no piece is left.
     void fill()
     {
-        while (!pieces_.empty() && !is_full()) {
-            const std::size_t darts = std::clamp(std::max(result_.points.size() / 2, pieces_.size() / 4),
-                                                 least_surface_batch, most_surface_batch);
-            if (throw_batch(darts) * worthwhile_darts >= darts) continue;
+        bool is_refined = false;
+        double poor = 0; // darts of which few were accepted, since pieces were refined
+        for (std::size_t darts = least_surface_batch; !pieces_.empty() && !is_full();) {
+            if (request_.points > 0)
+                darts = std::min(
+                    darts, std::max(least_surface_batch, worthwhile_darts * (request_.points - result_.points.size())));
+            const std::size_t accepted = throw_batch(darts), grown = growth_of_batches * darts;
+            if (accepted * worthwhile_darts < darts) {
+                const double uncovered = static_cast<double>(accepted + 1) / static_cast<double>(darts);
+                poor += static_cast<double>(darts);
+                if (poor + expected_darts(uncovered) > dear_darts * static_cast<double>(capacity_)) {
+                    refine(uncovered);
+                    is_refined = true;
+                    poor = 0;
+                }
+            }
+            const std::size_t most = std::max(is_refined ? 0 : result_.points.size() / 2, pieces_.size() / 4);
+            darts = std::min(grown, std::clamp(most, least_surface_batch, most_surface_batch));
+        }
+    }
+
+    /// The darts that are left to throw where such a part of them is accepted.
+    double expected_darts(double accepted) const
+    {
+        if (request_.points == 0) return INFINITY;
+        return static_cast<double>(request_.points - std::min(request_.points, result_.points.size())) / accepted;
+    }
+
+    /// Refines pieces until darts are worthwhile, where `uncovered` of their area is uncovered now.
+    void refine(double uncovered)
+    {
+        const double enough = worthwhile_darts * uncovered * area_of_pieces();
+        bool is_finer = true;
+        do {
             RefinedPieces left = refined(*request_.surface, pieces_, engine_.cover());
             result_.small_area += left.small_area;
+            is_finer = left.is_finer;
             set_pieces(std::move(left.pieces));
-        }
+        } while (is_finer && !pieces_.empty() && pieces_.size() < many_pieces * capacity_ && area_of_pieces() > enough);
     }
 
     std::size_t throw_batch(std::size_t darts)
     {
         const std::size_t wanted = request_.points > 0 ? request_.points : most_ + 1;
         const std::size_t room = std::min(darts, wanted - result_.points.size());
+        if (!has_choice_) engine_.set_choice(surface_piece_choice(*request_.surface, pieces_));
+        has_choice_ = true;
         if (held() + room > capacity_) restart(held() + room + capacity_ / 2);
         const auto accepted = engine_.throw_darts(result_.darts, static_cast<std::uint32_t>(darts), room);
         result_.darts += darts;
@@ -165,9 +216,21 @@ private:
     const std::function<void(std::size_t)>& on_points_;
     std::size_t capacity_ = 0;
     std::vector<SurfacePiece> pieces_;
+    bool has_choice_ = false; ///< the engine has that of the pieces
     SurfaceDarts result_;
 };
 
+}
+
+SurfaceBucketOrder surface_bucket_order(const std::vector<SurfacePoint>& points, std::uint32_t cell, std::uint32_t mask)
+{
+    SurfaceBucketOrder order{std::vector<std::uint32_t>(points.size()),
+                             std::vector<std::uint32_t>(std::size_t{mask} + 2)};
+    for (const SurfacePoint& p : points) ++order.starts[surface_bucket(p, cell, mask) + 1];
+    std::partial_sum(order.starts.begin(), order.starts.end(), order.starts.begin());
+    std::vector<std::uint32_t> next(order.starts.begin(), order.starts.end() - 1);
+    for (std::uint32_t i = 0; i < points.size(); ++i) order.ids[next[surface_bucket(points[i], cell, mask)]++] = i;
+    return order;
 }
 
 std::size_t SurfacePieceChoice::piece(std::uint64_t random) const
@@ -196,12 +259,18 @@ double area_of(const FixedSurface& surface, const SurfacePiece& piece)
 
 bool is_last(const SurfacePiece& piece) { return (piece.halvings & LAST_PIECE) != 0; }
 
-RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
-                      const std::vector<std::uint32_t>& states)
+namespace {
+
+/// Pieces that are refined together.
+constexpr std::size_t refined_together = 1 << 14;
+
+RefinedPieces refined_from(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
+                           const std::vector<std::uint32_t>& states, std::size_t begin, std::size_t end)
 {
     RefinedPieces left;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         if (states[i] == PIECE_SMALL) left.small_area += area_of(surface, pieces[i]);
+        left.is_finer = left.is_finer || states[i] != PIECE_OPEN || !is_last(pieces[i]);
         if (states[i] != PIECE_OPEN) continue;
         if (is_last(pieces[i]))
             left.pieces.push_back(pieces[i]);
@@ -209,6 +278,30 @@ RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiec
             add_halves(surface, pieces[i], left.pieces);
     }
     return left;
+}
+
+}
+
+RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
+                      const std::vector<std::uint32_t>& states)
+{
+    std::vector<RefinedPieces> parts((pieces.size() + refined_together - 1) / refined_together);
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+        const std::size_t begin = part * refined_together, end = std::min(begin + refined_together, pieces.size());
+        parts[part] = refined_from(surface, pieces, states, begin, end);
+    });
+    RefinedPieces left;
+    for (const RefinedPieces& part : parts) {
+        left.pieces.insert(left.pieces.end(), part.pieces.begin(), part.pieces.end());
+        left.small_area += part.small_area;
+        left.is_finer = left.is_finer || part.is_finer;
+    }
+    return left;
+}
+
+std::size_t surface_guide_size(std::size_t pieces)
+{
+    return std::size_t{1} << std::clamp(static_cast<std::uint32_t>(std::bit_width(pieces)), 1u, most_guide_bits);
 }
 
 SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces)
@@ -222,7 +315,7 @@ SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::
         end += std::max<std::uint64_t>(1, static_cast<std::uint64_t>(area_of(surface, piece) / area * 0x1p62));
         choice.ends.push_back(end);
     }
-    choice.guide_bits = std::clamp(static_cast<std::uint32_t>(std::bit_width(pieces.size())), 1u, most_guide_bits);
+    choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(pieces.size()))) - 1;
     __extension__ using Wide = unsigned __int128;
     std::uint32_t piece = 0;
     for (std::uint64_t i = 0; i < std::uint64_t{1} << choice.guide_bits; ++i) {

@@ -6,7 +6,8 @@
 // their triangles are farther apart than an angle: the two sides of a thin sheet do not see each other.
 //
 // Darts come in batches, whose size follows from what was accepted so far. Where few of a batch are accepted, pieces
-// are refined: those that one disk covers are dropped. A set is saturated when no piece is left. All of the surface is
+// are refined until a good part of their area is uncovered, as that batch tells: those that one disk covers are
+// dropped. A set is saturated when no piece is left. All of the surface is
 // then nearer to a point than the minimum distance, but for pieces that are within LIMIT units (2^-25 of the surface's
 // size at most), whose centre is covered; their area is said, and is 0 but by rare chance.
 #pragma once
@@ -44,6 +45,14 @@ inline std::uint32_t surface_bucket(const SurfacePoint& point, std::uint32_t cel
     return (block << 6 | (z & 3) << 4 | (y & 3) << 2 | (x & 3)) & mask;
 }
 
+/// Points in the order of their buckets, and where each bucket begins.
+struct SurfaceBucketOrder
+{
+    std::vector<std::uint32_t> ids, starts;
+};
+SurfaceBucketOrder surface_bucket_order(const std::vector<SurfacePoint>& points, std::uint32_t cell,
+                                        std::uint32_t mask);
+
 // The pieces of triangles on which darts fall: those that may be uncovered, chosen by their areas.
 //
 // Cline, Jeschke, White, Razdan, Wonka, Dart throwing on surfaces, EGSR 2009. Their fragments are divided into four;
@@ -67,6 +76,9 @@ struct SurfacePieceChoice
     std::size_t piece(std::uint64_t random) const;
 };
 
+/// The entries of the guide for so many pieces: a power of two.
+std::size_t surface_guide_size(std::size_t pieces);
+
 /// All triangles, whole.
 std::vector<SurfacePiece> whole_pieces(const FixedSurface& surface);
 
@@ -80,6 +92,7 @@ struct RefinedPieces
 {
     std::vector<SurfacePiece> pieces;
     double small_area = 0; ///< of those that were dropped within the limit
+    bool is_finer = false; ///< one was halved, or dropped
 };
 RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
                       const std::vector<std::uint32_t>& states);
@@ -123,7 +136,8 @@ public:
     /// Begins anew with these points, which keep another distance now, and room for `capacity`.
     virtual void restart(const contract::surface::SurfaceRule& rule, const std::vector<SurfacePoint>& points,
                          std::size_t capacity) = 0;
-    virtual void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) = 0;
+    virtual void set_pieces(const std::vector<SurfacePiece>& pieces) = 0;
+    virtual void set_choice(const SurfacePieceChoice& choice) = 0; ///< of these pieces, before darts are thrown
 
     /// Throws darts number first, first + 1, ..., and accepts at most `most` of them. Returns these, in order; they
     /// are among the points now.

@@ -65,22 +65,6 @@ std::vector<T> chosen_of(const std::vector<T>& all, const std::vector<std::uint3
     return chosen;
 }
 
-/// Points in the order of their buckets, and where each begins.
-struct BucketOrder
-{
-    std::vector<std::uint32_t> ids, starts;
-};
-
-BucketOrder bucket_order(const std::vector<SurfacePoint>& points, std::uint32_t cell, std::uint32_t mask)
-{
-    BucketOrder order{std::vector<std::uint32_t>(points.size()), std::vector<std::uint32_t>(std::size_t{mask} + 2)};
-    for (const SurfacePoint& p : points) ++order.starts[surface_bucket(p, cell, mask) + 1];
-    std::partial_sum(order.starts.begin(), order.starts.end(), order.starts.begin());
-    std::vector<std::uint32_t> next(order.starts.begin(), order.starts.end() - 1);
-    for (std::uint32_t i = 0; i < points.size(); ++i) order.ids[next[surface_bucket(points[i], cell, mask)]++] = i;
-    return order;
-}
-
 /// The elimination of one set.
 class SurfaceEliminationRun
 {
@@ -95,7 +79,7 @@ public:
         remove_ = device.kernel(program, "remove_marked");
         reserve(device, buffers.needed(points.size()));
         elimination_.bucket_mask = static_cast<std::uint32_t>(surface_bucket_count(points.size()) - 1);
-        BucketOrder order = bucket_order(points, elimination_.cell, elimination_.bucket_mask);
+        SurfaceBucketOrder order = surface_bucket_order(points, elimination_.cell, elimination_.bucket_mask);
         std::vector<Candidate> sorted;
         sorted.reserve(points.size());
         for (const std::uint32_t id : order.ids) {

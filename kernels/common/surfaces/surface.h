@@ -56,7 +56,7 @@ struct SurfacePoint
     uint triangle;
     uint shares[2]; ///< of its second and third corner; the first one has the rest
     uint next;      ///< in the chain of its bucket, and one; 0: none
-    uint unused;
+    uint number;    ///< of a dart, in its batch; of points 0
 };
 
 /// When two points are in conflict, and where the cells are in which such points are looked for.

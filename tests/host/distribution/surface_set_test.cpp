@@ -438,7 +438,7 @@ TEST(SurfaceViews, ShowDotsOnTheNearSide)
                      .triangle = t,
                      .shares = {},
                      .next = 0,
-                     .unused = 0};
+                     .number = 0};
         }
         const PngPixels view = surface_view(mesh.surface, {point}, {0.5, true}, 800);
         std::array<int, 2> counts{};

@@ -40,11 +40,8 @@ public:
         for (const SurfacePoint& point : points) add(point);
     }
 
-    void set_pieces(const std::vector<SurfacePiece>& pieces, const SurfacePieceChoice& choice) override
-    {
-        pieces_ = pieces;
-        choice_ = choice;
-    }
+    void set_pieces(const std::vector<SurfacePiece>& pieces) override { pieces_ = pieces; }
+    void set_choice(const SurfacePieceChoice& choice) override { choice_ = choice; }
 
     std::vector<SurfacePoint> throw_darts(std::uint64_t first, std::uint32_t darts, std::size_t most) override
     {
