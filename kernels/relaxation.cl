@@ -5,6 +5,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/reals.clh"
+#include "kernels/common/relaxation.clh"
 #if DOUBLES
 #include "kernels/common/domain.clh"
 #else
@@ -31,10 +32,7 @@ kernel void move_points(global real* positions, global const uint* ids, global c
     }
 #endif
     for (int k = 0; k < DIMENSION; ++k) {
-        const real moved = plus(position.c[k], movement.c[k]);
-        const real wrapped = minus(moved, floor_of(moved));
-        const bool is_inside = is_less(wrapped, REAL_ONE); // just below 0, the sum rounds to 1
-        positions[id * DIMENSION + k] = is_inside ? wrapped : REAL_ZERO;
+        positions[id * DIMENSION + k] = moved_coordinate(position.c[k], movement.c[k]);
     }
 }
 
@@ -46,12 +44,7 @@ kernel void summarize_points(global const real* energies, global const real* squ
     const uint begin = get_global_id(0) * run;
     if (begin >= point_count) return;
     const uint end = min(begin + run, point_count);
-    real sum = REAL_ZERO;
-    real minimum = REAL_INFINITE;
-    for (uint i = begin; i < end; ++i) {
-        sum = plus(sum, energies[i]);
-        minimum = lesser(minimum, squared_near[i]);
-    }
-    energy_sums[first + get_global_id(0)] = sum;
-    smallest[first + get_global_id(0)] = minimum;
+    const Summary summary = summary_of(energies, squared_near, begin, end);
+    energy_sums[first + get_global_id(0)] = summary.energy;
+    smallest[first + get_global_id(0)] = summary.smallest;
 }

@@ -1,4 +1,4 @@
-// How many periodograms a series' spectrum is the mean of.
+// The number of periodograms that a series' spectrum is the mean of.
 #pragma once
 
 #include "results/series.hpp"

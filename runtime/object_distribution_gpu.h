@@ -18,7 +18,7 @@ struct pobjects_object
     uint id;              ///< random bits that stay with the object
 };
 
-/// Where the numbers of a tile begin, and how many belong to a point.
+/// These constants say where the numbers of a tile begin, and how many belong to a point.
 PTILES_FUNCTION uint pobjects_first(PTILES_STRUCT(ptiles_tiling) t, uint tile)
 {
     return tile * (t.points_per_tile * (t.dimension + 1u) + 32u);

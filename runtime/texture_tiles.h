@@ -59,7 +59,7 @@ TTILES_FUNCTION ttiles_uint ttiles_pair(ttiles_uint first, ttiles_uint second, t
     return first < second ? block + 2u * (second - first) - 1u : block + 2u * (first - second);
 }
 
-/// Where the tile with these corners lies in a packing of an odd number of colours: y C^2 + x, from the lower left.
+/// Returns the place of a tile, by its corners, in a packing of an odd number of colours: y C^2 + x, from the lower left.
 TTILES_FUNCTION ttiles_uint ttiles_odd_place(ttiles_uint colors, ttiles_uint ne, ttiles_uint se, ttiles_uint sw,
                                              ttiles_uint nw)
 {

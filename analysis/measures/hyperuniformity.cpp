@@ -159,11 +159,14 @@ double root_of_tilt(const std::vector<PowerShell>& shells, const std::vector<dou
 class RatioTest
 {
     static constexpr int ratios = 33, curvatures = 8, models = ratios * curvatures;
+    static constexpr int models_at_once = 12; ///< whose sums fit into registers
+    static_assert(models % models_at_once == 0);
     using PerModel = std::array<double, models>;
+    using Some = std::array<double, models_at_once>;
 
 public:
     RatioTest(const std::vector<PowerShell>& shells, int realizations)
-        : samples_(realizations * total_pairs(shells)), weights_(shells.size())
+        : samples_(realizations * total_pairs(shells)), weights_(shells.size() * (models / models_at_once))
     {
         for (int m = 0; m < models; ++m) {
             const double s = ratio(m);
@@ -175,7 +178,8 @@ public:
             }
             const double pairs = total_pairs(shells), factor = std::exp(logarithms / pairs) / pairs;
             for (std::size_t i = 0; i < shells.size(); ++i)
-                weights_[i][m] = static_cast<double>(shells[i].pairs) / power[i] * factor;
+                weights_[static_cast<std::size_t>(m / models_at_once) * shells.size() + i][m % models_at_once] =
+                    static_cast<double>(shells[i].pairs) / power[i] * factor;
         }
     }
 
@@ -215,9 +219,14 @@ private:
     /// The most that each model's likelihood can be with the best factor for it, as exp(-L / samples).
     PerModel misfits(const std::vector<double>& power) const
     {
-        PerModel misfit{};
-        for (std::size_t i = 0; i < power.size(); ++i)
-            for (int m = 0; m < models; ++m) misfit[m] += weights_[i][m] * power[i];
+        PerModel misfit;
+        const Some* weights = weights_.data();
+        for (int first = 0; first < models; first += models_at_once, weights += power.size()) {
+            Some sums{};
+            for (std::size_t i = 0; i < power.size(); ++i)
+                for (int m = 0; m < models_at_once; ++m) sums[m] += weights[i][m] * power[i];
+            std::ranges::copy(sums, misfit.begin() + first);
+        }
         return misfit;
     }
 
@@ -229,8 +238,8 @@ private:
         return best;
     }
 
-    double samples_;                ///< pairs of all realizations
-    std::vector<PerModel> weights_; ///< of each shell, what its power adds to a model's misfit
+    double samples_;            ///< pairs of all realizations
+    std::vector<Some> weights_; ///< of some models after others, of each shell: what its power adds to their misfits
 };
 
 double uniform(RandomWords& words) { return (words.next() + 0.5) * 0x1p-32; }

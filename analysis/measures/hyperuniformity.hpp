@@ -69,7 +69,7 @@ struct HyperuniformityExponent
 
 /// The exponent from shells of K averaged periodograms. Powers below `least` are no more than rounding: the
 /// lowest frequencies, as far as half of their shells have no more, are left out, and others are taken to have `least`.
-/// Nothing where fewer than three shells are left, or most of them have no more.
+/// It has no value where fewer than three shells are left, or most of them have no more.
 std::optional<HyperuniformityExponent> hyperuniformity_exponent(const std::vector<PowerShell>& shells, int realizations,
                                                                 double least);
 

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -71,6 +73,34 @@ void subtract(Eigen::Ref<const Eigen::MatrixXd> basis, const Eigen::MatrixXd& sh
     });
 }
 
+/// Returns what the inverse of the factored matrix makes of a block. Its rows stand side by side, each filled up to
+/// whole pairs, so that each number of the factor is read once for all columns. Each column's sums are those of
+/// Factor::solve().
+Eigen::MatrixXd solved(const Factor& factor, const Eigen::MatrixXd& block)
+{
+    constexpr Eigen::Index width = (block_size + 1) / 2 * 2;
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor>;
+    Rows rows = Rows::Zero(block.rows(), width);
+    rows.leftCols(block_size) = factor.permutationP() * block;
+    const SparseMatrix& lower = factor.matrixL().nestedExpression(); // without its diagonal of ones
+    const auto row = [&](Eigen::Index i) { return std::span<double, width>(rows.data() + i * width, width); };
+    for (Eigen::Index j = 0; j < lower.cols(); ++j) {
+        std::array<double, width> from;
+        std::ranges::copy(row(j), from.begin());
+        for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry)
+            for (Eigen::Index k = 0; k < width; ++k) row(entry.index())[k] -= from[k] * entry.value();
+    }
+    rows = factor.vectorD().asDiagonal().inverse() * rows;
+    for (Eigen::Index j = lower.cols() - 1; j >= 0; --j) {
+        std::array<double, width> sums;
+        std::ranges::copy(row(j), sums.begin());
+        for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry)
+            for (Eigen::Index k = 0; k < width; ++k) sums[k] -= entry.value() * row(entry.index())[k];
+        std::ranges::copy(sums, row(j).begin());
+    }
+    return factor.permutationPinv() * rows.leftCols(block_size);
+}
+
 /// A basis that grows by what the inverse of stiffness - shift mass makes of its last block.
 class LanczosBasis
 {
@@ -92,10 +122,7 @@ public:
     {
         stop_if_interrupted();
         const Eigen::Index begin = size_ - block_size;
-        const Eigen::MatrixXd load = mass_ * basis_.middleCols(begin, block_size);
-        Eigen::MatrixXd next(load.rows(), block_size);
-        for (Eigen::Index k = 0; k < block_size; ++k) next.col(k) = inverse_.solve(load.col(k));
-        append(std::move(next));
+        append(solved(inverse_, mass_ * basis_.middleCols(begin, block_size)));
     }
 
     /// Returns the eigenvectors found so far from `low` to `high`. The last block serves to measure residuals only.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -52,7 +53,7 @@ Movement movement_of_node(const StoredObject& node)
     return movement;
 }
 
-/// That of `inside` and then `outside`.
+/// Returns the transform of `inside` and then `outside`.
 Movement movement_of_both(const Movement& outside, const Movement& inside)
 {
     Movement result{};
@@ -74,8 +75,22 @@ MeshPoint moved_by(const Movement& movement, const MeshPoint& point)
     return moved;
 }
 
-bool is_mirroring(const Movement& m)
+/// The turning and stretching of a movement, times a power of 2, so that its largest number is from 1 to 2: products of
+/// three numbers neither vanish nor overflow, and signs and directions stay.
+Movement scaled_to_one(Movement movement)
 {
+    double largest = 0;
+    for (const auto& row : movement)
+        for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(row[k]));
+    if (!(largest > 0) || !std::isfinite(largest)) return movement;
+    for (auto& row : movement)
+        for (std::size_t k = 0; k < 3; ++k) row[k] = std::scalbn(row[k], -std::ilogb(largest));
+    return movement;
+}
+
+bool is_mirroring(const Movement& movement)
+{
+    const Movement m = scaled_to_one(movement);
     return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
            0;
@@ -83,8 +98,9 @@ bool is_mirroring(const Movement& m)
 
 /// Moves a normal with its surface by the matrix of cofactors, whose result points inwards if the movement mirrors. The
 /// result has length 1 again, so that normals between vertices are weighted by their shares alone; 0 stays 0.
-MeshPoint turned_by(const Movement& m, const MeshPoint& normal)
+MeshPoint turned_by(const Movement& movement, const MeshPoint& normal)
 {
+    const Movement m = scaled_to_one(movement);
     const double side = is_mirroring(m) ? -1 : 1;
     MeshPoint turned{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -20,11 +20,11 @@ public:
     void next_row(const PlyElement& element, std::size_t row);
     /// The next number of the row.
     double value(PlyType type);
-    /// How many numbers of that type follow.
+    /// Reads how many numbers of that type follow.
     std::size_t count(PlyType type, PlyType of);
-    /// Nothing may be left of the row.
+    /// Ends the row, of which nothing may be left.
     void end_row();
-    /// Nothing may be left of the file.
+    /// Ends the file, of which nothing may be left.
     void end_file();
 
     /// Throws InputError for the row.

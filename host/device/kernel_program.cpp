@@ -51,6 +51,7 @@ const std::vector<KernelFile>& kernel_files()
         {"gradient_domain.cl", "texture build", doubles, {}},
         {"instances.cl", "distribute instances", doubles, {}},
         {"joint_nulling.cl", "tiles build", doubles, {dimension}},
+        {"lloyd_sets.cl", "Lloyd relaxation", {}, {with_doubles}},
         {"objects.cl", "object distribution", {}, {}},
         {"penrose.cl", "penrose", {}, {}},
         {"point_grid.cl", "relaxation", {}, {dimension, with_doubles, listed}},

@@ -76,14 +76,20 @@ inline std::size_t iterations_of_batch(std::size_t points, int dimension)
     return std::clamp<std::size_t>(points_of_batch / std::max<std::size_t>(points, 1), 1, most);
 }
 
+/// Iterates of the next batch after those that were made, the start among them. Batches are short in the beginning:
+/// what is made in vain is a part of all then, and the first iterates of crowded points take long.
+inline std::size_t next_batch(std::size_t points, int dimension, std::size_t made, std::size_t iterations)
+{
+    return std::min({iterations_of_batch(points, dimension), iterations + 1 - made, 1 + made / 4});
+}
+
 /// Runs the iterations of `State` by batches. The state has: void measure_later(), which enqueues the measures of the
 /// points as they are; void move(), which enqueues their movement after that; std::vector<IterateMeasure> measures(),
 /// which waits for those that were enqueued; PointSet points(); and void load(points), after which iterations go as
 /// from the start.
 ///
 /// Where an iterate within a batch turns out to be the one to keep, its points are made once more, from those that the
-/// batch began with. Batches are short in the beginning: what is made in vain is a part of all then, and the first
-/// iterates of crowded points take long.
+/// batch began with.
 template <typename State>
 LloydResult run_batches(State& state, std::size_t points, int dimension, const LloydRequest& request)
 {
@@ -95,8 +101,7 @@ LloydResult run_batches(State& state, std::size_t points, int dimension, const L
         stop_if_interrupted();
         const std::size_t made = course.iterations().size();
         if (made > 0) state.move();
-        const std::size_t count =
-            std::min({iterations_of_batch(points, dimension), request.iterations + 1 - made, 1 + made / 4});
+        const std::size_t count = next_batch(points, dimension, made, request.iterations);
         const PointSet before = may_go_back && count > 1 ? state.points() : PointSet{};
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) state.move();

@@ -1,8 +1,12 @@
 // The sampler "lloyd": what the config can ask of Lloyd relaxation, and of the repulsion after it.
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/lloyd_sets.hpp"
 #include "host/sampling/repulsion.hpp"
+#include "host/sampling/sets_ahead.hpp"
 #include "host/sampling/started_sampler.hpp"
+
+#include <algorithm>
 
 namespace poissonlab {
 namespace {
@@ -24,6 +28,15 @@ DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points,
     return either(relaxation, Repulsion::memory(dimension, points, repulsion));
 }
 
+/// The most sets that are relaxed side by side: few enough for some to be finished soon, and stored. 0 where that is
+/// not all that is asked of each.
+std::size_t sets_at_once(const LloydRequest& request, std::size_t points, int dimension)
+{
+    if (points == 0 || dimension != 2 || request.keep_best || request.until_relative_radius <= 1) return 0;
+    constexpr std::size_t moves_at_once = std::size_t{1} << 26; // seconds
+    return std::min(LloydSets::most_sets(points), moves_at_once / (points * (request.iterations + 1)));
+}
+
 class LloydSampler final : public StartedSampler
 {
 public:
@@ -33,25 +46,55 @@ public:
           request_(lloyd_request(parameters)), repels_(parameters.flag("repulsion"))
     {}
 
+    void expect(std::uint32_t first, std::uint32_t count) override
+    {
+        StartedSampler::expect(first, count);
+        sets_.expect(first, count);
+    }
+
     PointSet sample(std::uint32_t realization) override
     {
-        const Domain torus;
-        const PointSet points = start(realization);
-        LloydResult result = device_ ? LloydRelaxation(*device_).relax(points, torus, request_)
-                                     : reference::relax(points, torus, request_);
+        LloydResult result = device_ ? sets_.take(realization, *device_, [&] { return relax_from(realization); })
+                                     : reference::relax(start(realization), {}, request_);
         iterations_ = std::move(result.iterations);
         if (repels_) {
+            const PointSet& points = result.points;
             const RepulsionRequest repulsion =
                 repulsion_request(request_.until_relative_radius, points.size(), points.dimension);
-            result.points = device_ ? Repulsion(*device_).repel(result.points, torus, repulsion).points
-                                    : reference::repel(result.points, torus, repulsion).points;
+            result.points = device_ ? Repulsion(*device_).repel(points, {}, repulsion).points
+                                    : reference::repel(points, {}, repulsion).points;
         }
         return std::move(result.points);
     }
 
+    SetTraits traits() const override
+    {
+        SetTraits traits = StartedSampler::traits();
+        if (!repels_) traits.shared_seconds = sets_.seconds();
+        return traits;
+    }
+
 private:
+    /// Relaxes the set of a realization, and those that are expected after it where they are faster side by side.
+    std::vector<LloydResult> relax_from(std::uint32_t realization)
+    {
+        std::vector<PointSet> starts{start(realization)};
+        const std::size_t most = sets_at_once(request_, starts[0].size(), starts[0].dimension);
+        if (most == 0) return {LloydRelaxation(*device_).relax(starts[0], {}, request_)};
+        const std::uint32_t count = sets_.expected_from(realization, most);
+        const auto are_faster = [&](std::size_t sets) {
+            return LloydSets::are_faster(device_->info(), sets, starts[0].size());
+        };
+        while (are_faster(count) && starts.size() < count && starts.back().size() == starts[0].size())
+            starts.push_back(start(realization + static_cast<std::uint32_t>(starts.size())));
+        if (starts.back().size() != starts[0].size()) starts.pop_back();
+        if (are_faster(starts.size())) return LloydSets(*device_).relax(starts, request_.iterations);
+        return {LloydRelaxation(*device_).relax(starts[0], {}, request_)};
+    }
+
     LloydRequest request_;
     bool repels_;
+    SetsAhead<LloydResult> sets_;
 };
 
 std::vector<ParameterSpec> parameters()
@@ -112,7 +155,14 @@ SamplerSpec lloyd_sampler()
     spec.parameters = parameters();
     spec.check = check_lloyd;
     describe_start(spec, relaxation_memory);
-    spec.kernels = {"point_grid.cl", "voronoi_2d.cl", "relaxation.cl", "repulsion.cl"};
+    spec.device_memory = [of_one = spec.device_memory](const Parameters& given, const SampleRequest& request,
+                                                       const DeviceInfo& device) {
+        const std::size_t points = most_started_points(given, request);
+        const bool is_processor = device.type == "CPU";
+        const std::size_t sets = is_processor ? sets_at_once(lloyd_request(given), points, request.dimension) : 0;
+        return of_one(given, request, device) + LloydSets::memory(sets, points);
+    };
+    spec.kernels = {"point_grid.cl", "voronoi_2d.cl", "relaxation.cl", "lloyd_sets.cl", "repulsion.cl"};
     spec.kernels_in_space = {"voronoi_3d_fast.cl", "voronoi_3d_slow.cl"};
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {

@@ -1,5 +1,7 @@
 #include "host/sampling/point_summary.hpp"
 
+#include "kernels/common/lloyd_sets.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,7 +9,7 @@ namespace poissonlab {
 namespace {
 
 /// Points that one work-item of summarize_points owns.
-constexpr std::uint32_t points_of_item = 256;
+constexpr std::uint32_t points_of_item = contract::lloyd_sets::SUMMARY_RUN;
 
 std::size_t items_of(std::size_t points) { return (points + points_of_item - 1) / points_of_item; }
 

@@ -2,7 +2,8 @@
 // corner has one colour.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 2.6, figure 2.2. The claim is counted: for all ordered
-// pairs of tiles, whether there are two tiles that complete the square.
+// pairs of tiles, whether there are two tiles that complete the square. Objects across corners of Wang tiles are
+// counted as well.
 #include "host/schemes/mark_canvas.hpp"
 #include "host/schemes/scheme_run.hpp"
 #include "tiles/tilings/tile_set.hpp"
@@ -10,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -102,6 +105,30 @@ DiagonalPairs corner_pairs(Color colors)
     return pairs;
 }
 
+/// The least and the most tiles of a set that have to be adapted to an object across a corner of a tile: those with the
+/// rest of it across the vertical edge, whose opposite edge has that colour, and those with the rest across the
+/// horizontal edge. Over all corners and colours.
+///
+/// Cohen and others, Wang tiles for image and texture generation, 2003, section 3.4: "in a two colored set of eight
+/// tiles six tiles have to be adapted, in a three colored set (18 tiles) twelve tiles".
+std::pair<std::size_t, std::size_t> adapted_tiles(const TileSet& set)
+{
+    std::pair<std::size_t, std::size_t> range{set.size(), 0};
+    const WangColors c = set.colors();
+    for (const auto vertical : {&WangTile::west, &WangTile::east})
+        for (const auto horizontal : {&WangTile::north, &WangTile::south})
+            for (Color a = 0; a < c.vertical; ++a)
+                for (Color b = 0; b < c.horizontal; ++b) {
+                    std::size_t count = 0;
+                    for (std::uint64_t i = 0; i < set.size(); ++i) {
+                        const WangTile tile = wang_tile(set.index(i), c);
+                        count += tile.*vertical == a || tile.*horizontal == b;
+                    }
+                    range = {std::min(range.first, count), std::max(range.second, count)};
+                }
+    return range;
+}
+
 void add_share(const std::string& key, const std::string& title, const DiagonalPairs& pairs, DistributionResult& result)
 {
     result.numbers.push_back({key, title, static_cast<double>(pairs.fitting) / static_cast<double>(pairs.all),
@@ -126,6 +153,13 @@ DistributionResult make_corner_problem(const CornerProblemSettings& settings, st
     add_share("wang_pairs", "Wang tiles, complete set", wang_pairs(TileSet::complete(TileKind::wang, colors)), result);
     add_share("compact_wang_pairs", "Wang tiles, compact set", wang_pairs(compact_wang_set(colors)), result);
     add_share("corner_pairs", "Corner tiles, complete set", corner_pairs(colors), result);
+    const TileSet compact = compact_wang_set(colors);
+    const auto [least, most] = adapted_tiles(compact);
+    result.numbers.push_back(
+        {"adapted_tiles", "Adapted tiles", static_cast<double>(most),
+         fmt::format("of {} in the compact set have the rest of an object across a corner, at most; "
+                     "{} at least",
+                     compact.size(), least)});
     return result;
 }
 

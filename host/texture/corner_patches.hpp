@@ -23,8 +23,8 @@ ExemplarWindow plain_window(const UsedWindows& used, const PngPixels& exemplar, 
 /// marked corners come from their exemplar.
 Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request, int distance);
 
-/// Where a piece over patches of these colours comes from: the exemplar of most of them, or either. Empty where there
-/// is one exemplar.
+/// Returns the exemplar that a piece over patches of these colours comes from: that of most of them, or either. Empty
+/// where there is one exemplar.
 std::vector<ColumnRange> ranges_for(const PngPixels& exemplar, const TextureRequest& request,
                                     const std::vector<Color>& colors);
 

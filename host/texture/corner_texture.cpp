@@ -90,7 +90,7 @@ std::vector<PixelRole> interior_roles(const TextureRequest& request)
     return roles;
 }
 
-/// Where a pixel lies in the exemplar, by its place relative to the lattice point of a patch.
+/// Returns the place of a pixel in the exemplar, by its place relative to the lattice point of a patch.
 SourcePixel source_around(const ExemplarWindow& patch, int dx, int dy)
 {
     return {static_cast<std::uint16_t>(patch.x + patch.size / 2 + dx),

@@ -1,5 +1,5 @@
-// How much the middle of a window stands out of the exemplar. What stands out in a patch of a corner is seen again and
-// again in a tiling, since there are as few patches as colours.
+// Salience says how much the middle of a window stands out of the exemplar. What stands out in a patch of a corner is
+// seen again and again in a tiling, since there are as few patches as colours.
 //
 // Means over squares of several sides are compared with the distribution of such means over the whole exemplar, as
 // centre and surround are in models of attention (Itti, Koch and Niebur 1998), here without surround: the exemplar is

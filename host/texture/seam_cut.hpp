@@ -1,4 +1,4 @@
-// Where to cut from one picture to another that lies over it, so that the cut is seen least: minimum cuts.
+// Minimum cuts find where to cut from one picture to another that lies over it, so that the cut is seen least.
 //
 // Kwatra and others, Graphcut textures, SIGGRAPH 2003; Ng and others, Generating an omega-Tile Set for Texture
 // Synthesis, 2005, section 3.2; Efros and Freeman, Image quilting, SIGGRAPH 2001. Costs are integers, so that cuts are

@@ -53,14 +53,14 @@ PngPixels bricks(int size, std::uint64_t seed)
     });
 }
 
-/// Where a thread lies over another one: 256 in its middle, 0 at its sides.
+/// Says how far a thread lies over another one: 256 in its middle, 0 at its sides.
 int thread_height(int across, int width) { return std::max(0, 256 - 1024 * across * across / (width * width)); }
 
 /// A plain weave: threads of both directions lie over each other by turns, and show most of themselves there.
 PngPixels fabric(int size, std::uint64_t seed)
 {
     const PatternWords light(seed, 5), wander(seed, 6), grain(seed, 7);
-    // How high the thread of a direction lies at a place.
+    // Returns how high the thread of a direction lies at a place.
     const auto height = [&](int across, int along, std::uint32_t direction) {
         const int thread = across / thread_pixels;
         const int middle = thread * thread_pixels + thread_pixels / 2 +

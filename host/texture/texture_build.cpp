@@ -43,7 +43,7 @@ std::array<Color, 4> corners_of(const CornerTile& t)
     return {t.north_west, t.north_east, t.south_west, t.south_east};
 }
 
-/// Where a pixel of an arm lies in the tile: `from_edge` pixels from its edge, `beside` the straight joint.
+/// The place of a pixel of an arm in the tile: `from_edge` pixels from its edge, `beside` the straight joint.
 std::pair<int, int> arm_pixel(Arm arm, int from_edge, int beside, int size)
 {
     const int across = size / 2 + beside, far = size - 1 - from_edge;

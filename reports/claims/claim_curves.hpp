@@ -1,5 +1,5 @@
-// What the claims ask of radial curves: anisotropy above chance, the rise to the first peak, powers of ranges, and how
-// far two curves are from each other; with errors.
+// Questions that claims ask of radial curves: anisotropy above chance, the rise to the first peak, powers of ranges,
+// and how far two curves are from each other; with errors.
 #pragma once
 
 #include "reports/claims/claim_series.hpp"

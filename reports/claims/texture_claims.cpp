@@ -50,8 +50,8 @@ std::vector<std::pair<const Texture*, const Texture*>> texture_pairs(const Claim
     return pairs;
 }
 
-/// Whether a measure is below another one. Both are means over texture sets; of single sets it is not known how much
-/// others differ.
+/// Says whether a measure is below another one. Both are means over texture sets; of single sets it is not known how
+/// much others differ.
 Finding is_less(const Estimate& first, const Estimate& second, double sign)
 {
     if (!first.standard_error || !second.standard_error) return Finding::open;

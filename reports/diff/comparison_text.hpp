@@ -19,7 +19,7 @@ struct NumberTexts
 };
 NumberTexts number_texts(const NumberComparison& number);
 
-/// Why the verdict: "t = −5.2, p = 0.0003; at frequency 12".
+/// The reason of the verdict: "t = −5.2, p = 0.0003; at frequency 12".
 std::string reason_words(const NumberComparison& number);
 
 /// "2 of 57 numbers changed, 1 series is missing": what the comparison comes to.

@@ -45,7 +45,7 @@ struct ComparisonTerms
     bool one_tile_set = false;  ///< realizations share a tile set, so their spread is not that between tile sets
 };
 
-/// Why what a tile set decides is not judged between seeds.
+/// Says why a quantity that a tile set decides is not judged between seeds.
 inline constexpr auto tile_set_note = "of another tile set, whose spread is not known";
 
 /// Relative differences below this are the last bits of another processor.

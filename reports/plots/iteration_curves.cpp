@@ -14,7 +14,7 @@ namespace {
 constexpr double columns_of_a_plot = 1000; // more points than these are not seen
 constexpr std::size_t most_linear_iterations = 100;
 
-/// Where iterations stand: a logarithmic axis starts at 1, so that iteration 0 has a place.
+/// Returns the place of an iteration on the axis: a logarithmic axis starts at 1, so that iteration 0 has a place.
 class IterationAxis
 {
 public:

@@ -27,7 +27,7 @@ struct DistributionNumber
 
 using DistributionNumbers = std::vector<DistributionNumber>;
 
-/// How names of files of curves end, see curve_chart.hpp.
+/// Names of files of curves end in this way, see curve_chart.hpp.
 inline constexpr auto curves_ending = "-curves.json";
 
 /// A picture: pixels as they are (.png), or what reports draw, marks (.json, see mark_picture.hpp) or curves.

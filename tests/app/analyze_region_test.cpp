@@ -85,7 +85,7 @@ TEST(AnalyzeRegion, MethodsOfAConfigLieInRegions)
     EXPECT_TRUE(fs::exists(out / "random/points.svg"));
     EXPECT_THAT(content_of(out / "sample-elimination/index.html"),
                 testing::Not(testing::HasSubstr("the power is proportional to the frequency to the power of")));
-    // What is stored is found again, with the same results.
+    // A stored series is found again, with the same results.
     const std::string before = content_of(out / "results.json");
     ASSERT_EQ(run_program(folder.path(), {"run", "c.toml", "--quiet"}).status, 0);
     EXPECT_EQ(content_of(out / "results.json"), before);

@@ -91,7 +91,7 @@ TEST_F(OutputFiles, OfADashAreTextOrTheFirstFormat)
     EXPECT_FALSE(fs::exists(path("-.svg")));
 }
 
-/// What is there before stays, and JSON does not get into the points.
+/// A file that is there before stays, and JSON does not get into the points.
 TEST_F(OutputFiles, OfStandardOutputAreAppended)
 {
     const std::string program = quoted(program_file()) + " ";

@@ -27,7 +27,7 @@ std::map<std::string, const SourceFile*> files_by_path()
     return files;
 }
 
-/// What a file includes by its path from the root; headers of kernels are found below kernels/ as well.
+/// The files that a file includes by their paths from the root; headers of kernels are found below kernels/ as well.
 std::vector<std::string> includes_of(const SourceFile& file)
 {
     std::vector<std::string> paths;

@@ -71,9 +71,9 @@ double power_between(const Spectrum& spectrum, int side, double low, double high
     return sum / count;
 }
 
-/// What tilings of 48 x 48 tiles have between the peaks, over tile sets of seeds that nothing was chosen by: power at a
-/// twelfth of the tiles' frequency, in millionths, at a quarter, in ten thousandths, and from 0.6 to 1.5 of it; and the
-/// exponent below 0.4.
+/// Measures the power that tilings of 48 x 48 tiles have between the peaks, over tile sets of seeds that nothing was
+/// chosen by: power at a twelfth of the tiles' frequency, in millionths, at a quarter, in ten thousandths, and from 0.6
+/// to 1.5 of it; and the exponent below 0.4.
 void measure_evenness(benchmark::State& state, const PoissonTileParameters& parameters)
 {
     constexpr std::uint32_t side = 48;

@@ -2,6 +2,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/dart_throwing.hpp"
+#include "host/sampling/lloyd_sets.hpp"
 #include "tests/bench/cgal_lloyd_2d.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/point_patterns.hpp"
@@ -99,6 +100,26 @@ void kernels_of_devices(benchmark::State& state)
     }
 }
 
+/// The benchmark's arguments are the points of a set, and the number of sets that are relaxed. The counter has the time
+/// of an iteration of 16,384 points, in whichever sets they are.
+void iterations(benchmark::State& state)
+{
+    std::mt19937_64 random(1);
+    const auto points = static_cast<std::size_t>(state.range(0));
+    const std::vector<PointSet> sets(static_cast<std::size_t>(state.range(1)), test::random_points(points, 2, random));
+    const LloydRequest request{.iterations = std::max<std::size_t>(64, 65'536 / points)};
+    Device device = Device::open({}, threads);
+    for (auto _ : state) {
+        if (LloydSets::are_faster(device.info(), sets.size(), points))
+            benchmark::DoNotOptimize(LloydSets(device).relax(sets, request.iterations));
+        else
+            for (const PointSet& set : sets) benchmark::DoNotOptimize(LloydRelaxation(device).relax(set, {}, request));
+    }
+    state.counters["share"] =
+        benchmark::Counter(static_cast<double>(sets.size() * points * request.iterations) / 16'384,
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void sets(benchmark::internal::Benchmark* benchmark)
 {
     for (const std::int64_t n : {16384, 262144}) {
@@ -110,6 +131,14 @@ void sets(benchmark::internal::Benchmark* benchmark)
 BENCHMARK(cgal_periodic)->Apply(sets);
 BENCHMARK(cgal_ghosts)->Apply(sets);
 BENCHMARK(kernels)->Apply(sets);
+BENCHMARK(iterations)
+    ->Args({256, 10})
+    ->Args({1024, 10})
+    ->Args({4096, 10})
+    ->Args({16384, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Repetitions(5);
 BENCHMARK(kernels_of_devices)
     ->Args({16384, 1, 0})
     ->Args({16384, 1, 1})
@@ -130,6 +159,12 @@ int main(int argc, char** argv)
           "kernels_of_devices/16384/1/0", "kernels_of_devices/16384/1/1", 0},
          {"262,144 well-spread points: CGAL periodic / kernels", "cgal_periodic/262144/1", "kernels/262144/1", 40},
          {"262,144 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/262144/1", "kernels/262144/1", 6},
+         {"Lloyd iterations of ten sets of 256 points: part of the speed, by points, of 16,384", "iterations/16384/1",
+          "iterations/256/10", 0.7, "share"},
+         {"Lloyd iterations of ten sets of 1,024 points: part of the speed, by points, of 16,384", "iterations/16384/1",
+          "iterations/1024/10", 0.7, "share"},
+         {"Lloyd iterations of ten sets of 4,096 points: part of the speed, by points, of 16,384", "iterations/16384/1",
+          "iterations/4096/10", 0.7, "share"},
          {"16,384 random points: CGAL periodic / kernels", "cgal_periodic/16384/0", "kernels/16384/0", 20},
          {"16,384 random points: CGAL with ghosts / kernels", "cgal_ghosts/16384/0", "kernels/16384/0", 6},
          {"262,144 random points: CGAL periodic / kernels", "cgal_periodic/262144/0", "kernels/262144/0", 20},

@@ -1,4 +1,4 @@
-// What a device does: its launches, memory and arithmetic, and methods beside these. Prints a section of
+// Measures a device: its launches, memory and arithmetic, and methods beside these. Prints a section of
 // docs/performance.md; `./lab bench --device NAME --short` puts it there.
 //
 // Usage: device_benchmark DEVICE. Ends with status 1 where the device makes other points than the plain twins.
@@ -62,7 +62,7 @@ kernel void multiply_words(uint turns, uint by, global uint* result)
 }
 )";
 
-/// What the device has at most, as far as plain kernels come to it.
+/// The most that the device has, as far as plain kernels come to it.
 struct Yardsticks
 {
     double waited_launch; ///< seconds

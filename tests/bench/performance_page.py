@@ -27,6 +27,7 @@ plain kernels come to there, and methods beside that.
 SECTIONS = [
     ("Spectra, beside FFTW", "FFTW"),
     ("Voronoi centroids, beside CGAL and voro++", "CGAL|voro|double precision"),
+    ("Lloyd relaxation of small sets: ten side by side, beside one of 16,384 points", "Lloyd iterations"),
     ("Memory", "peak, MiB"),
     ("Points that follow densities", "warping|objects in|lights|stippling|search of 20"),
     ("Dart throwing", "darts|saturation|at 0.75|after 1"),

@@ -11,6 +11,7 @@
 #include "kernels/common/fields/instances.h"
 #include "kernels/common/fields/texture_map.h"
 #include "kernels/common/fields/warp.h"
+#include "kernels/common/lloyd_sets.h"
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 #include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/sectors/sector_darts.h"
@@ -66,6 +67,12 @@ TEST(Contract, OfClassDarts)
     const std::size_t cells[] = {LAYOUT_OF(ClassCells, unused)};
     EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "unused")),
                 ElementsAreArray(cells));
+}
+
+TEST(Contract, OfLloydSets)
+{
+    const std::size_t sets[] = {LAYOUT_OF(contract::lloyd_sets::Sets, moves)};
+    EXPECT_THAT(on_device("kernels/common/lloyd_sets.h", layout_of("Sets", "moves")), ElementsAreArray(sets));
 }
 
 TEST(Contract, OfSurfaces)

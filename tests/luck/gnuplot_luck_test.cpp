@@ -49,7 +49,7 @@ TEST_F(GnuplotLuck, IsSaidInOneLineAndMendedByReport)
     EXPECT_EQ(lasting_files(path("out")), lasting_files(path("plain")));
 }
 
-/// Who has ended and waits for its parent to hear of it, such as the init of a container, runs no more.
+/// A process that has ended and waits for its parent to hear of it, such as the init of a container, runs no more.
 bool is_running(const std::string& pid)
 {
     const std::string status = content_of("/proc/" + pid + "/stat"); // "12 (name) S ..."

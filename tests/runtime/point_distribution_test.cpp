@@ -232,7 +232,7 @@ TEST(PointDistribution, ClosesAfterItsPeriod)
     EXPECT_GT(first.size(), 600U);
 }
 
-/// What has `min` and `max` with `x` and `y` is a box.
+/// A type that has `min` and `max` with `x` and `y` is a box.
 TEST(PointDistribution, TakesBoxesOfAnyNumbers)
 {
     struct Position

@@ -67,7 +67,7 @@ TextureSet tiles_without_pixels(TextureKind kind, Color colors)
     return set;
 }
 
-/// Where in the atlas the tile at a place of a window lies, as the header counts.
+/// Returns the place in the atlas of a tile of a window, as the header counts.
 std::uint32_t place_in_atlas(const TextureSet& set, const TextureWindow& window, std::size_t column, std::size_t north)
 {
     const AtlasLayout layout = atlas_layout(set);

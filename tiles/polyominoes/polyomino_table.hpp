@@ -52,7 +52,7 @@ constexpr std::uint32_t table_depth_of(Polyomino shape) { return shape == Polyom
 /// have to be known.
 ///
 /// Tiles that have been divided less often, down to the first level that the table is for, have fewer known ancestors.
-/// What is proven of them looks at all pairs of tiles that can be seen from each other, of which tilings may not have
+/// The proof of them looks at all pairs of tiles that can be seen from each other, of which tilings may not have
 /// all: it may be less.
 struct RowProof
 {

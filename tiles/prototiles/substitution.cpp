@@ -13,7 +13,7 @@
 namespace poissonlab {
 namespace {
 
-/// What tiles that coincide have in common.
+/// The properties that tiles that coincide have in common.
 using TileShapeKey = std::pair<std::size_t, std::vector<RingPlace>>;
 
 TileShapeKey shape_key(const PolygonTiling& tiling, const PlacedTile& tile)

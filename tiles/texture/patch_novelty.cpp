@@ -1,10 +1,12 @@
 #include "tiles/texture/patch_novelty.hpp"
 
+#include "tiles/texture/known_patches.hpp"
 #include "tiles/texture/patch_cosines.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,10 +14,6 @@
 
 namespace poissonlab {
 namespace {
-
-/// The first of a patch's coefficients, which vary most and stand beside each other in memory: most patches are far
-/// enough by them alone.
-constexpr std::size_t head_coefficients = 8;
 
 /// Patches along the longer side of a half whose distances say what is near, and the most along the other one.
 constexpr int natural_patches = 32;
@@ -42,38 +40,11 @@ double coefficient_variance(const PatchGrid& grid, std::size_t number)
     return squares / count - sum / count * (sum / count);
 }
 
-/// Patches that are known, in two parts: the coefficients that vary most, and the rest.
-struct KnownPatches
-{
-    std::vector<float> heads, tails;
-
-    void add(std::span<const float> patch)
-    {
-        heads.insert(heads.end(), patch.begin(), patch.begin() + head_coefficients);
-        tails.insert(tails.end(), patch.begin() + head_coefficients, patch.end());
-    }
-    std::size_t size() const { return heads.size() / head_coefficients; }
-};
-
 float coefficient_distance(const float* one, const float* other, std::size_t count)
 {
     float sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += (one[i] - other[i]) * (one[i] - other[i]);
     return sum;
-}
-
-/// The squared distance of the nearest known patch; any that is not above `enough` where there is one.
-float nearest_distance(const KnownPatches& known, std::span<const float> patch, float enough = -1)
-{
-    float best = std::numeric_limits<float>::infinity();
-    const std::size_t tail = patch.size() - head_coefficients;
-    for (std::size_t i = 0; i < known.size() && best > enough; ++i) {
-        const float head = coefficient_distance(&known.heads[i * head_coefficients], patch.data(), head_coefficients);
-        if (head >= best) continue;
-        best =
-            std::min(best, head + coefficient_distance(&known.tails[i * tail], patch.data() + head_coefficients, tail));
-    }
-    return best;
 }
 
 /// Returns true if the pixels of a patch lie side by side in the exemplar as they do in the tiling.
@@ -103,7 +74,9 @@ struct PatchNovelty::Parts
         choose_frequencies(picture);
         grid = cosines.grid(picture, step, frequencies);
         sort_numbers(grid);
-        for (std::size_t i = 0; i < grid.size(); ++i) known.add(grid.at(i));
+        std::vector<std::span<const float>> all;
+        for (std::size_t i = 0; i < grid.size(); ++i) all.push_back(grid.at(i));
+        known = KnownPatches(std::move(all));
         threshold = natural_threshold(exemplar.width, exemplar.height);
     }
 
@@ -160,13 +133,14 @@ struct PatchNovelty::Parts
             }
         std::vector<float> distances;
         for (const std::size_t one : {std::size_t{0}, std::size_t{1}}) {
-            KnownPatches others;
-            for (const std::size_t i : halves[1 - one]) others.add(grid.at(i));
+            std::vector<std::span<const float>> opposite;
+            for (const std::size_t i : halves[1 - one]) opposite.push_back(grid.at(i));
+            const KnownPatches others(std::move(opposite));
             const std::vector<std::size_t> asked = sparse(halves[one]);
             const std::size_t first = distances.size();
             distances.resize(first + asked.size());
             tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
-                distances[first + i] = nearest_distance(others, grid.at(asked[i]));
+                distances[first + i] = others.nearest_distance(grid.at(asked[i]));
             });
         }
         std::ranges::sort(distances);
@@ -209,7 +183,7 @@ struct PatchNovelty::Parts
         if (!sources.empty() &&
             (is_whole_patch(sources, width, left, top, side) || is_near_its_sources(patch, sources, width, left, top)))
             return false;
-        return nearest_distance(known, patch, threshold) > threshold;
+        return !known.has_near(patch, threshold);
     }
 
     int side;

@@ -94,8 +94,8 @@ struct TextureSet
     bool is_complete() const;
 };
 
-/// Where a tile lies in the atlas, in tiles from the north-west: complete sets are closed packings of C^2 x C^2 tiles,
-/// others lie row by row in a square that is as small as can be.
+/// The place of a tile in the atlas, in tiles from the north-west: complete sets are closed packings of C^2 x C^2
+/// tiles, others lie row by row in a square that is as small as can be.
 struct AtlasLayout
 {
     int columns = 1;

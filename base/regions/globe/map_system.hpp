@@ -63,7 +63,8 @@ private:
 /// knows no way. One thread may use it.
 std::function<void(std::span<double> places)> system_change(const MapSystem& from, const MapSystem& to);
 
-/// How many units of the plane of a system of lengths are one on the ground, at one of its places: 1 where it is true.
+/// Returns how many units of the plane of a system of lengths are one on the ground, at one of its places: 1 where it
+/// is true.
 double ground_scale(const MapSystem& system, std::array<double, 2> place);
 
 }

@@ -130,10 +130,10 @@ std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSetting
 /// Makes the points. Throws InputError where there is no room for as many, or no memory.
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);
 
-/// How the set was made, in a few words.
+/// Says in a few words how the set was made.
 std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& settings);
 
-/// How pictures show its points.
+/// Says how pictures show its points.
 SurfaceDots dots_of(const SurfaceSet& set);
 
 /// Numbers of the set. `seed` is that of places at which it is looked whether points are near.

@@ -11,7 +11,7 @@ namespace poissonlab {
 /// Views are drawn so wide by default, two of them beside each other.
 inline constexpr int default_view_pixels = 2048;
 
-/// How points are drawn.
+/// The ways in which points are drawn.
 struct SurfaceDots
 {
     double distance = 0;    ///< in the mesh's units: dots are a third of it wide

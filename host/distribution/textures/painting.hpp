@@ -26,7 +26,7 @@ inline constexpr std::array<Rgb, 12> tints{{{220, 50, 47},
                                             {90, 200, 140},
                                             {110, 110, 160}}};
 
-/// How many times larger tiles are shown than they are, and the pixels between them before.
+/// The number of times that tiles are shown larger than they are, and the pixels between them before.
 inline constexpr int shown_zoom = 2, shown_gap = 16;
 
 /// A white picture.

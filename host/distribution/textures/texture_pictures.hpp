@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-// How a corner tile is made, as a picture.
+// Pictures that show how a corner tile is made.
 
 /// A corner tile with colours as different as can be, from patches to the finished tile: four patches side by side,
 /// the quarters that are cut out, the tile, and the tile with new pieces in grey; enlarged.

@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-/// How much area cells exchange for a unit of weight: those of cell i are from starts[i] to starts[i + 1].
+/// The area that cells exchange for a unit of weight: those of cell i are from starts[i] to starts[i + 1].
 struct AreaExchange
 {
     std::vector<std::uint32_t> starts, neighbours;

@@ -37,23 +37,30 @@ public:
     GaussianState(Device& device, const PointSet& points, const GaussianRequest& request, std::size_t group_size)
         : dimension_(points.dimension), sigma_(request.sigma), grid_(grid_for(device, points, request, group_size)),
           forces_(device, points.dimension, points.size(), request, points.size(), group_size),
-          mover_(device, Domain{}, points.dimension, group_size), summary_(device, points.dimension, points.size())
+          mover_(device, Domain{}, points.dimension, group_size),
+          summary_(device, points.dimension, points.size(), iterations_of_batch(points.size(), points.dimension))
     {
-        grid_.load(points);
+        load(points);
     }
 
-    IterateMeasure measure()
+    void measure_later()
     {
         grid_.sort();
         forces_.find(grid_);
-        IterateMeasure measure = summary_.summarize(forces_.energies(), forces_.squared_near());
-        measure.energy = gaussian_energy(measure.energy, grid_.size(), sigma_, dimension_);
-        return measure;
+        summary_.add(forces_.energies(), forces_.squared_near());
+    }
+
+    std::vector<IterateMeasure> measures()
+    {
+        std::vector<IterateMeasure> measures = summary_.take();
+        for (IterateMeasure& measure : measures)
+            measure.energy = gaussian_energy(measure.energy, grid_.size(), sigma_, dimension_);
+        return measures;
     }
 
     void move() { mover_.move(grid_, forces_.displacements(), false); }
-    void keep() { kept_ = grid_.points(); }
-    PointSet kept() { return std::move(kept_); }
+    void load(const PointSet& points) { grid_.load(points); }
+    PointSet points() const { return grid_.points(); }
 
 private:
     int dimension_;
@@ -62,7 +69,6 @@ private:
     GaussianForces forces_;
     PointMover mover_;
     PointSummary summary_;
-    PointSet kept_;
 };
 
 }
@@ -147,21 +153,22 @@ GaussianBlueNoise::GaussianBlueNoise(Device device, std::size_t work_group_size)
 LloydResult GaussianBlueNoise::descend(const PointSet& points, const GaussianRequest& request)
 {
     GaussianState state(device_, points, request, work_group_size_);
-    return run_iterations(state, points.size(), points.dimension, {.iterations = request.iterations});
+    return run_batches(state, points.size(), points.dimension, {.iterations = request.iterations});
 }
 
 DeviceMemory GaussianBlueNoise::memory(double sigma, std::size_t points, int dimension)
 {
     return PointGrid::memory(dimension, points, gaussian_grid(sigma, points, dimension)) +
            GaussianForces::memory(dimension, points, nullptr) + DomainBuffers::memory_of_torus() +
-           PointSummary::memory(points);
+           PointSummary::memory(points, iterations_of_batch(points, dimension));
 }
 
 DeviceMemory GaussianBlueNoise::memory(const GaussianFieldShape& shape, std::size_t points)
 {
     return (shape.listed > 0 ? PointGrid::memory_of_listed(2, points, shape.grid_size, shape.listed)
                              : PointGrid::memory(2, points, shape.grid_size)) +
-           GaussianForces::memory(2, points, &shape) + DomainBuffers::memory_of_torus() + PointSummary::memory(points);
+           GaussianForces::memory(2, points, &shape) + DomainBuffers::memory_of_torus() +
+           PointSummary::memory(points, iterations_of_batch(points, 2));
 }
 
 }

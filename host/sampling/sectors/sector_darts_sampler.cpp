@@ -3,14 +3,12 @@
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/sampling/sectors/sector_darts.hpp"
+#include "host/sampling/sets_ahead.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <map>
 #include <optional>
-#include <utility>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -42,16 +40,20 @@ public:
         if (device_) darts_.emplace(*device_);
     }
 
-    void expect(std::uint32_t first, std::uint32_t count) override { expected_ = {first, count}; }
+    void expect(std::uint32_t first, std::uint32_t count) override { sets_.expect(first, count); }
 
     PointSet sample(std::uint32_t realization) override
     {
         if (!darts_) return reference::throw_sector_darts(request_, stream_of(realization));
-        if (!made_.contains(realization)) make_from(realization);
-        return std::move(made_.extract(realization).mapped());
+        return sets_.take(realization, *device_, [&] {
+            std::vector<StreamKey> streams;
+            const std::uint32_t count = sets_.expected_from(realization, SectorDarts::sets_at_once(request_));
+            for (std::uint32_t i = 0; i < count; ++i) streams.push_back(stream_of(realization + i));
+            return darts_->throw_darts(request_, streams);
+        });
     }
 
-    SetTraits traits() const override { return {.sizes_vary = true, .shared_seconds = seconds_}; }
+    SetTraits traits() const override { return {.sizes_vary = true, .shared_seconds = sets_.seconds()}; }
 
 private:
     StreamKey stream_of(std::uint32_t realization) const
@@ -59,30 +61,10 @@ private:
         return stream_key(seed_, Purpose::sector_darts, realization);
     }
 
-    /// Makes those that are expected from a realization on, or it alone.
-    void make_from(std::uint32_t realization)
-    {
-        const auto [first, count] = expected_;
-        const bool is_expected = realization >= first && realization - first < count;
-        const std::size_t all = is_expected ? count - (realization - first) : 1;
-        std::vector<StreamKey> streams;
-        for (std::uint32_t i = 0; i < std::min(all, SectorDarts::sets_at_once(request_)); ++i)
-            streams.push_back(stream_of(realization + i));
-        const double built = device_->build_seconds();
-        const auto begin = std::chrono::steady_clock::now();
-        std::vector<PointSet> sets = darts_->throw_darts(request_, streams);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        seconds_ = (seconds - (device_->build_seconds() - built)) / static_cast<double>(sets.size());
-        made_.clear();
-        for (std::uint32_t i = 0; i < sets.size(); ++i) made_.emplace(realization + i, std::move(sets[i]));
-    }
-
     std::uint64_t seed_;
     SectorDartRequest request_;
     std::optional<SectorDarts> darts_; ///< nothing: the reference does the work
-    std::pair<std::uint32_t, std::uint32_t> expected_{};
-    std::map<std::uint32_t, PointSet> made_; ///< and not asked for yet
-    std::optional<double> seconds_;
+    SetsAhead<PointSet> sets_;
 };
 
 }

@@ -53,8 +53,8 @@ inline std::uint32_t surface_bucket(const SurfacePoint& point, std::uint32_t cel
 
 using SurfacePiece = contract::surface::Piece;
 
-/// Where random numbers lead: weights are areas in whole numbers, whose sum is 2^62 or a little less, so that a piece's
-/// share is wrong by 2^-62 at most, and each has one at least.
+/// A table that leads random numbers to pieces: weights are areas in whole numbers, whose sum is 2^62 or a little less,
+/// so that a piece's share is wrong by 2^-62 at most, and each has one at least.
 struct SurfacePieceChoice
 {
     std::vector<std::uint64_t> ends;  ///< of each piece: the sum of weights up to it
@@ -155,7 +155,7 @@ std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest&
 /// The memory that so many points take of a device, nearly: chance decides how many pieces there are.
 DeviceMemory surface_dart_memory(const FixedSurface& surface, std::size_t points);
 
-/// How many points a saturated set of this distance has, nearly, by the density of plane ones.
+/// Returns nearly how many points a saturated set of this distance has, by the density of plane ones.
 double saturated_count(double area, double min_distance);
 
 }

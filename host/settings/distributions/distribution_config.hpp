@@ -80,7 +80,8 @@ struct RankSettings
     double zoom = 1; ///< the picture shows the middle, one over this of each side; the density follows
 };
 
-/// How marks find their places: warped even points, ranks, or warped points that Gaussian blue noise makes even again.
+/// The ways in which marks find their places: warped even points, ranks, or warped points that Gaussian blue noise
+/// makes even again.
 enum class MarkPlaces
 {
     warping,
@@ -206,7 +207,7 @@ struct DartSettings
     bool is_in_space() const { return is_space_region_text(region); }
 };
 
-/// How points are made in a region.
+/// The ways in which points are made in a region.
 enum class RegionMethod
 {
     darts,

@@ -62,7 +62,7 @@ struct EndlessRequest
 /// Checks what depends on the exemplar's width and height. Throws InputError that begins with the parameter's name.
 void check(const EndlessRequest& request, const PngPixels& exemplar);
 
-/// How many texels a pixel takes, those of a table among them; nothing of quilted pictures, which are there.
+/// Returns how many texels a pixel takes, those of a table among them; nothing of quilted pictures, which are there.
 std::optional<int> fetches_of(const EndlessRequest& request, int channels);
 
 }

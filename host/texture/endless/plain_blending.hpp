@@ -31,8 +31,8 @@ inline float whole_power(float v, int exponent)
     return product;
 }
 
-/// How far a square is blended into the next one, from a quarter to three quarters of the way, smoothly; of the part of
-/// the way.
+/// Returns how far a square is blended into the next one, from a quarter to three quarters of the way, smoothly; of the
+/// part of the way.
 inline float smooth_step(float part)
 {
     const float t = std::clamp((part - 0.25f) * 2.0f, 0.0f, 1.0f);

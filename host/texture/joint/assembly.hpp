@@ -46,7 +46,7 @@ class Assembly
 public:
     static constexpr int seam_unit = 8;
 
-    /// How much sums count against seams. With a repetition of 1, a pixel that is one standard deviation from the mean
+    /// The weight of sums against seams. With a repetition of 1, a pixel that is one standard deviation from the mean
     /// in all tiles costs as much as a step of that height in each; so it does with a contrast of 2 if nothing else
     /// varies.
     struct Weights

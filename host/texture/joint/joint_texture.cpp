@@ -71,7 +71,7 @@ struct LaidWindow
     SiteBox box;
 };
 
-/// Whether a pixel of the exemplar lies in a window: what has grown beyond it shows another part.
+/// Says whether a pixel of the exemplar lies in a window: a patch that has grown beyond it shows another part.
 auto is_in(const ExemplarWindow& window)
 {
     return [&window](const SourcePixel& source) {

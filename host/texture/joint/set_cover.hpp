@@ -60,7 +60,7 @@ private:
     std::size_t first_vertical_ = 0, first_horizontal_ = 0, first_own_ = 0, pixels_ = 0;
 };
 
-/// Where a tile lies: its north-western pixel, seen from the middle of a site.
+/// The place of a tile: its north-western pixel, seen from the middle of a site.
 struct PlacedTile
 {
     std::size_t tile = 0;

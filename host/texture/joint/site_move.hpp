@@ -23,7 +23,7 @@ struct SiteBox
     int side = 0;
 };
 
-/// Where a window lies over a site: the exemplar's pixel over the middle of the site.
+/// The place of a window over a site: the exemplar's pixel over the middle of the site.
 struct Overlay
 {
     int x = 0;

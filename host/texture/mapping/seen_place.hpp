@@ -1,4 +1,4 @@
-// Where a sample of a view sees the plane, and how far its footprint reaches there: the plain twin of
+// This finds where a sample of a view sees the plane, and how far its footprint reaches there: the plain twin of
 // kernels/common/fields/plane_view.clh, for all plain maps.
 #pragma once
 
@@ -26,7 +26,8 @@ struct SeenPlace
     int probes = 1;                  ///< look-ups; of filters without levels 1
 };
 
-/// Where a sample sees the plane, whose tiles have `size` texels; nothing above the horizon and beyond FARTHEST.
+/// Returns the place of the plane that a sample sees, whose tiles have `size` texels; nothing above the horizon and
+/// beyond FARTHEST.
 inline std::optional<SeenPlace> seen_place(const contract::texture_map::TextureView& view, int size, double column,
                                            double row)
 {
@@ -54,8 +55,8 @@ inline std::optional<SeenPlace> seen_place(const contract::texture_map::TextureV
     return seen;
 }
 
-/// Where a look-up of the footprint is, east and north: side by side along its longer side, which near the horizon may
-/// go beyond what is seen, but then counts as its end.
+/// Returns the place of a look-up of the footprint, east and north: side by side along its longer side, which near the
+/// horizon may go beyond what is seen, but then counts as its end.
 inline std::array<double, 2> probe_place(const SeenPlace& seen, int probe)
 {
     using contract::texture_map::FARTHEST;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace contract::texture_map;
 
-/// Where a texel lies: its tile, relative to the view's, and its column and row there.
+/// The place of a texel: its tile, relative to the view's, and its column and row there.
 struct Texel
 {
     std::int32_t tile_x = 0, tile_y = 0;

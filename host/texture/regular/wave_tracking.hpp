@@ -12,7 +12,7 @@
 
 namespace poissonlab {
 
-// How a plane was seen in a picture: the two numbers of a projective map that do not keep parallels.
+// The view of a plane in a picture: the two numbers of a projective map that do not keep parallels.
 
 /// A place is in pixels, or in halves of a picture's sides from its middle.
 struct Place

@@ -36,7 +36,7 @@ public:
     /// Are tiles to stay as different as they are? If not, they are to become the same.
     bool stays(std::size_t condition) const { return condition >= monomials_.size(); }
 
-    /// How softly the condition is held: one over what the square of missing it costs, where that of the movement that
+    /// The softness of the condition: one over what the square of missing it costs, where that of the movement that
     /// it takes costs 1; 0: it is not missed.
     double softness(std::size_t condition) const;
 

@@ -278,7 +278,7 @@ TEST(HyperuniformityTest, TellsJitteredFromRandomPoints)
 
 TEST(HyperuniformityTest, SeesALevelHoweverLow)
 {
-    // What stealthy sets have left is a level, not a power that vanishes.
+    // Stealthy sets are left with a level, not with a power that vanishes.
     std::mt19937_64 random(5);
     const auto level = shells_up_to_6([](double, double) { return 1e-12; });
     EXPECT_LE(hyperuniformity_p_value(drawn(level, 1, random), 1, nothing).value(), 1e-3);

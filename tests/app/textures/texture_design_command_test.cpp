@@ -63,7 +63,7 @@ protected:
     void open(const std::string& options)
     {
         printed("design " + options + " --out page.html");
-        // What is drawn asks before it is left.
+        // The page asks before a drawing is left.
         browser_->evaluate("typeof drawing === 'undefined' ? 0 : (drawing.clear(), 0)");
         browser_->open(folder_.path() / "page.html");
         EXPECT_THAT(browser_->messages(), IsEmpty());

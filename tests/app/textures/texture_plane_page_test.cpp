@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// How bytes differ: the largest difference, and how many of all differ by more than 1.
+/// The differences of bytes: the largest one, and how many of all are above 1.
 struct Differences
 {
     int largest = 0;

@@ -51,7 +51,7 @@ TEST(PointFileGeoJson, HasAFeatureForEachPoint)
     EXPECT_EQ(features_of(nlohmann::json::parse(read_whole_file(file))), Features{});
 }
 
-/// Who gives a region in metres gets points that say so, and can keep away from them next time.
+/// Points in a region in metres say so, and the next run can keep away from them.
 TEST(PointFileGeoJson, SaysTheSystemOfTheRegion)
 {
     const TemporaryFolder folder;

@@ -131,9 +131,11 @@ TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
     for (const float c : {0.F, -0.6F, 0.8F, 0.F, 1.F, 0.F, 0.F, 0.F, 0.F}) test::append_bytes(bytes, c);
     for (const int c : {255, 0, 51, 0, 255, 102, 0, 0, 0, 0, 0, 0}) bytes += static_cast<char>(c);
     write_whole_file(folder_.path() / "a.bin", bytes);
-    const TriangleMesh mesh =
-        read("a.gltf",
-             R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "scale": [-1, 2, 1]}], "meshes": [{"primitives": [
+    // A movement whose determinant is below the least double mirrors as well.
+    for (const std::string scale : {"[-1, 2, 1]", "[-1e-120, 2e-120, 1e-120]"}) {
+        const TriangleMesh mesh =
+            read("a.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "scale": )" + scale +
+                               R"(}], "meshes": [{"primitives": [
             {"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0, "NORMAL": 1, "COLOR_0": 2}}]}],
            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
             {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
@@ -141,19 +143,20 @@ TEST_F(FilesWithColumns, OfGltfAreMovedWithTheirNodes)
            "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
             {"buffer": 0, "byteOffset": 72, "byteLength": 12, "byteStride": 4}],
            "buffers": [{"uri": "a.bin", "byteLength": 84}]})");
-    ASSERT_EQ(mesh.normals.size(), 3U);
-    // The triangle's slope is 1 of 2 then. All normals have length 1 again, but for that of length 0.
-    const double length = std::hypot(0.3, 0.8);
-    const std::vector<MeshPoint> expected{{0, -0.3 / length, 0.8 / length}, {0, 1, 0}, {0, 0, 0}};
-    for (std::size_t n = 0; n < 3; ++n)
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(mesh.normals[n][k], expected[n][k], 1e-7);
-    EXPECT_EQ(mesh.normal_triangles[0][0], no_texture_point);
-    EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue", "alpha"));
-    EXPECT_TRUE(std::isnan(mesh.columns.at(2, 0)));
-    EXPECT_EQ(mesh.columns.at(3, 0), 1);
-    EXPECT_NEAR(mesh.columns.at(3, 2), 0.2, 1e-15);
-    EXPECT_NEAR(mesh.columns.at(4, 1), 0.4, 1e-15);
-    EXPECT_EQ(mesh.columns.at(4, 3), 1);
+        ASSERT_EQ(mesh.normals.size(), 3U);
+        // The triangle's slope is 1 of 2 then. All normals have length 1 again, but for that of length 0.
+        const double length = std::hypot(0.3, 0.8);
+        const std::vector<MeshPoint> expected{{0, -0.3 / length, 0.8 / length}, {0, 1, 0}, {0, 0, 0}};
+        for (std::size_t n = 0; n < 3; ++n)
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(mesh.normals[n][k], expected[n][k], 1e-7);
+        EXPECT_EQ(mesh.normal_triangles[0][0], no_texture_point);
+        EXPECT_THAT(mesh.columns.names, ElementsAre("red", "green", "blue", "alpha"));
+        EXPECT_TRUE(std::isnan(mesh.columns.at(2, 0)));
+        EXPECT_EQ(mesh.columns.at(3, 0), 1);
+        EXPECT_NEAR(mesh.columns.at(3, 2), 0.2, 1e-15);
+        EXPECT_NEAR(mesh.columns.at(4, 1), 0.4, 1e-15);
+        EXPECT_EQ(mesh.columns.at(4, 3), 1);
+    }
 }
 
 /// Each face of the file counts once, also if it becomes several triangles or is left out.

@@ -108,7 +108,7 @@ protected:
         EXPECT_LE(bytes(middle_set), bytes(large_set));
     }
 
-    /// What a sampler takes for sets of any size, such as a table, is left out by differences.
+    /// Differences leave out memory that a sampler takes for sets of any size, such as a table.
     void expect_linear_at_least() const
     {
         const double sets = static_cast<double>(large_set) / middle_set, steps = 2;

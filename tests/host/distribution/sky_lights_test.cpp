@@ -164,8 +164,8 @@ TEST(SkyLights, GiveSurfacesTheirIrradiance)
     }
 }
 
-/// What compression leaves below 0 gives no light; each light's colours are at least 0, and its luminance is that of
-/// the others.
+/// A value that compression leaves below 0 gives no light; each light's colours are at least 0, and its luminance is
+/// that of the others.
 TEST(SkyLights, HaveNoPowerBelowNothing)
 {
     LinearPicture map = random_map(16);

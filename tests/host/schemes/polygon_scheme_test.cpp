@@ -71,7 +71,7 @@ TEST_F(PolygonSchemes, CountWhatTheyDraw)
 
 TEST_F(PolygonSchemes, DrawTabsAndShiftedOutlinesOfTheSameArea)
 {
-    // What stands out of one tile is cut out of another; only the border of the patch makes a difference.
+    // A part that stands out of one tile is cut out of another; only the border of the patch makes a difference.
     SubstitutionSettings settings;
     settings.depth = 7;
     made(settings);

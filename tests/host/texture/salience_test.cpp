@@ -1,4 +1,4 @@
-// What stands out of an exemplar, against marks that were put there.
+// Tests of salience, against marks that were put into an exemplar.
 #include "host/texture/salience.hpp"
 
 #include "host/texture/corner_patches.hpp"

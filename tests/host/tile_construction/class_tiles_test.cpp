@@ -132,7 +132,7 @@ TEST(ClassTilesDeterminism, AnyWorkGroupSizeAndTheReferenceMakeTheSameTiles)
     EXPECT_NE(classes_by_device(other).points, two_classes().points);
 }
 
-/// Where darts find no room at once, and points are pushed.
+/// A case in which darts find no room at once, and points are pushed.
 TEST(ClassFilling, TheKernelMakesWhatTheReferenceMakes)
 {
     const PoissonTileParameters p = class_parameters(1, {6, 10, 24}, 0.72);

@@ -6,7 +6,7 @@
 
 namespace poissonlab {
 
-/// Where a tile is among the layers of an array: its place in the atlas, counted from the lower left as
+/// The place of a tile among the layers of an array: its place in the atlas, counted from the lower left as
 /// runtime/texture_tiles.h does, for complete sets; otherwise its number in texture.json.
 std::vector<std::size_t> tile_layers(const TextureSet& set);
 

@@ -112,10 +112,10 @@ TEST_P(ClassDartSets, KeepTheDistanceOfEachPair)
         }
 }
 
-/// What docs/classes.md says of a prefix of n points, n_i of class i, whose share is p: n_i is at most n p + 1 - p, and
-/// at least n p - p for each other class. Let t be the part of the least filled class. The last point of any other one
-/// came when it was the least filled, so n_i is from t w_i to t w_i + 1, for all of W points w_i of the class; n is the
-/// sum.
+/// This holds the sentence of docs/classes.md about a prefix of n points, n_i of class i, whose share is p: n_i is at
+/// most n p + 1 - p, and at least n p - p for each other class. Let t be the part of the least filled class. The last
+/// point of any other one came when it was the least filled, so n_i is from t w_i to t w_i + 1, for all of W points w_i
+/// of the class; n is the sum.
 void expect_shares(const std::vector<std::size_t>& counts, const std::vector<std::size_t>& points)
 {
     const auto all = std::accumulate(points.begin(), points.end(), std::int64_t{0}),

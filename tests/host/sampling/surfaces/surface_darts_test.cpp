@@ -128,7 +128,7 @@ std::vector<SurfacePoint> places_on(const FixedSurface& surface, std::size_t cou
     return places;
 }
 
-/// How much farther than the distance the loneliest of these places is from all points that it sees.
+/// Returns how much farther than the distance the loneliest of these places is from all points that it sees.
 double largest_gap(const SurfaceDartRequest& request, const SurfaceDarts& set, const std::vector<SurfacePoint>& places)
 {
     const FixedSurface& surface = *request.surface;

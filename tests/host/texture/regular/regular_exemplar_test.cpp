@@ -1,5 +1,5 @@
-// What is regular in an exemplar: waves of known place and share are found, and none in noise; a plane seen at a known
-// angle becomes straight; windows may lie exactly where a count of pixels says; joints of a wall run through.
+// Tests of regularity in exemplars: waves of known place and share are found, and none in noise; a plane seen at a
+// known angle becomes straight; windows may lie exactly where a count of pixels says; joints of a wall run through.
 #include "host/texture/joint/phase_rule.hpp"
 #include "host/texture/regular/seen_waves.hpp"
 #include "host/texture/regular/straightening.hpp"
@@ -279,7 +279,7 @@ TEST(Straightening, LeavesAStraightPictureItsPixels)
     EXPECT_NEAR(map.scale, 1, 0.005);
 }
 
-/// What is straight and fits already is not sampled between its pixels.
+/// An exemplar that is straight and fits already is not sampled between its pixels.
 TEST(Straightening, MovesNoPixelsOfWhatFits)
 {
     const PngPixels picture = planks(256, 0, 0, 16, 0);

@@ -1,4 +1,5 @@
 // Points of aperiodic monotiles: the states of tiles, the proof of the distance, and windows far away.
+#include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "host/tile_sampling/monotiles/monotile_sampler.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -197,11 +197,25 @@ TEST(MonotileTiles, TablesAreKeptAndDamagedOnesAreBuiltAgain)
     EXPECT_TRUE(read.cached);
     EXPECT_EQ(read.built.places, built.built.places);
     EXPECT_EQ(read.built.distances, built.built.distances);
+    std::filesystem::path file;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-        if (entry.path().extension() == ".table") std::ofstream(entry.path()) << "damaged";
-    const BuiltOnce<MonotileTable> again = cached_monotile_table("hat", 3, 0, folder.path());
-    EXPECT_FALSE(again.cached);
-    EXPECT_EQ(again.built.places, built.built.places);
+        if (entry.path().extension() == ".table") file = entry.path();
+    const std::string bytes = read_whole_file(file);
+    std::string flipped = bytes;
+    flipped[bytes.size() / 2] ^= 1;
+    // The last one is whole, but has points for two in a tile.
+    const TemporaryFolder other;
+    cached_monotile_table("hat", 2, 0, other.path());
+    std::string of_two;
+    for (const auto& entry : std::filesystem::directory_iterator(other.path()))
+        if (entry.path().extension() == ".table") of_two = read_whole_file(entry.path());
+    for (const std::string& damaged :
+         {std::string("damaged"), std::string(), bytes.substr(0, bytes.size() - 1), bytes + '0', flipped, of_two}) {
+        write_whole_file(file, damaged);
+        const BuiltOnce<MonotileTable> again = cached_monotile_table("hat", 3, 0, folder.path());
+        EXPECT_FALSE(again.cached);
+        EXPECT_EQ(again.built.places, built.built.places);
+    }
 }
 
 }

@@ -1,0 +1,160 @@
+// Fields of plants are held against rays, and fields by layered depth images against whole ones.
+#include "tests/host/distribution/geometry_tiles/plant_rays.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+FieldSettings small_field()
+{
+    FieldSettings settings;
+    settings.field = {5, 6};
+    settings.eye = {2.4, -0.6, 0.7};
+    settings.heading = 84;
+    settings.pixels = 128;
+    settings.resolution = 128;
+    settings.haze = 1e6;
+    return settings;
+}
+
+Terrain a_slope(const FieldSettings& field)
+{
+    InstanceSettings settings;
+    settings.terrain = "0.3 * x + 0.2 * y * y";
+    settings.terrain_area = {0, 0, static_cast<double>(field.field[0]), static_cast<double>(field.field[1])};
+    return Terrain(settings);
+}
+
+double mean_difference(const PngPixels& a, const PngPixels& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) sum += std::abs(a.values[i] - b.values[i]);
+    return sum / static_cast<double>(a.values.size());
+}
+
+/// Rays from the camera through the samples of some pixels meet the triangles of all plants that stand in the field.
+TEST(GeometryTiles, WholeFieldsAreWhatRaysMeet)
+{
+    const PlantTileSet& set = some_plants();
+    const FieldSettings settings = small_field();
+    const Terrain terrain = a_slope(settings);
+    const PngPixels picture = PlantField(set, {3, 0}, settings, terrain).whole();
+    const ptiles_tiling tiling = runtime_tiling(set.tiles, {3, 0});
+    std::vector<LitTriangle> triangles;
+    for (std::int32_t x = 0; x < 5; ++x)
+        for (std::int32_t y = 0; y < 6; ++y)
+            for (const Plant& plant : set.plants[ptiles_tile(&tiling, x, y, 0)]) {
+                if (!plant.is_in_tile()) continue;
+                for (LitTriangle t : triangles_of(lit_plants({plant}, set.models, set.radius))) {
+                    t.lift = {static_cast<double>(x), static_cast<double>(y), terrain.at(x + plant.x, y + plant.y)};
+                    triangles.push_back(t);
+                }
+            }
+    const double heading = 84 * std::numbers::pi / 180, pitch = 10 * std::numbers::pi / 180;
+    const MeshPoint eye{2.4, -0.6, 0.7 + terrain.at(2.4, -0.6)};
+    const MeshPoint ahead{std::cos(heading) * std::cos(pitch), std::sin(heading) * std::cos(pitch), -std::sin(pitch)};
+    const MeshPoint right{std::sin(heading), -std::cos(heading), 0}, up = cross(right, ahead);
+    int compared = 0;
+    for (int number = 0; number < 110; ++number) {
+        const int column = number * 37 % 128, row = 20 + number * 11 % 50;
+        std::array<double, 3> sum{};
+        bool is_sure = true;
+        for (int i = 0; i < 4; ++i) {
+            const double side = std::tan(27.5 * std::numbers::pi / 180) / 64; // of a pixel at distance 1
+            const double dx = (column + 0.25 + 0.5 * (i % 2) - 64) * side,
+                         dy = (row + 0.25 + 0.5 * (i / 2) - 36) * side;
+            MeshPoint along{};
+            for (std::size_t k = 0; k < 3; ++k) along[k] = ahead[k] + dx * right[k] - dy * up[k];
+            const RayHit hit = cast(triangles, eye, along, [](const MeshPoint&) { return true; });
+            // The ground may hide what is met behind it, and rounding decides at borders.
+            const MeshPoint at{eye[0] + hit.distance * along[0], eye[1] + hit.distance * along[1],
+                               eye[2] + hit.distance * along[2]};
+            is_sure =
+                is_sure && std::isfinite(hit.distance) && hit.margin > 1e-9 && at[2] > terrain.at(at[0], at[1]) + 0.03;
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += hit.color[k] / 4;
+        }
+        if (!is_sure) continue;
+        ++compared;
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(picture.values[picture.at(column, row, k)], 255 * sum[static_cast<std::size_t>(k)], 0.5 + 0.01)
+                << column << ", " << row;
+    }
+    EXPECT_GT(compared, 25);
+}
+
+TEST(GeometryTiles, FieldsOfImagesAreLikeWholeFields)
+{
+    const PlantTileSet& set = some_plants();
+    for (const std::uint32_t seed : {1U, 2U}) {
+        FieldSettings settings = small_field();
+        settings.pixels = 256;
+        const PlantField field(set, {seed, 0}, settings, a_slope(settings));
+        LayeredTiles images(set, settings);
+        images.make(field.needed());
+        const PngPixels whole = field.whole();
+        const double difference = mean_difference(field.layered(images), whole);
+        // The whole scene is sampled at points, and differs as much from itself where these are moved by half of their
+        // distance.
+        EXPECT_LT(difference, 1.4 * mean_difference(field.whole(0.5), whole));
+        EXPECT_GT(mean_difference(PlantField(set, {seed + 7, 0}, settings, a_slope(settings)).whole(), whole),
+                  2 * difference);
+        std::uint64_t samples = 0, tiles = 0;
+        for (const FieldCost& cost : field.costs(images)) {
+            samples += cost.samples;
+            tiles += cost.tiles;
+        }
+        EXPECT_EQ(tiles, field.seen().size());
+        std::uint64_t expected = 0;
+        for (const FieldTile& t : field.seen()) expected += images.at({t.tile, t.direction, t.level}).samples.size();
+        EXPECT_EQ(samples, expected);
+    }
+}
+
+TEST(GeometryTiles, AreTheSameOnAnyNumberOfThreads)
+{
+    const PlantTileSet& set = some_plants();
+    const FieldSettings settings = small_field();
+    std::vector<PngPixels> pictures;
+    for (const std::size_t threads : {1U, 3U}) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const PlantField field(set, {1, 0}, settings, std::nullopt);
+        LayeredTiles images(set, settings);
+        images.make(field.needed());
+        pictures.push_back(field.layered(images));
+    }
+    EXPECT_EQ(pictures[0].values, pictures[1].values);
+}
+
+/// No tile hides one that is drawn later: with the camera as origin, tiles come from the farthest along both axes.
+TEST(GeometryTiles, AreDrawnFromTheFarthestOn)
+{
+    FieldSettings settings = small_field();
+    settings.eye = {2.4, 2.2, 0.7};
+    settings.angle_of_view = 120;
+    const PlantField field(some_plants(), {1, 0}, settings, std::nullopt);
+    const std::vector<FieldTile>& seen = field.seen();
+    ASSERT_GT(seen.size(), 10U);
+    const auto away = [](std::int32_t first, double eye) { // the range of distances along an axis
+        const double near = std::max({first - eye, eye - first - 1, 0.0});
+        return std::pair{near, first + 0.5 > eye ? 1 : -1};
+    };
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        for (std::size_t k = i + 1; k < seen.size(); ++k) {
+            // The earlier tile hides the later one only if it is between it and the eye along both axes.
+            const auto [ex, esx] = away(seen[i].x, 2.4);
+            const auto [ey, esy] = away(seen[i].y, 2.2);
+            const auto [lx, lsx] = away(seen[k].x, 2.4);
+            const auto [ly, lsy] = away(seen[k].y, 2.2);
+            const bool is_between = (ex == 0 || (esx == lsx && ex <= lx)) && (ey == 0 || (esy == lsy && ey <= ly));
+            EXPECT_FALSE(is_between) << i << " hides " << k;
+        }
+}
+
+}
+}
