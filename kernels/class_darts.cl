@@ -113,19 +113,25 @@ bool is_outside(const Region* region, const Position* low, uint extent)
     return side_of_positions(region, low, &extents) == REGION_OUTSIDE;
 }
 
-/// A dart of a slot: somewhere in the cells of its class.
-Position dart_of(uint slot, uint number, uint own, struct ClassCells list, global const uint* cells, uint2 key)
+/// Cells that may have room for classes, those of all lists.
+typedef struct
 {
-    const uint4 words = philox((uint4)(slot, number, own, 0), key);
-    const uint offset[3] = {words.y, words.z, words.w};
-    const uint chosen = list.first + (uint)((ulong)words.x * list.count >> 32);
-    Position dart;
-    FOR_EACH_AXIS(k)
-    {
-        const ulong low = (ulong)cells[chosen * DIMENSION + k] << (32 - list.level);
-        dart.c[k] = (uint)(low + ((ulong)offset[k] >> list.level));
+    global const uint* places;
+    global const uint* starts; ///< of each cell, the part of the density that cells before it have, in units of 2^-32
+} ListedCells;
+
+/// The cell of a list that has this part of the density.
+uint cell_of_part(struct ClassCells list, global const uint* starts, uint part)
+{
+    uint low = 0, high = list.count;
+    while (high - low > 1) {
+        const uint middle = low + (high - low) / 2;
+        if (starts[list.first + middle] <= part)
+            low = middle;
+        else
+            high = middle;
     }
-    return dart;
+    return low;
 }
 
 /// The darts of a slot of the batch.
@@ -133,17 +139,46 @@ typedef struct
 {
     uint slot;
     uint own; ///< its class
+    uint target;
     uint skipped;
     struct ClassCells list;
     uint2 key;
 } SlotDarts;
 
-SlotDarts darts_of(struct SlotBatch batch, uint id, global const uint* slot_classes,
+/// A dart of a slot: somewhere in the cells of its class. Where these have a density, cells are in an order in which
+/// neighbours are near each other, and the first darts fall into the interval of that order, of 2^spread units, that
+/// has the slot's target, the next ones into intervals around it that are 4, 16, ... times as long, and the last ones
+/// anywhere. Targets are evenly spread, so that the numbers of points follow the density although points reject each
+/// other. When twice TRIES darts failed, the following ones fall uniformly.
+Position dart_of(const SlotDarts* darts, uint tried, const ListedCells* cells)
+{
+    const struct ClassCells list = darts->list;
+    const uint number = darts->skipped + tried;
+    const uint4 words = philox((uint4)(darts->slot, number, darts->own, 0), darts->key);
+    const uint offset[3] = {words.y, words.z, words.w};
+    uint chosen = (uint)((ulong)words.x * list.count >> 32);
+    if (list.spread > 0 && number < 2 * TRIES) {
+        const uint bits = number < TRIES - TRIES_BEFORE ? min(32u, list.spread + 2 * (number / TRIES_BEFORE)) : 32;
+        const uint random = (uint)((1ul << bits) - 1);
+        chosen = cell_of_part(list, cells->starts, (darts->target & ~random) | (words.x & random));
+    }
+    chosen += list.first;
+    Position dart;
+    FOR_EACH_AXIS(k)
+    {
+        const ulong low = (ulong)cells->places[chosen * DIMENSION + k] << (32 - list.level);
+        dart.c[k] = (uint)(low + ((ulong)offset[k] >> list.level));
+    }
+    return dart;
+}
+
+SlotDarts darts_of(struct SlotBatch batch, uint id, global const struct ClassSlot* slots,
                    global const struct ClassCells* lists)
 {
     SlotDarts darts;
     darts.slot = batch.first + id;
-    darts.own = slot_classes[id];
+    darts.own = slots[id].own;
+    darts.target = slots[id].target;
     darts.skipped = id == 0 ? batch.skipped : 0;
     darts.list = lists[darts.own];
     darts.key = (uint2)(batch.key_x, batch.key_y);
@@ -151,11 +186,11 @@ SlotDarts darts_of(struct SlotBatch batch, uint id, global const uint* slot_clas
 }
 
 /// The first dart from `number` on that lies in the region and that no point rejects; TRIES where there is none.
-uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, global const uint* cells,
+uint first_free(const SlotDarts* darts, uint number, const ClassedPoints* all, const ListedCells* cells,
                 const Region* region)
 {
     for (; number < TRIES; ++number) {
-        const Position dart = dart_of(darts->slot, darts->skipped + number, darts->own, darts->list, cells, darts->key);
+        const Position dart = dart_of(darts, number, cells);
         if (!is_outside(region, &dart, 0) && !is_covered(all, &dart, 0, 0)) break;
     }
     return number;
@@ -174,17 +209,19 @@ ClassedPoints points_for(uint own, struct SlotBatch batch, global const struct C
 }
 
 /// candidates: the number of the dart.
-kernel void find_darts(struct SlotBatch batch, global const uint* slot_classes, global const struct ClassPair* pairs,
+kernel void find_darts(struct SlotBatch batch, global const struct ClassSlot* slots,
+                       global const struct ClassPair* pairs,
                        global const struct ClassGrid* grids, global const struct ClassCells* lists,
-                       global const uint* cells, global const uint* heads, global const uint* points,
-                       global uint* candidates REGION_PARAMETERS)
+                       global const uint* places, global const uint* starts, global const uint* heads,
+                       global const uint* points, global uint* candidates REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
     if (id >= batch.slots) return;
     REGION_OF_PARAMETERS
-    const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
+    const SlotDarts darts = darts_of(batch, id, slots, lists);
     const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
-    candidates[id] = first_free(&darts, 0, &all, cells, &region);
+    const ListedCells cells = {places, starts};
+    candidates[id] = first_free(&darts, 0, &all, &cells, &region);
 }
 
 void insert(const Position* position, uint number, uint own, struct ClassGrid grid, global uint* heads,
@@ -201,27 +238,29 @@ void insert(const Position* position, uint number, uint own, struct ClassGrid gr
 }
 
 /// One work-item.
-kernel void settle_class_darts(struct SlotBatch batch, global const uint* slot_classes,
+kernel void settle_class_darts(struct SlotBatch batch, global const struct ClassSlot* slots,
                                global const struct ClassPair* pairs, global const struct ClassGrid* grids,
-                               global const struct ClassCells* lists, global const uint* cells, global uint* heads,
+                               global const struct ClassCells* lists, global const uint* places,
+                               global const uint* starts, global uint* heads,
                                global uint* points, global const uint* candidates,
                                global uint* counters REGION_PARAMETERS)
 {
     if (get_global_id(0) != 0) return;
     REGION_OF_PARAMETERS
+    const ListedCells cells = {places, starts};
     counters[REDRAWN] = 0;
     uint id = 0;
     for (; id < batch.slots; ++id) {
-        const SlotDarts darts = darts_of(batch, id, slot_classes, lists);
+        const SlotDarts darts = darts_of(batch, id, slots, lists);
         const ClassedPoints all = points_for(darts.own, batch, pairs, grids, heads, points);
         uint number = candidates[id];
         if (number == TRIES) break;
-        Position dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+        Position dart = dart_of(&darts, number, &cells);
         if (is_covered(&all, &dart, 0, batch.first)) {
             ++counters[REDRAWN];
-            number = first_free(&darts, number + 1, &all, cells, &region);
+            number = first_free(&darts, number + 1, &all, &cells, &region);
             if (number == TRIES) break;
-            dart = dart_of(darts.slot, darts.skipped + number, darts.own, darts.list, cells, darts.key);
+            dart = dart_of(&darts, number, &cells);
         }
         insert(&dart, darts.slot, darts.own, grids[darts.own], heads, points);
     }

@@ -34,6 +34,7 @@ public:
 struct RegionFeature
 {
     std::string id; ///< JSON: the id of a Feature, or else its number from 0 on; then its properties as further members
+    std::string properties = "{}";         ///< all of them, a JSON object
     std::vector<RegionPolygon> polygons{}; ///< in the plane
 };
 
@@ -43,7 +44,7 @@ struct RegionSource
     double distortion = 0;                      ///< the part by which the map changes lengths, at most
     std::string system{};                       ///< the file's system of coordinates as PROJ knows it; empty: not said
     std::vector<std::string> notes{};           ///< what was made of the file, a sentence each
-    std::vector<RegionFeature> features{};      ///< empty: the file has one at most
+    std::vector<RegionFeature> features{};      ///< empty: the file has none
     std::vector<RegionRing> lines{};            ///< open ones, of a region of points on lines, which has no polygons
     std::vector<std::size_t> feature_of_line{}; ///< of each of them, where there are features
 };

@@ -141,7 +141,7 @@ TEST_P(Tutorial, Runs)
     EXPECT_EQ(ran.status, 0) << ran.out << ran.error;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Tutorial, testing::Values("compare", "engine", "portrait", "method", "cluster"),
+INSTANTIATE_TEST_SUITE_P(Of, Tutorial, testing::Values("compare", "engine", "portrait", "park", "method", "cluster"),
                          [](const auto& tutorial) { return std::string(tutorial.param); });
 
 }

@@ -3,6 +3,7 @@
 #include "app/commands/output_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/regions/region_source.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
@@ -28,7 +29,9 @@ has no room for its next point, until there is room for --points. With --tiles t
 tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 With --region points lie in polygons with holes, from GeoJSON, WKT, drawings, pictures or formulas, as with distribute darts.
 Distances are in the region's units, or in metres if it is in longitude and latitude; files have the region's coordinates.
-Points keep --obstacle-distance from --obstacles.
+Points keep --obstacle-distance from --obstacles. With --densities, once for each class, points of classes follow pictures or
+formulas in the region. With --feature-points or --feature-densities properties of the features of a GeoJSON file say how many
+points of each class lie in them; .geojson has the properties of each point's feature.
 Classes are counted from 0, in the order in which they are given. --out, as often as you like: .csv (columns x, y, class),
 .ply (vertices with a class), .npy (records x, y, class), .geojson (features with the property class), .svg and .png (disks in
 colours). --spectra FILE.csv has the radially averaged power of each class and of all, and cross power of pairs: with --sets
@@ -37,6 +40,8 @@ means over so many sets, and errors.
   poissonlab distribute classes --distances 0.1 0.05 0.02 --out full.ply
   poissonlab distribute classes --tiles forest.ptiles --torus 12 --out forest.png --spectra forest.csv
   poissonlab distribute classes --region park.geojson --distances 12 5 2 --out plants.geojson --out plants.png
+  poissonlab distribute classes --region park.geojson --points 40 300 --densities trees.png --densities "exp(-x/50)" --out park.csv
+  poissonlab distribute classes --region beds.geojson --feature-points trees shrubs --distances 6 2 --out plants.geojson
   poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --sets 10 --out two.npy --spectra two.csv)help";
 
 struct ClassOptions : KindOptions
@@ -71,7 +76,10 @@ void throw_class_points(const ClassOptions& o)
         fmt::format("{} {} of {} {}: {}", set.points.points.size(), noun(set.points.points.size(), "point"),
                     set.points.is_full.size(), noun(set.points.is_full.size(), "class", "classes"),
                     fmt::join(set.points.counts(), ", "));
-    o.say_note(settings.points.empty() && settings.tiles.empty() ? what + "; no further one fits" : what);
+    o.say_note(!settings.has_numbers() && settings.tiles.empty() ? what + "; no further one fits" : what);
+    if (set.region())
+        for (const std::string& note : notes_of(*set.region())) o.say_note(note);
+    for (const std::string& note : density_notes(set)) o.say_note(note);
     const std::string comment = o.command_comment(what);
     for (const std::filesystem::path& out : o.outs.files()) write_class_output(out, set, comment);
     if (!spectra.empty()) write_whole_file(spectra, spectra_csv(averaged_spectra(settings, o.seed(), o.place(), set)));

@@ -28,7 +28,7 @@ void write_geojson(const std::filesystem::path& file, const RegionDarts& darts, 
     const std::string crs = whole ? crs_in_files(*whole) : crs_of_lengths;
     const PointSet points = darts.file_points();
     std::vector<std::string> features;
-    if (whole && whole->source && !whole->source->features.empty())
+    if (whole && whole->source && whole->source->features.size() > 1)
         features = darts.features.empty() ? ids_of_features(whole->source->features, darts.points) : darts.features;
     write_geojson_points(
         file, points.dimension, crs, comment, [&](const PointSink& sink) { sink(points.coordinates); }, features);

@@ -97,6 +97,9 @@ private:
     void add_feature(const GeoJson& feature, const std::string& member)
     {
         found.ids.push_back(members_of_feature(feature, found.ids.size()));
+        const auto properties = feature.find("properties");
+        const bool has_some = properties != feature.end() && properties->is_object();
+        found.properties.push_back(has_some ? properties->dump() : "{}");
         if (feature.contains("geometry") && !feature["geometry"].is_null())
             add(feature["geometry"], member + "geometry.");
     }

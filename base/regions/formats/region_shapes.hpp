@@ -17,6 +17,7 @@ struct RegionShapes
     std::string crs_member{};       ///< the member `crs` of GeoJSON that names it
     bool has_no_system = false;     ///< says GeoJSON whose `crs` is null: it is not that of the standard
     std::vector<std::string> ids{}; ///< ids of features as JSON, with the properties as further members
+    std::vector<std::string> properties{};      ///< of each feature, a JSON object
     std::vector<std::size_t> feature_of{};      ///< of each polygon; empty: there are no features
     std::vector<std::size_t> feature_of_line{}; ///< of each line; empty as well
     bool has_further_numbers = false;           ///< heights or measures, which are left out

@@ -113,9 +113,9 @@ private:
     /// Features are kept as they are typed, before polygons become their union.
     void remember_features()
     {
-        if (typed_.shapes.ids.size() < 2) return;
         if ((reading_.is_along ? feature_of_line_ : feature_of_polygon_).empty()) return;
-        for (const std::string& id : typed_.shapes.ids) source_.features.push_back({id});
+        for (std::size_t i = 0; i < typed_.shapes.ids.size(); ++i)
+            source_.features.push_back({typed_.shapes.ids[i], typed_.shapes.properties[i]});
         for (std::size_t i = 0; i < shapes_.polygons.size() && i < feature_of_polygon_.size(); ++i)
             source_.features[feature_of_polygon_[i]].polygons.push_back(shapes_.polygons[i]);
         if (reading_.is_along) source_.feature_of_line = feature_of_line_;

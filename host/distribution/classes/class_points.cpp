@@ -8,9 +8,11 @@
 #include "base/programs/interrupt.hpp"
 #include "base/regions/region_features.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/classes/class_density.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
 #include "host/sampling/classes/class_cells.hpp"
+#include "host/settings/keys/keys.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -106,8 +108,9 @@ void append_names(std::string& text, const std::vector<std::uint32_t>& used, con
         for (std::size_t j = 0; j < i; ++j) text += fmt::format(",cross_{}_{}{}", used[j], used[i], end);
 }
 
-/// Returns the matrix of the settings, or the one that follows from them for points in this area.
-ClassDistances asked_distances(const ClassSettings& settings, double area)
+/// Returns the matrix of the settings, or the one that follows from them and from the distances that classes have at a
+/// relative radius of 1.
+ClassDistances asked_distances(const ClassSettings& settings, const std::vector<double>& largest)
 {
     const std::size_t classes = settings.classes();
     if (!settings.matrix.empty()) {
@@ -118,9 +121,17 @@ ClassDistances asked_distances(const ClassSettings& settings, double area)
     }
     if (!settings.distances.empty()) return wei_distances(settings.distances, settings.dimension);
     std::vector<double> distances;
+    for (const double each : largest) distances.push_back(settings.relative_radius * each);
+    return wei_distances(distances, settings.dimension);
+}
+
+/// Returns the distance of the densest packing of as many points of each class on the torus, at most its side.
+std::vector<double> packing_distances(const ClassSettings& settings)
+{
+    std::vector<double> all;
     for (const std::size_t count : settings.points)
-        distances.push_back(std::min(1.0, min_distance_for(settings.relative_radius, count, settings.dimension)));
-    return wei_distances(distances, settings.dimension).scaled(std::sqrt(area));
+        all.push_back(std::min(1 / settings.relative_radius, max_min_distance(count, settings.dimension)));
+    return all;
 }
 
 /// Scales all distances down until none is above that of the densest packing of a class: larger ones would shrink in
@@ -141,12 +152,94 @@ double largest_of(const ClassDistances& distances)
     return largest;
 }
 
+/// The cells of densities in all features together, and in each of them at least.
+constexpr std::size_t density_cells = 1 << 18, least_density_cells = 1 << 12;
+
+/// Reads the densities of all classes, if there are any.
+std::vector<DensityAt> densities_of(const ClassSettings& settings, const RegionLand& land)
+{
+    std::vector<DensityAt> all;
+    const std::vector<std::string>& from = settings.densities_from;
+    for (std::size_t i = 0; i < settings.densities.size(); ++i)
+        all.push_back(distance_of_text(settings.densities[i],
+                                       from.empty() ? "light" : from[std::min(i, from.size() - 1)], {0, 1},
+                                       box_of(land.whole)));
+    return all;
+}
+
+/// Returns the densities of all classes with points in a part of the land; the others have none.
+std::vector<ClassDensity> densities_in(const ClassSettings& settings, const std::vector<DensityAt>& densities,
+                                       const FixedRegion& region, const std::vector<std::size_t>& points,
+                                       const ClassWork& work)
+{
+    const std::size_t cells =
+        std::max(least_density_cells, density_cells / std::max<std::size_t>(1, work.features.size()));
+    std::vector<ClassDensity> all;
+    for (std::size_t i = 0; i < densities.size(); ++i)
+        all.push_back(points[i] > 0 ? class_density(region, densities[i], name_of_input(settings.densities[i]), cells)
+                                    : ClassDensity{});
+    return all;
+}
+
+/// Calls visit(region, points of classes) for each part of the land.
+template <typename Visit>
+void for_each_part(const ClassSettings& settings, const ClassWork& work, const Visit& visit)
+{
+    if (work.features.empty()) return visit(work.land->rest, settings.points);
+    for (const FeaturePart& feature : work.features) visit(feature.region, feature.points);
+}
+
+/// Returns the distance of the densest packing of each class where it is densest.
+std::vector<double> packing_distances(const ClassSettings& settings, const std::vector<DensityAt>& densities,
+                                      const ClassWork& work)
+{
+    std::vector<double> all(settings.classes(), box_of(work.land->whole).longest() / settings.relative_radius);
+    for_each_part(settings, work, [&](const PlaneRegion& part, const std::vector<std::size_t>& points) {
+        const FixedRegion region(part, 0, KeptAway{{}, {}, 0, 0, box_of(work.land->whole)});
+        const std::vector<ClassDensity> read = densities_in(settings, densities, region, points, work);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (points[i] == 0) continue;
+            const double fullness = read.empty() ? 1 : read[i].fullness;
+            all[i] = std::min(all[i], max_min_distance(points[i], 2) * std::sqrt(area_of(part) * fullness));
+        }
+    });
+    return all;
+}
+
+/// Divides the request into features, with densities of the classes.
+void add_parts(const ClassSettings& settings, const std::vector<DensityAt>& densities, const KeptAway& kept,
+               ClassWork& work)
+{
+    ClassDartRequest& request = work.request;
+    request.points.assign(settings.classes(), 0);
+    for_each_part(settings, work, [&](const PlaneRegion& part, const std::vector<std::size_t>& points) {
+        ClassPart made{std::make_shared<const FixedRegion>(part, 0, kept), {points.begin(), points.end()}, points, {}};
+        for (ClassDensity& density : densities_in(settings, densities, *made.region, points, work))
+            made.densities.push_back(std::move(density.cells));
+        request.parts.push_back(std::move(made));
+        for (std::size_t i = 0; i < points.size(); ++i) request.points[i] += points[i];
+    });
+    request.shares.assign(request.points.begin(), request.points.end());
+}
+
 /// Places the region on the torus, and converts distances to its units. They become longer by as much as rounding of
 /// coordinates may shorten them.
 void place_in_region(const ClassSettings& settings, ClassWork& work)
 {
     work.land = region_land(settings.place);
-    work.asked = asked_distances(settings, area_of(work.land->rest));
+    const RegionLand& land = *work.land;
+    if (!settings.features.is_empty())
+        work.features =
+            feature_parts(settings.features, land.whole, land.obstacles.polygons, name_of_input(settings.place.region));
+    std::vector<DensityAt> densities;
+    try {
+        densities = densities_of(settings, land);
+    } catch (const InputError& error) {
+        throw DensityError(error.what());
+    }
+    const bool follows = settings.distances.empty() && settings.matrix.empty();
+    const auto distances = follows ? packing_distances(settings, densities, work) : std::vector<double>{};
+    work.asked = asked_distances(settings, distances);
     DartSettings place = settings.place; // as for a saturated set at the largest distance
     place.points.reset();
     place.min_distance = largest_of(work.asked);
@@ -161,6 +254,7 @@ void place_in_region(const ClassSettings& settings, ClassWork& work)
             const double distance = work.asked.at(i, j);
             work.request.distances.set(i, j, std::min((distance + distance_rounding(distance, box)) / work.side, 0.5));
         }
+    if (!settings.densities.empty() || !work.features.empty()) add_parts(settings, densities, darts.kept, work);
 }
 
 /// Saturated sets in regions have at most this number of points, because the cells that they begin with take memory.
@@ -184,21 +278,34 @@ void check_count(const ClassWork& work)
 }
 
 /// Full classes have fewer points than were asked for.
-void check_numbers(const ClassSettings& settings, const ClassedPoints& points)
+void check_numbers(const ClassSettings& settings, const std::vector<std::size_t>& asked,
+                   const std::vector<std::size_t>& counts, const std::string& where)
 {
-    const std::vector<std::size_t> counts = points.counts();
-    for (std::size_t i = 0; i < settings.points.size(); ++i) {
-        if (counts[i] == settings.points[i]) continue;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (counts[i] == asked[i]) continue;
         double share = 1;
         for (std::size_t j = 0; j < counts.size(); ++j)
-            share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(settings.points[j]));
+            if (asked[j] > 0) share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(asked[j]));
         const double scale = std::pow(share, 1.0 / settings.dimension);
         throw InputError(
-            fmt::format("class {} is full with {} of {} points: no further one fits; {} can be reached", i, counts[i],
-                        settings.points[i],
+            fmt::format("{}class {} is full with {} of {} points: no further one fits; {} can be reached", where, i,
+                        counts[i], asked[i],
                         settings.distances.empty() && settings.matrix.empty()
                             ? fmt::format("a relative radius of about {:.3f}", 0.99 * scale * settings.relative_radius)
                             : fmt::format("distances of about {:.3f} times as much", 0.99 * scale)));
+    }
+}
+
+void check_numbers(const ClassSettings& settings, const ClassSet& set)
+{
+    if (set.work.features.empty()) return check_numbers(settings, settings.points, set.points.counts(), "");
+    std::size_t at = 0;
+    for (std::size_t part = 0; part < set.work.features.size(); ++part) {
+        const FeaturePart& feature = set.work.features[part];
+        std::vector<std::size_t> counts(feature.points.size());
+        for (; at < set.points.part_ends[part]; ++at) ++counts[set.points.classes[at]];
+        check_numbers(settings, feature.points, counts,
+                      fmt::format("{}: features[{}]: ", name_of_input(settings.place.region), feature.number));
     }
 }
 
@@ -242,7 +349,7 @@ std::string spectra_csv(const ClassSpectra& spectra)
 std::size_t ClassSettings::classes() const
 {
     if (!matrix.empty()) return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
-    return std::max(points.size(), distances.size());
+    return std::max({points.size(), distances.size(), features.names().size()});
 }
 
 ClassedPoints ClassSet::in_units() const
@@ -255,9 +362,13 @@ ClassedPoints ClassSet::in_units() const
 
 std::vector<std::string> ClassSet::features() const
 {
-    const bool has_features = work.land && work.land->whole.source && !work.land->whole.source->features.empty();
-    if (!has_features) return {};
-    return ids_of_features(work.land->whole.source->features, in_units().points);
+    if (!work.land || !work.land->whole.source) return {};
+    const std::vector<RegionFeature>& features = work.land->whole.source->features;
+    std::vector<std::string> ids;
+    for (std::size_t part = 0; part < work.features.size(); ++part)
+        ids.resize(points.part_ends[part], features[work.features[part].number].id);
+    if (ids.empty() && features.size() > 1) ids = ids_of_features(features, in_units().points);
+    return ids;
 }
 
 ClassedPoints ClassSet::as_in_files() const
@@ -279,11 +390,11 @@ ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uin
     if (settings.has_region()) {
         place_in_region(settings, work);
     } else {
-        work.asked = asked_distances(settings, 1);
+        work.asked = asked_distances(settings, packing_distances(settings));
         if (settings.factor < 1) work.asked = within_packings(work.asked, settings);
         work.request.distances = work.asked;
     }
-    if (settings.points.empty())
+    if (!settings.has_numbers())
         for (std::size_t i = 0; i < work.asked.classes(); ++i)
             work.request.shares.push_back(std::pow(work.asked.at(i, i), -settings.dimension));
     check_count(work);
@@ -306,8 +417,29 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
     if (set.points.classes.empty())
         throw InputError(fmt::format("the region has no room for a point{}",
                                      settings.place.obstacles.empty() ? "" : " among the obstacles"));
-    check_numbers(settings, set.points);
+    check_numbers(settings, set);
     return set;
+}
+
+double density_error(const ClassSet& set, std::size_t of)
+{
+    const std::vector<ClassPart>& parts = set.work.request.parts;
+    if (parts.size() != 1 || parts[0].densities.empty()) return -1;
+    return density_error(parts[0].densities[of], set.points.of_class(static_cast<std::uint32_t>(of)));
+}
+
+std::vector<std::string> density_notes(const ClassSet& set)
+{
+    constexpr double told = 0.01;
+    std::vector<std::string> notes;
+    const std::vector<std::size_t> counts = set.points.counts();
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (const double error = density_error(set, i); error > std::max(told, 2.0 / static_cast<double>(counts[i])))
+            notes.push_back(fmt::format("class {} does not follow its density everywhere, as its distance leaves no "
+                                        "room where it is densest: a sixteenth of the density has {:.2g} % of the "
+                                        "points more or less than it should have",
+                                        i, 100 * error));
+    return notes;
 }
 
 ClassDistances least_distances(const ClassSet& set)
@@ -342,6 +474,11 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set)
         for (std::size_t j = 0; j <= i; ++j) least_of_all = std::min(least_of_all, least.at(i, j));
     }
     numbers.push_back({"relative_radius", "Relative radius", radius_of(least_of_all / unit, all, d), "of all points"});
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (const double error = density_error(set, i); error >= 0)
+            numbers.push_back({fmt::format("density_error_{}", i), fmt::format("Density error of class {}", i), error,
+                               "the largest share of its points by which a sixteenth of its density has too many or "
+                               "too few"});
     for (std::size_t i = 0; i < counts.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             numbers.push_back({fmt::format("distance_{}_{}", j, i),

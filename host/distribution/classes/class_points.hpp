@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "host/distribution/classes/class_features.hpp"
 #include "host/distribution/classes/class_means.hpp"
 #include "host/distribution/regions/region_darts.hpp"
 #include "host/kinds/distribution_place.hpp"
@@ -31,11 +32,14 @@ double least_distance_between(const PointSet& a, const PointSet& b);
 struct ClassSettings
 {
     DartSettings place;              ///< the region, how it is read, and obstacles in it; no region: the unit torus
-    std::vector<std::size_t> points; ///< empty: to saturation
-    std::vector<double> distances;   ///< of points of the same class, in sides of the torus or units of the region;
-                                     ///< empty: of `matrix`, or those of relative_radius
-    std::vector<double> matrix;      ///< of all pairs, row after row; empty: Wei's
-    double relative_radius = 0.62;   ///< of each class, where there are no distances
+    std::vector<std::size_t> points; ///< empty: to saturation, or those of features
+    FeatureNumbers features{};       ///< of points in the region's features; empty: those of `points`
+    std::vector<std::string> densities{};      ///< that classes follow in a region: pictures or formulas; empty: none
+    std::vector<std::string> densities_from{}; ///< of pictures: one for all, or of each class; empty: light
+    std::vector<double> distances; ///< of points of the same class, in sides of the torus or units of the region;
+                                   ///< empty: of `matrix`, or those of relative_radius
+    std::vector<double> matrix;    ///< of all pairs, row after row; empty: Wei's
+    double relative_radius = 0.62; ///< of each class, where there are no distances
     double factor = 1; ///< all distances are multiplied by it where a class with points to come is full; 1: an error
     int dimension = 2;
     std::uint32_t colors = 0;    ///< of corner tiles that are built, whose points and distances these are; 0: none
@@ -46,6 +50,7 @@ struct ClassSettings
     std::size_t classes() const;
     bool has_tiles() const { return colors > 0 || !tiles.empty(); }
     bool has_region() const { return !place.region.empty(); }
+    bool has_numbers() const { return !points.empty() || !features.is_empty(); }
 };
 
 struct PoissonTileSet;
@@ -57,6 +62,7 @@ struct ClassWork
     ClassDistances asked;                     ///< in sides of the torus or units of the region
     double side = 1;                          ///< of the torus, in these units
     std::shared_ptr<const RegionLand> land{}; ///< of a region
+    std::vector<FeaturePart> features{};      ///< whose points the parts of the request are; empty: the whole region
 };
 
 /// Prepares a set. Each `number` has random numbers of its own. Throws InputError if the torus, the region or the
@@ -92,6 +98,13 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
 
 /// The least distance that was found for each pair of classes, in units of the set; infinite where there is none.
 ClassDistances least_distances(const ClassSet& set);
+
+/// Returns how far the points of a class are from its density, see class_density.hpp; -1: it has none, or features
+/// have.
+double density_error(const ClassSet& set, std::size_t of);
+
+/// Sentences on classes whose distances keep their points from following their densities.
+std::vector<std::string> density_notes(const ClassSet& set);
 
 /// Numbers of all classes, of each, and of each pair.
 std::vector<DistributionNumber> class_numbers(const ClassSet& set);

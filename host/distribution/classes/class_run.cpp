@@ -6,6 +6,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
+#include "host/distribution/classes/class_density.hpp"
 #include "host/distribution/classes/class_files.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
@@ -35,7 +36,19 @@ bool has_tiles(const Keys& keys)
     return has_tiles;
 }
 
-void check_darts(const ClassSettings& s) { class_work(s, 0); }
+/// Says what is wrong with the set at its key, and what is wrong with densities at theirs.
+void check_darts(const Keys& keys, const std::string& key, const ClassSettings& s)
+{
+    std::string wrong_density;
+    keys.check(key, [&] {
+        try {
+            class_work(s, 0);
+        } catch (const DensityError& error) {
+            wrong_density = error.what();
+        }
+    });
+    if (!wrong_density.empty()) keys.check("densities", [&] { throw InputError(wrong_density); });
+}
 
 /// Reads the keys of a region. With a region, keys of the torus are refused.
 void place_keys(Keys& keys, ClassSettings& s)
@@ -57,6 +70,68 @@ void place_keys(Keys& keys, ClassSettings& s)
         throw keys.invalid("obstacles", "has points, which need " + keys.name_of("obstacle_distance"));
 }
 
+Keys::Said names_of_classes(Keys& keys, const std::string& key, std::vector<std::string>& values,
+                            const std::string& help)
+{
+    KeySpec spec{.value = {.key = key, .kind = ParameterSpec::Kind::text, .help = help},
+                 .count = most_classes,
+                 .own = "a list of names in quotes"};
+    return keys.texts(std::move(spec), values, "names in quotes, one of each class");
+}
+
+/// Reads what says how dense classes are, in places and in features.
+void density_keys(Keys& keys, ClassSettings& s)
+{
+    KeySpec spec{.value = {.key = "densities",
+                           .kind = ParameterSpec::Kind::text,
+                           .help = "the density of each class in the region, in any unit: a picture over its box, or a "
+                                   "formula in its x and y"},
+                 .count = most_classes,
+                 .is_file = true,
+                 .is_formula = true,
+                 .own = "a list of pictures' files and formulas in quotes"};
+    keys.texts(std::move(spec), s.densities, "pictures' files or formulas in quotes, one of each class")
+        .otherwise("classes are as dense everywhere");
+    names_of_classes(keys, "densities_from", s.densities_from,
+                     "what of the pictures of densities is meant: light, ink, or one of their channels; one for all, "
+                     "or one of each class")
+        .otherwise("light");
+    names_of_classes(keys, "feature_points", s.features.points,
+                     "the property of the region's features that says how many points of the class they have, one of "
+                     "each class")
+        .excludes("points")
+        .otherwise("points");
+    names_of_classes(keys, "feature_densities", s.features.densities,
+                     "the property of the region's features that says how many points of the class they have in a "
+                     "unit of area, one of each class")
+        .excludes("feature_points")
+        .otherwise("points");
+}
+
+/// Refuses densities and features without what they need.
+void check_densities(const Keys& keys, const ClassSettings& s)
+{
+    for (const char* key : {"densities", "feature_points", "feature_densities"})
+        if (keys.is_given(key) && !s.has_region()) throw keys.invalid(key, "needs " + keys.name_of("region"));
+    if (keys.is_given("feature_densities") && keys.is_given("points"))
+        throw keys.invalid("feature_densities", "cannot be combined with " + keys.name_of("points"));
+    if (!s.features.is_empty() && s.place.reading.buffer > 0)
+        throw keys.invalid("buffer", "cannot be combined with numbers of features");
+    if (keys.is_given("densities_from") && s.densities.empty())
+        throw keys.invalid("densities_from", "needs " + keys.name_of("densities"));
+    if (!s.densities.empty() && !s.has_numbers())
+        throw keys.invalid("densities", fmt::format("needs {}, {} or {}", keys.name_of("points"),
+                                                    keys.name_of("feature_points"), keys.name_of("feature_densities")));
+    const auto check_count = [&](const char* key, std::size_t count) {
+        if (keys.is_given(key) && count != s.classes())
+            throw keys.invalid(key, fmt::format("must be {}, one of each class", s.classes()));
+    };
+    check_count("densities", s.densities.size());
+    if (s.densities_from.size() > 1) check_count("densities_from", s.densities_from.size());
+    check_count("feature_points", s.features.points.size());
+    check_count("feature_densities", s.features.densities.size());
+}
+
 void class_keys(Keys& keys, ClassSettings& s)
 {
     place_keys(keys, s);
@@ -76,6 +151,7 @@ void class_keys(Keys& keys, ClassSettings& s)
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
                 "of each class: its distance over that of the densest packing of as many points")
         .excludes("distances");
+    density_keys(keys, s);
     keys.number("factor", s.factor, {0.5, 0.9999},
                 "what all distances are multiplied by where a class has no room for its points: relaxation")
         .otherwise("distances stay");
@@ -91,24 +167,28 @@ void class_keys(Keys& keys, ClassSettings& s)
     if (!keys.is_read() || has_tiles(keys)) return;
     if (keys.is_given("relative_radius") && !s.matrix.empty())
         throw keys.invalid("relative_radius", "cannot be combined with " + keys.name_of("matrix"));
-    if (s.points.empty() && s.distances.empty() && s.matrix.empty())
+    if (!s.has_numbers() && s.distances.empty() && s.matrix.empty())
         throw keys.problem(fmt::format("needs {}, {} or {}", keys.name_of("points"), keys.name_of("distances"),
                                        keys.name_of("matrix")));
-    if (keys.is_given("relative_radius") && s.points.empty())
+    if (keys.is_given("relative_radius") && !s.has_numbers())
         throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     if (!s.points.empty() && s.points.size() != s.classes())
         throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
     if (!s.points.empty() && !s.distances.empty() && s.distances.size() != s.points.size())
         throw keys.invalid("distances", fmt::format("must be {}, one of each class", s.points.size()));
-    if (keys.is_given("factor") && (s.points.empty() || s.colors > 0))
+    check_densities(keys, s);
+    if (keys.is_given("factor") && (!s.has_numbers() || s.colors > 0))
         throw keys.invalid("factor",
                            fmt::format("needs {}, without {}", keys.name_of("points"), keys.name_of("colors")));
     if (s.colors > 0 && s.points.empty()) throw keys.problem("needs " + keys.name_of("points") + ", of each tile");
     if (s.colors > 0 && s.dimension != 2) throw keys.invalid("dimension", "must be 2 for tiles");
-    keys.check(!s.points.empty()  ? "points"
-               : s.matrix.empty() ? "distances"
-                                  : "matrix",
-               [&] { s.colors > 0 ? check(class_tile_parameters(s, 0)) : check_darts(s); });
+    const std::string key = !s.points.empty()               ? "points"
+                            : !s.features.points.empty()    ? "feature_points"
+                            : !s.features.densities.empty() ? "feature_densities"
+                            : s.matrix.empty()              ? "distances"
+                                                            : "matrix";
+    if (s.colors > 0) return keys.check(key, [&] { check(class_tile_parameters(s, 0)); });
+    check_darts(keys, key, s);
 }
 
 std::string class_label(const ClassSettings& s)
@@ -118,6 +198,7 @@ std::string class_label(const ClassSettings& s)
     if (s.colors > 0)
         return fmt::format("classes of {0} x {0} corner tiles of {1} points", s.torus, fmt::join(s.points, ", "));
     const std::string where = s.has_region() ? " in " + name_of_input(s.place.region) : "";
+    if (!s.features.is_empty()) return fmt::format("{} classes{}, by features", s.classes(), where);
     return s.points.empty() ? fmt::format("{} classes{}, saturated", s.classes(), where)
                             : fmt::format("{} classes{}, {} points", s.classes(), where, fmt::join(s.points, ", "));
 }
@@ -130,7 +211,7 @@ std::vector<std::string> facts_of(const ClassSettings& s)
     if (s.colors > 0)
         return {fmt::format("a torus of {0} x {0} corner tiles over {1} colors", s.torus, s.colors),
                 "distances of pairs proven for every tiling"};
-    return {s.points.empty()  ? "saturated: no further point of any class fits"
+    return {!s.has_numbers()  ? "saturated: no further point of any class fits"
             : s.factor == 1.0 ? "as many of each class as asked for"
                               : fmt::format("distances multiplied by {} until there is room for all", s.factor),
             s.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given"};
@@ -162,6 +243,7 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
     }
     if (set.work.land) {
         for (const std::string& note : notes_of(set.work.land->whole)) result.facts.push_back(note);
+        for (const std::string& note : density_notes(set)) result.facts.push_back(note);
         add_region_curves(set.work.land->rest, set.in_units().points, files, result);
     } else if (settings.dimension == 2)
         add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), {}, files, result);

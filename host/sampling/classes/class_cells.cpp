@@ -30,7 +30,8 @@ std::uint32_t level_of(double distance)
     return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(1 / distance)), 1.0, 30.0));
 }
 
-/// Returns the cells of a level that are not outside of a region.
+}
+
 OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level)
 {
     OpenCells open{1, {0, 0}};
@@ -46,10 +47,12 @@ OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level)
                 }
                 if (region.side_of(box) != RegionSide::outside) kept[i] |= 1u << child;
             }
-        open = refined(open, kept, 2);
+        open = refined(open, kept, 2, below);
     }
     return open;
 }
+
+namespace {
 
 /// A square whose sides are no longer than a distance holds at most four points that keep this distance.
 constexpr std::size_t most_points_of_cell = 4;
@@ -98,10 +101,23 @@ void FillOrder::add(std::uint32_t to) { ++counts_[to]; }
 
 void FillOrder::close(std::uint32_t full) { is_closed_[full] = true; }
 
-OpenCells start_cells(const ClassDartRequest& request, const ClassDistances& distances, std::size_t own)
+OpenCells start_cells(const ClassPart& part, int dimension, const ClassDistances& distances, std::size_t own)
 {
-    if (!request.region) return whole_torus(request.dimension);
-    return cells_in_region(*request.region, std::max(1u, first_level(distances, own) - 1));
+    if (!part.densities.empty()) return part.densities[own];
+    if (!part.region) return whole_torus(dimension);
+    return cells_in_region(*part.region, std::max(1u, first_level(distances, own) - 1));
+}
+
+std::uint32_t spread_of(const OpenCells& cells, std::size_t points)
+{
+    if (cells.masses.empty()) return 0;
+    return 33 - static_cast<std::uint32_t>(std::bit_width(std::clamp<std::size_t>(points, 1, UINT32_MAX)));
+}
+
+std::uint32_t target_of(std::uint32_t own, std::size_t number, const StreamKey& stream)
+{
+    constexpr std::uint32_t golden = 0x9E3779B9; // of 2^32
+    return static_cast<std::uint32_t>(number) * golden + philox({0, UINT32_MAX, own, 1}, stream)[0];
 }
 
 std::uint32_t first_level(const ClassDistances& distances, std::size_t own)
@@ -122,20 +138,47 @@ OpenCells all_cells(std::uint32_t level, int dimension)
     return all;
 }
 
-OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension)
+OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension, std::uint32_t level)
 {
     const auto axes = static_cast<std::size_t>(dimension);
-    const bool is_split = parents.level < last_level;
-    OpenCells open{parents.level + (is_split ? 1 : 0), {}};
+    const bool is_split = parents.level < level;
+    OpenCells open{level, {}};
+    const bool has_density = !parents.masses.empty();
     for (std::size_t i = 0; i < parents.count(dimension); ++i)
         for (std::uint32_t bits = kept[i]; bits != 0; bits &= bits - 1) {
             const int child = std::countr_zero(bits);
+            if (has_density) open.masses.push_back(std::ldexp(parents.masses[i], is_split ? -dimension : 0));
             for (std::size_t k = 0; k < axes; ++k) {
                 const std::uint32_t cell = parents.cells[i * axes + k];
                 open.cells.push_back(is_split ? 2 * cell + (static_cast<std::uint32_t>(child) >> k & 1) : cell);
             }
         }
+    if (has_density) find_starts(open);
     return open;
+}
+
+void find_starts(OpenCells& cells)
+{
+    double sum = 0;
+    std::vector<double> before;
+    for (const double mass : cells.masses) {
+        before.push_back(sum);
+        sum += mass;
+    }
+    cells.starts.clear();
+    for (const double start : before)
+        cells.starts.push_back(static_cast<std::uint32_t>(std::min(start / sum * 0x1p32, 0x1p32 - 1)));
+}
+
+std::optional<std::uint32_t> level_after(const OpenCells& open, const ClassDistances& distances, std::size_t own,
+                                         std::uint32_t failed, std::size_t count, std::size_t points)
+{
+    constexpr std::size_t most_looks = 64;
+    const std::uint32_t below = std::min(open.level + 1, last_level);
+    if (open.masses.empty() || failed > 1) return below;
+    const bool is_too_soon = open.covered_at > 0 && (count - open.covered_at) * most_looks < points;
+    if (failed == 1 || is_too_soon) return {};
+    return open.level <= first_level(distances, own) ? below : open.level;
 }
 
 std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances,
@@ -174,6 +217,12 @@ std::size_t most_class_points(const ClassDartRequest& request)
     std::size_t sum = 0;
     for (std::size_t i = 0; i < request.distances.classes(); ++i) sum += most_points_of(request, i);
     return sum;
+}
+
+std::vector<ClassPart> parts_of(const ClassDartRequest& request)
+{
+    if (!request.parts.empty()) return request.parts;
+    return {{request.region, request.shares, request.points, {}}};
 }
 
 }

@@ -42,18 +42,19 @@ private:
     std::vector<bool> is_closed_;
 };
 
-/// Cells that may have room for a class: 2^level along each axis, D coordinates each. At first one, all of the torus.
-struct OpenCells
-{
-    std::uint32_t level = 0;
-    std::vector<std::uint32_t> cells;
-
-    std::size_t count(int dimension) const { return cells.size() / static_cast<std::size_t>(dimension); }
-};
-
 /// Returns the cells into which darts of a class fall at first: all of the torus or, in a region, the cells above those
-/// of first_level() that are not outside of it.
-OpenCells start_cells(const ClassDartRequest& request, const ClassDistances& distances, std::size_t own);
+/// of first_level() that are not outside of it, or those of the class's density.
+OpenCells start_cells(const ClassPart& part, int dimension, const ClassDistances& distances, std::size_t own);
+
+/// Returns the cells of a level that are not outside of a region.
+OpenCells cells_in_region(const FixedRegion& region, std::uint32_t level);
+
+/// The bits of targets that are random at first: intervals have the share of one or two points of the class, which has
+/// so many.
+std::uint32_t spread_of(const OpenCells& cells, std::size_t points);
+
+/// Returns the target of a class's point of this number: Kronecker's sequence of the golden ratio, moved at random.
+std::uint32_t target_of(std::uint32_t own, std::size_t number, const StreamKey& stream);
 
 /// The level at which cells are looked at first: they are about half as wide as the largest distance that the class
 /// keeps, so that disks cover some.
@@ -65,8 +66,18 @@ inline constexpr std::uint32_t last_level = 32;
 /// All cells of a level.
 OpenCells all_cells(std::uint32_t level, int dimension);
 
-/// The children of cells, one level below, whose bits are set; at the last level, the cells themselves.
-OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension);
+/// The children of cells, one level below, whose bits are set; those of `level` that have it, the cells themselves.
+OpenCells refined(const OpenCells& parents, const std::vector<std::uint32_t>& kept, int dimension, std::uint32_t level);
+
+/// Finds the shares of masses before each cell.
+void find_starts(OpenCells& cells);
+
+/// Returns the level at which cells are looked at again after so many times TRIES darts of a slot failed; nothing: they
+/// stay as they are. A class has `count` of `points` points. Cells without a density are divided each time. Those with
+/// one are divided first only while they are large beside distances, because where the density is largest there may be
+/// no room, and much elsewhere: covered cells are left out, but no more often than 64 times.
+std::optional<std::uint32_t> level_after(const OpenCells& open, const ClassDistances& distances, std::size_t own,
+                                         std::uint32_t failed, std::size_t count, std::size_t points);
 
 /// Returns the pairs of a class with all classes, class after class; `shares` are the classes' shares of the points.
 std::vector<contract::class_darts::ClassPair> class_pairs(const ClassDistances& distances,

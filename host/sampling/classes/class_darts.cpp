@@ -16,6 +16,7 @@ namespace poissonlab {
 using contract::class_darts::ClassCells;
 using contract::class_darts::ClassGrid;
 using contract::class_darts::ClassPair;
+using contract::class_darts::ClassSlot;
 using contract::class_darts::SlotBatch;
 
 struct ClassDartBuffers
@@ -25,9 +26,9 @@ struct ClassDartBuffers
     Buffer<ClassPair> pairs;
     Buffer<ClassGrid> grids;
     Buffer<ClassCells> lists;
-    Words cells, kept;              ///< those of all lists; bits of the list that is refined
-    Words slot_classes, candidates; ///< a slot of the batch each
-    Words heads, points, counters;
+    Words cells, starts, kept; ///< those of all lists; bits of the list that is refined
+    Buffer<ClassSlot> slots;   ///< those of the batch
+    Words candidates, heads, points, counters;
     RegionBuffers region;
 };
 
@@ -47,8 +48,9 @@ NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request
                          {b.grids, classes},
                          {b.lists, classes},
                          {b.cells, std::max(classes, cells_a_point * points) * axes},
+                         {b.starts, std::max(classes, cells_a_point * points)},
                          {b.kept, cells_a_point * points},
-                         {b.slot_classes, most_slots},
+                         {b.slots, most_slots},
                          {b.candidates, most_slots},
                          {b.heads, class_grids(request).cells},
                          {b.points, points * contract::class_darts::POINT_WORDS(axes)},
@@ -61,9 +63,9 @@ class ThrowingClasses
 {
 public:
     ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          order_(request.shares, request.points), distances_(request.distances), open_(request.distances.classes()),
-          lists_(open_.size())
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), parts_(parts_of(request)),
+          order_({}, {}), distances_(request.distances), open_(request.distances.classes()), lists_(open_.size()),
+          is_full_(open_.size())
     {
         const KernelProgram program =
             kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}, {"REGION", request.region != nullptr}});
@@ -75,36 +77,51 @@ public:
         buffers.pairs.write(class_pairs(distances_, request.shares));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
-        if (request.region) buffers.region.write(*request.region);
-        start_anywhere();
-        write_lists();
     }
 
     ClassedPoints run()
     {
+        std::vector<std::size_t> ends;
+        for (const ClassPart& part : parts_) {
+            fill(part);
+            ends.push_back(classes_.size());
+        }
+        return result(std::move(ends));
+    }
+
+private:
+    void fill(const ClassPart& part)
+    {
+        part_ = &part;
+        order_ = FillOrder(part.shares, part.points);
+        if (part.region) buffers_.region.write(*part.region);
+        start_anywhere();
+        write_lists();
         std::uint32_t skipped = 0;
         std::size_t wanted = first_slots;
         while (order_.next()) {
-            const std::vector<std::uint32_t> slots = next_slots(wanted);
+            const std::vector<ClassSlot> slots = next_slots(wanted);
             const auto [settled, redrawn] = settle(slots, skipped);
-            for (std::size_t i = 0; i < settled; ++i) order_.add(slots[i]);
-            classes_.insert(classes_.end(), slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(settled));
+            for (std::size_t i = 0; i < settled; ++i) {
+                order_.add(slots[i].own);
+                classes_.push_back(slots[i].own);
+            }
             skipped = settled > 0 ? 0 : skipped;
             const bool has_stalled = settled < slots.size();
-            if (has_stalled) skipped = refine(slots[settled]) ? skipped + contract::class_darts::TRIES : 0;
+            if (has_stalled) skipped = refine(slots[settled].own, skipped) ? skipped + contract::class_darts::TRIES : 0;
             // How many slots a batch has changes nothing but time: those that meet each other are settled one by one.
             const bool are_too_many = has_stalled || 4 * redrawn > settled;
             wanted = are_too_many ? std::max(least_slots, wanted / 2)
                                   : std::clamp(classes_.size() / 4, least_slots, std::min(2 * wanted, most_slots));
         }
-        return result();
+        for (std::uint32_t i = 0; i < open_.size(); ++i)
+            if (order_.is_closed(i) && order_.counts()[i] < part.most_of(i)) is_full_[i] = true;
     }
 
-private:
     void start_anywhere()
     {
         for (std::uint32_t i = 0; i < open_.size(); ++i) {
-            open_[i] = start_cells(request_, distances_, i);
+            open_[i] = start_cells(*part_, request_.dimension, distances_, i);
             if (open_[i].cells.empty()) order_.close(i);
         }
     }
@@ -114,8 +131,8 @@ private:
     void with_region(const Run& run) const
     {
         const RegionBuffers& r = buffers_.region;
-        if (request_.region)
-            run(region_grid(*request_.region), r.cells, r.edges, r.filled);
+        if (part_->region)
+            run(region_grid(*part_->region), r.cells, r.edges, r.filled);
         else
             run();
     }
@@ -130,27 +147,27 @@ private:
                 .key_y = request_.stream[1]};
     }
 
-    std::vector<std::uint32_t> next_slots(std::size_t wanted) const
+    std::vector<ClassSlot> next_slots(std::size_t wanted) const
     {
         FillOrder order = order_;
-        std::vector<std::uint32_t> slots;
+        std::vector<ClassSlot> slots;
         for (auto next = order.next(); next && slots.size() < wanted; next = order.next()) {
-            slots.push_back(*next);
+            slots.push_back({*next, target_of(*next, order.counts()[*next], request_.stream)});
             order.add(*next);
         }
         return slots;
     }
 
     /// The number of slots that have a point now, and of those that needed another dart.
-    std::pair<std::size_t, std::size_t> settle(const std::vector<std::uint32_t>& slots, std::uint32_t skipped)
+    std::pair<std::size_t, std::size_t> settle(const std::vector<ClassSlot>& slots, std::uint32_t skipped)
     {
         ClassDartBuffers& b = buffers_;
         const SlotBatch batch = batch_of(slots.size(), skipped);
-        b.slot_classes.write(slots);
+        b.slots.write(slots);
         with_region([&](const auto&... region) {
-            find_.run(slots.size(), group_size_, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads,
+            find_.run(slots.size(), group_size_, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads,
                       b.points, b.candidates, region...);
-            settle_.run(1, 1, batch, b.slot_classes, b.pairs, b.grids, b.lists, b.cells, b.heads, b.points,
+            settle_.run(1, 1, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads, b.points,
                         b.candidates, b.counters, region...);
         });
         std::array<std::uint32_t, contract::class_darts::COUNTERS> counters{};
@@ -159,21 +176,25 @@ private:
     }
 
     /// Returns whether there may still be room for the class.
-    bool refine(std::uint32_t own)
+    bool refine(std::uint32_t own, std::uint32_t skipped)
     {
         if (open_[own].level == 0) {
             open_[own] = all_cells(first_level(distances_, own) - 1, request_.dimension);
             write_lists();
         }
+        const std::size_t points = order_.counts()[own];
+        const auto level = level_after(open_[own], distances_, own, skipped / contract::class_darts::TRIES, points,
+                                       part_->points.empty() ? 0 : part_->points[own]);
+        if (!level) return true;
         ClassDartBuffers& b = buffers_;
         const std::size_t count = open_[own].count(request_.dimension);
         reserve(device_, b.kept, count);
-        const std::uint32_t level = std::min(open_[own].level + 1, last_level);
         with_region([&](const auto&... region) {
-            cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], level, b.pairs, b.grids, b.cells, b.heads,
+            cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], *level, b.pairs, b.grids, b.cells, b.heads,
                        b.points, b.kept, region...);
         });
-        open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension);
+        open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension, *level);
+        open_[own].covered_at = points;
         const bool goes_on = !open_[own].cells.empty() || shrink();
         if (!goes_on) order_.close(own);
         write_lists();
@@ -183,7 +204,7 @@ private:
     /// Makes all distances smaller. Returns whether they may be.
     bool shrink()
     {
-        if (request_.points.empty() || request_.factor >= 1) return false;
+        if (part_->points.empty() || request_.factor >= 1) return false;
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         buffers_.pairs.write(class_pairs(distances_, request_.shares));
@@ -196,16 +217,22 @@ private:
         std::size_t all = 0;
         for (std::size_t i = 0; i < open_.size(); ++i) {
             const std::size_t count = open_[i].count(request_.dimension);
-            lists_[i] = {.level = open_[i].level, .first = words(all), .count = words(count), .unused = 0};
+            lists_[i] = {.level = open_[i].level,
+                         .first = words(all),
+                         .count = words(count),
+                         .spread = spread_of(open_[i], part_->points.empty() ? 1 : part_->points[i])};
             all += count;
         }
         reserve(device_, buffers_.cells, all * static_cast<std::size_t>(request_.dimension));
-        for (std::size_t i = 0; i < open_.size(); ++i)
+        reserve(device_, buffers_.starts, std::max<std::size_t>(1, all));
+        for (std::size_t i = 0; i < open_.size(); ++i) {
             buffers_.cells.write(open_[i].cells, lists_[i].first * static_cast<std::size_t>(request_.dimension));
+            if (lists_[i].spread > 0) buffers_.starts.write(open_[i].starts, lists_[i].first);
+        }
         buffers_.lists.write(lists_);
     }
 
-    ClassedPoints result() const
+    ClassedPoints result(std::vector<std::size_t> ends) const
     {
         const auto axes = static_cast<std::size_t>(request_.dimension);
         const std::size_t all = contract::class_darts::POINT_WORDS(axes);
@@ -214,8 +241,9 @@ private:
         result.points.coordinates.reserve(classes_.size() * axes);
         for (std::size_t i = 0; i < classes_.size(); ++i)
             for (std::size_t k = 0; k < axes; ++k) result.points.coordinates.push_back(points[i * all + k] * 0x1p-32);
-        for (std::uint32_t i = 0; i < open_.size(); ++i) result.is_full.push_back(order_.is_closed(i));
+        result.is_full = is_full_;
         result.scale = scale_;
+        result.part_ends = std::move(ends);
         return result;
     }
 
@@ -225,12 +253,15 @@ private:
     ClassDartBuffers& buffers_;
     const ClassDartRequest& request_;
     std::size_t group_size_;
+    std::vector<ClassPart> parts_;
+    const ClassPart* part_ = nullptr; ///< the one that is filled
     FillOrder order_;
     double scale_ = 1;
     ClassDistances distances_; ///< those of the request, scaled
     std::vector<OpenCells> open_;
     std::vector<ClassCells> lists_;      ///< where those are on the device
     std::vector<std::uint32_t> classes_; ///< of the points so far
+    std::vector<bool> is_full_;          ///< of each class, in a part
     Kernel find_, settle_, cover_;
 };
 

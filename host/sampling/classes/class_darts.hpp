@@ -13,6 +13,9 @@
 // torus at first, and, each time that TRIES darts of a slot failed, the parts of half the size that no single point
 // covers. Those are never more than what is left, so the law is that of darts that fall anywhere. In a region, the
 // first cells are those that are not outside of it.
+//
+// Classes may have densities: then the cells of a part of the region have shares of the density in a space-filling
+// order, and the darts of slots aim at places that are evenly spread over these shares.
 #pragma once
 
 #include "base/geometry/class_distances.hpp"
@@ -27,6 +30,30 @@
 
 namespace poissonlab {
 
+/// Cells that may have room for a class: 2^level along each axis, D coordinates each, in an order in which neighbours
+/// are near each other (Morton's). At first one, all of the torus.
+struct OpenCells
+{
+    std::uint32_t level = 0;
+    std::vector<std::uint32_t> cells;
+    std::vector<double> masses{};        ///< of each cell, in any unit; empty: there is no density
+    std::vector<std::uint32_t> starts{}; ///< the share of the masses before each cell, in units of 2^-32
+    std::size_t covered_at = 0;          ///< the points that the class had when cells were last looked at
+
+    std::size_t count(int dimension) const { return cells.size() / static_cast<std::size_t>(dimension); }
+};
+
+/// A part of a region that has its own numbers of points.
+struct ClassPart
+{
+    std::shared_ptr<const FixedRegion> region{}; ///< none: the torus
+    std::vector<double> shares;                  ///< see FillOrder
+    std::vector<std::size_t> points{};           ///< of each class, where it stops; empty: at saturation
+    std::vector<OpenCells> densities{};          ///< of each class; empty: points fall uniformly
+
+    std::size_t most_of(std::size_t own) const { return points.empty() ? SIZE_MAX : points[own]; }
+};
+
 struct ClassDartRequest
 {
     int dimension = 2;
@@ -36,14 +63,19 @@ struct ClassDartRequest
     double factor = 1;               ///< all distances are multiplied by it where a class with an end is full
     StreamKey stream{};
     std::shared_ptr<const FixedRegion> region{}; ///< the plane region that all points lie in; none: the torus
+    std::vector<ClassPart> parts{};              ///< filled one after another; empty: one part with all of this
 };
+
+/// Returns the parts of a request, at least one.
+std::vector<ClassPart> parts_of(const ClassDartRequest& request);
 
 struct ClassedPoints
 {
-    PointSet points;                    ///< in the order in which they came; coordinates are multiples of 2^-32
-    std::vector<std::uint32_t> classes; ///< of each point
-    std::vector<bool> is_full;          ///< of each class: no further point of it fits, proven
-    double scale = 1;                   ///< what all distances have been multiplied by
+    PointSet points;                      ///< in the order in which they came; coordinates are multiples of 2^-32
+    std::vector<std::uint32_t> classes;   ///< of each point
+    std::vector<bool> is_full;            ///< of each class: no further point of it fits, proven
+    double scale = 1;                     ///< what all distances have been multiplied by
+    std::vector<std::size_t> part_ends{}; ///< for each part of the request, the number of points up to its end
 
     std::vector<std::size_t> counts() const; ///< points of each class
     PointSet of_class(std::uint32_t wanted) const;

@@ -40,10 +40,9 @@ class ThrowingInSlots
 {
 public:
     explicit ThrowingInSlots(const ClassDartRequest& request)
-        : request_(request), order_(request.shares, request.points), distances_(request.distances),
+        : request_(request), order_({}, {}), distances_(request.distances),
           pairs_(class_pairs(distances_, request.shares)), open_(request.distances.classes())
     {
-        start_anywhere();
         for (const ClassGrid& grid : class_grids(request).grids) {
             bits_.push_back(grid.bits);
             cells_.emplace_back(std::size_t{1} << D * grid.bits);
@@ -52,7 +51,19 @@ public:
 
     ClassedPoints run()
     {
-        ClassedPoints result{{D, {}}, {}, {}};
+        ClassedPoints result{{D, {}}, {}, std::vector<bool>(open_.size())};
+        for (const ClassPart& part : parts_of(request_)) fill(part, result);
+        result.points = to_point_set<D>(std::span<const TorusPoint<D>>(points_));
+        result.scale = scale_;
+        return result;
+    }
+
+private:
+    void fill(const ClassPart& part, ClassedPoints& result)
+    {
+        part_ = &part;
+        order_ = FillOrder(part.shares, part.points);
+        start_anywhere();
         for (auto own = order_.next(); own; own = order_.next()) {
             const auto slot = static_cast<std::uint32_t>(points_.size());
             const std::optional<TorusPoint<D>> dart = first_free_dart(slot, *own);
@@ -65,17 +76,15 @@ public:
             points_.push_back(*dart);
             result.classes.push_back(*own);
         }
-        result.points = to_point_set<D>(std::span<const TorusPoint<D>>(points_));
-        for (std::uint32_t i = 0; i < open_.size(); ++i) result.is_full.push_back(order_.is_closed(i));
-        result.scale = scale_;
-        return result;
+        for (std::uint32_t i = 0; i < open_.size(); ++i)
+            if (order_.is_closed(i) && order_.counts()[i] < part.most_of(i)) result.is_full[i] = true;
+        result.part_ends.push_back(points_.size());
     }
 
-private:
     void start_anywhere()
     {
         for (std::uint32_t i = 0; i < open_.size(); ++i) {
-            open_[i] = start_cells(request_, distances_, i);
+            open_[i] = start_cells(*part_, D, distances_, i);
             if (open_[i].cells.empty()) order_.close(i);
         }
     }
@@ -84,10 +93,10 @@ private:
     bool is_outside(const ClassBox<D>& box) const
     {
         if constexpr (D == 2) {
-            if (!request_.region) return false;
-            if (box.extent == 0) return !request_.region->contains(box.low);
+            if (!part_->region) return false;
+            if (box.extent == 0) return !part_->region->contains(box.low);
             const TorusPoint<2> high{box.low[0] + box.extent, box.low[1] + box.extent};
-            return request_.region->side_of({box.low, high}) == RegionSide::outside;
+            return part_->region->side_of({box.low, high}) == RegionSide::outside;
         }
         return false;
     }
@@ -100,7 +109,7 @@ private:
                 const TorusPoint<D> dart = draw(slot, number, own);
                 if (!is_outside({dart, 0}) && !is_covered({dart, 0}, own)) return dart;
             }
-            refine(own);
+            if (!refine(own, number / contract::class_darts::TRIES - 1)) continue;
             if (open_[own].cells.empty() && !shrink()) return {};
         }
     }
@@ -108,7 +117,7 @@ private:
     /// Makes all distances smaller. Returns whether they may be.
     bool shrink()
     {
-        if (request_.points.empty() || request_.factor >= 1) return false;
+        if (part_->points.empty() || request_.factor >= 1) return false;
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         pairs_ = class_pairs(distances_, request_.shares);
@@ -120,7 +129,17 @@ private:
     {
         const auto words = philox({slot, number, own, 0}, request_.stream);
         const OpenCells& list = open_[own];
-        const std::size_t chosen = std::uint64_t{words[0]} * list.count(D) >> 32;
+        std::size_t chosen = std::uint64_t{words[0]} * list.count(D) >> 32;
+        using contract::class_darts::TRIES, contract::class_darts::TRIES_BEFORE;
+        if (!list.masses.empty() && number < 2 * TRIES) {
+            const std::size_t points = part_->points.empty() ? 1 : part_->points[own];
+            const std::uint32_t wider = spread_of(list, points) + 2 * (number / TRIES_BEFORE),
+                                bits = number < TRIES - TRIES_BEFORE ? std::min(32u, wider) : 32;
+            const auto random = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
+            const std::uint32_t target = target_of(own, order_.counts()[own], request_.stream);
+            const auto after = std::ranges::upper_bound(list.starts, (target & ~random) | (words[0] & random));
+            chosen = static_cast<std::size_t>(after - list.starts.begin()) - 1;
+        }
         TorusPoint<D> dart;
         for (std::size_t k = 0; k < D; ++k) {
             const std::uint64_t low = std::uint64_t{list.cells[chosen * D + k]} << (32 - list.level);
@@ -129,12 +148,17 @@ private:
         return dart;
     }
 
-    void refine(std::uint32_t own)
+    /// Returns whether cells were looked at.
+    bool refine(std::uint32_t own, std::uint32_t failed)
     {
         if (open_[own].level == 0) open_[own] = all_cells(first_level(distances_, own) - 1, D);
         const OpenCells& list = open_[own];
-        const bool is_split = list.level < last_level;
-        const std::uint32_t level = list.level + (is_split ? 1 : 0);
+        const std::size_t points = order_.counts()[own];
+        const auto below =
+            level_after(list, distances_, own, failed, points, part_->points.empty() ? 0 : part_->points[own]);
+        if (!below) return false;
+        const std::uint32_t level = *below;
+        const bool is_split = list.level < level;
         std::vector<std::uint32_t> kept(list.count(D));
         for (std::size_t i = 0; i < kept.size(); ++i)
             for (std::uint32_t child = 0; child < (is_split ? 1u << D : 1u); ++child) {
@@ -146,7 +170,9 @@ private:
                 }
                 if (!is_outside(box) && !is_covered(box, own)) kept[i] |= 1u << child;
             }
-        open_[own] = refined(list, kept, D);
+        open_[own] = refined(list, kept, D, level);
+        open_[own].covered_at = points;
+        return true;
     }
 
     static std::size_t cell_of(const TorusPoint<D>& point, std::uint32_t bits)
@@ -190,6 +216,7 @@ private:
     }
 
     const ClassDartRequest& request_;
+    const ClassPart* part_ = nullptr; ///< the one that is filled
     FillOrder order_;
     double scale_ = 1;
     ClassDistances distances_; ///< those of the request, scaled

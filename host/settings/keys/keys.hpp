@@ -150,6 +150,10 @@ public:
     /// A picture's file: what is none is refused before any work, by its header.
     Said picture(const std::string& key, std::filesystem::path& value, std::string help);
 
+    /// Texts in a list, as many as `spec` says at most, which are files or may be where it says so. A single one needs
+    /// no list. `allowed` is what messages call the value.
+    Said texts(KeySpec spec, std::vector<std::string>& values, const std::string& allowed);
+
     /// Files of pictures, in a list: options of commands are given once for each, and a single one needs no list.
     Said pictures(const std::string& key, std::vector<std::filesystem::path>& values, std::string help);
 

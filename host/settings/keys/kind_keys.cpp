@@ -173,6 +173,30 @@ Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std:
     return said;
 }
 
+Keys::Said Keys::texts(KeySpec spec, std::vector<std::string>& values, const std::string& allowed)
+{
+    const std::string key = spec.value.key;
+    std::string all;
+    if (const ConfigNode* node = given(key)) {
+        const auto* items = node->get_if<ConfigList>();
+        values.clear();
+        for (const ConfigNode& item : items ? *items : ConfigList{*node}) {
+            const auto* text = item.get_if<std::string>();
+            if (!text) throw invalid(key, "must be " + allowed);
+            check_text(key, *text);
+            all += (all.empty() ? "" : ", ") + *text;
+            values.push_back(spec.is_file ? named_file(key, *text) : *text);
+        }
+        if (values.size() > spec.count)
+            throw invalid(key, fmt::format("must be at most {} {}", spec.count,
+                                           spec.is_formula ? "densities"
+                                           : spec.is_file  ? "files"
+                                                           : "names"));
+    }
+    resolve(key, all);
+    return describe(std::move(spec));
+}
+
 Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::path>& values, std::string help)
 {
     const std::string files = where_.is_argument ? "a picture's file" : "a list of pictures' files, in quotes";
@@ -180,24 +204,14 @@ Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::p
                  .count = most_listed_files,
                  .is_file = true,
                  .own = "a list of pictures' files"};
-    std::string all;
-    if (const ConfigNode* node = given(key)) {
-        const auto* items = node->get_if<ConfigList>();
-        values.clear();
-        for (const ConfigNode& item : items ? *items : ConfigList{*node}) {
-            const auto* text = item.get_if<std::string>();
-            if (!text) throw invalid(key, "must be " + files);
-            check_text(key, *text);
-            all += (all.empty() ? "" : ", ") + *text;
-            values.emplace_back(named_file(key, *text));
-            if (const std::string lack = lack_of_file(values.back()); !lack.empty())
-                throw invalid(
-                    key, fmt::format("{}{}: must be {}", items && items->size() > 1 ? *text + ": " : "", lack, files));
-        }
-        if (values.size() > spec.count) throw invalid(key, fmt::format("must be at most {} files", spec.count));
-    }
-    resolve(key, all);
-    return describe(std::move(spec));
+    std::vector<std::string> names;
+    const Said said = texts(std::move(spec), names, files);
+    if (!is_given(key)) return said;
+    values.assign(names.begin(), names.end());
+    for (const std::string& name : names)
+        if (const std::string lack = lack_of_file(name); !lack.empty())
+            throw invalid(key, fmt::format("{}{}: must be {}", names.size() > 1 ? name + ": " : "", lack, files));
+    return said;
 }
 
 Keys::Said Keys::region(std::string& value)

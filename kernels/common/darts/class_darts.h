@@ -7,7 +7,8 @@ CONTRACT(class_darts)
 
 enum
 {
-    TRIES = 256 ///< darts of a slot at a list of cells, before the list is refined
+    TRIES = 256,      ///< darts of a slot at a list of cells, before the list is refined
+    TRIES_BEFORE = 32 ///< so many darts fail before the following ones may fall farther from the slot's target
 };
 
 enum Counter
@@ -45,7 +46,14 @@ struct ClassCells
     uint level;
     uint first; ///< its place among the cells of all classes
     uint count;
-    uint unused;
+    uint spread; ///< bits of targets that are random at first, see dart_of(); 0: darts fall uniformly
+};
+
+/// The place of one point in the order in which points come.
+struct ClassSlot
+{
+    uint own;    ///< its class
+    uint target; ///< the part of the class's density, in units of 2^-32, near which its darts fall
 };
 
 /// The arguments of find_darts and settle_class_darts. Slots are the places of points in the order in which they come.

@@ -1,0 +1,97 @@
+#include "host/distribution/classes/class_features.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/json_file.hpp"
+#include "base/regions/obstacles.hpp"
+#include "base/regions/polygon_sets.hpp"
+#include "host/settings/sampler_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Features that have more than this part of the area in common are refused; what rounding leaves is not.
+constexpr double most_overlap = 1e-6;
+
+/// Returns a property's value. `feature` is what messages call its feature.
+double property_of(const nlohmann::json& properties, const std::string& name, bool is_count, const std::string& feature)
+{
+    const std::string needed = is_count ? fmt::format("must be a whole number from 0 to {}", max_points)
+                                        : "must be a number from 0, points in a unit of area";
+    const auto found = properties.find(name);
+    if (found == properties.end())
+        throw InputError(fmt::format("{}: has no property {}: {}", feature, shortened(printable(name)), needed));
+    const double value = found->is_number() ? found->get<double>() : NAN;
+    const bool is_allowed = std::isfinite(value) && value >= 0 &&
+                            (!is_count || (value == std::floor(value) && value <= static_cast<double>(max_points)));
+    if (!is_allowed)
+        throw InputError(fmt::format("{}: property {} = {}: {}", feature, shortened(printable(name)),
+                                     shortened(printable(found->dump())), needed));
+    return value;
+}
+
+void check_overlap(const std::vector<RegionFeature>& features, const PlaneRegion& whole, const std::string& file)
+{
+    double sum = 0;
+    for (const RegionFeature& feature : features) sum += area_of({feature.polygons});
+    const double area = area_of(whole);
+    if (sum - area > most_overlap * area)
+        throw InputError(fmt::format("{}: its features overlap by an area of {:.6g}: numbers of points need features "
+                                     "that do not",
+                                     file, sum - area));
+}
+
+/// Returns the polygons of a feature, which become one where they overlap or share edges.
+PlaneRegion region_of(const RegionFeature& feature)
+{
+    try {
+        check_region({feature.polygons}, "");
+    } catch (const InputError&) {
+        if (!feature.polygons.empty()) return {united(feature.polygons)};
+    }
+    return {feature.polygons};
+}
+
+}
+
+std::vector<FeaturePart> feature_parts(const FeatureNumbers& asked, const PlaneRegion& whole,
+                                       const std::vector<RegionPolygon>& obstacles, const std::string& file)
+{
+    if (!whole.source || whole.source->features.empty())
+        throw InputError(fmt::format("{}: has no features: a FeatureCollection of GeoJSON has some", file));
+    const std::vector<RegionFeature>& features = whole.source->features;
+    check_overlap(features, whole, file);
+    std::vector<FeaturePart> parts;
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        const std::string name = fmt::format("{}: features[{}]", file, f);
+        const auto properties = parsed_json(features[f].properties, name);
+        FeaturePart part{f, region_of(features[f]), {}};
+        if (!obstacles.empty() && !part.region.polygons.empty()) part.region = without_polygons(part.region, obstacles);
+        double sum = 0;
+        for (const std::string& key : asked.names()) {
+            const double value = property_of(properties, key, !asked.points.empty(), name);
+            const double points = asked.points.empty() ? std::round(value * area_of(part.region)) : value;
+            sum += points;
+            if (sum > static_cast<double>(max_points))
+                throw InputError(fmt::format("{}: has {:.6g} points: at most {} are possible", name, sum, max_points));
+            if (value > 0 && part.region.polygons.empty())
+                throw InputError(fmt::format(
+                    "{}: has {} = {:g} and {}: must have a polygon or the number 0", name, shortened(printable(key)),
+                    value, features[f].polygons.empty() ? "no polygon" : "no area without obstacles"));
+            part.points.push_back(static_cast<std::size_t>(points));
+        }
+        if (sum > 0) parts.push_back(std::move(part));
+    }
+    for (std::size_t i = 0; i < asked.names().size(); ++i)
+        if (std::ranges::all_of(parts, [&](const FeaturePart& part) { return part.points[i] == 0; }))
+            throw InputError(fmt::format("{}: no feature has points of class {}: {} is 0 everywhere", file, i,
+                                         shortened(printable(asked.names()[i]))));
+    return parts;
+}
+
+}
