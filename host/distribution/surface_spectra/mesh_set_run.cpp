@@ -47,6 +47,9 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
         .unit("units of the mesh")
         .otherwise("a tenth of the square root of the area per point");
     if (!keys.is_read()) return;
+    std::vector<std::string> sorted = s.methods;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) != sorted.end()) throw keys.invalid("methods", "must have each method once");
     if (s.set.empty() && (s.methods.empty() || !s.points))
         throw keys.problem(fmt::format("needs {}, or {} and {}", keys.name_of("set"), keys.name_of("methods"),
                                        keys.name_of("points")));
