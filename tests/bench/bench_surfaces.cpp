@@ -57,13 +57,13 @@ void surface_by_count(benchmark::State& state) { on_surface(state, {}); }
 
 void plane_at_radius(benchmark::State& state)
 {
-    DartThrowing method(Device::open());
+    DartThrower method(Device::open());
     DartThrowingRequest request;
     request.dimension = 2;
     request.min_distance = min_distance_for(radius, million, 2);
     request.points = million;
     request.stream = stream_key(1, Purpose::dart_throwing, 0);
-    for (auto _ : state) benchmark::DoNotOptimize(method.sample(request));
+    for (auto _ : state) benchmark::DoNotOptimize(method.throw_darts(request));
 }
 
 BENCHMARK(surface_at_radius)->Iterations(1)->Repetitions(3)->Unit(benchmark::kMillisecond)->UseRealTime();

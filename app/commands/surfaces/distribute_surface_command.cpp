@@ -26,8 +26,6 @@ sides of a thin sheet are each even by themselves, and points of different sides
                                          N that follow a density: a formula, a number of the mesh's vertices such as red,
                                          or a picture over its texture coordinates
   --points N --method lloyd              N darts that move to the centroids of their cells, --iterations times
-  --points N --method gaussian-blue-noise
-                                         N darts that move along the forces of Gaussians between them
   --start FILE, --obstacles FILE         the set begins with the points of the first file; others keep away from the second
   --tiles SET --tiles-per-unit T         the points of a tiling laid over texture coordinates (u, v) of the mesh, or
                                          --points N instead of T; with --min-distance D those are left out, in the order

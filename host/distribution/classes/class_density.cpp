@@ -40,8 +40,14 @@ std::vector<double> shares_of(const FixedRegion& region, const OpenCells& cells)
     const std::uint32_t across = 1u << (cells.level - 1);
     const std::vector<double> sorted = region_shares(region, {{}, side, across, across}, squares);
     std::vector<double> shares(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        shares[order[k]] = sorted[k] * part_left_by_margins(region, {squares[k][0] * side, squares[k][1] * side}, side);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const TorusPoint<2> low{squares[k][0] << (32 - cells.level), squares[k][1] << (32 - cells.level)};
+        const auto extent = static_cast<std::uint32_t>(side) - 1;
+        // Margins are looked at in few cells, as that takes many places of each.
+        const bool is_inside = region.side_of({low, {low[0] + extent, low[1] + extent}}) == RegionSide::inside;
+        shares[order[k]] =
+            is_inside ? 1 : sorted[k] * part_left_by_margins(region, {double{1} * low[0], double{1} * low[1]}, side);
+    }
     return shares;
 }
 

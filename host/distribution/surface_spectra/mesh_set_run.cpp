@@ -30,8 +30,7 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
         .required();
     keys.words(
         "methods", s.methods,
-        {std::string(surface_methods[SurfaceMethod::elimination]), std::string(surface_methods[SurfaceMethod::lloyd]),
-         std::string(surface_methods[SurfaceMethod::gaussian])},
+        {std::string(surface_methods[SurfaceMethod::elimination]), std::string(surface_methods[SurfaceMethod::lloyd])},
         "methods that make as many points on the mesh, to be compared; random points and dart throwing are always "
         "compared");
     keys.integer("points", s.points, 2, max_points, "the number of points of methods")
@@ -52,10 +51,6 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
         throw keys.problem(fmt::format("needs {}, or {} and {}", keys.name_of("set"), keys.name_of("methods"),
                                        keys.name_of("points")));
     keys.check("mesh", [&] { s.surface = surface_of(s); });
-    if (s.surface->surface.open_edges > 0 &&
-        std::ranges::count(s.methods, surface_methods[SurfaceMethod::gaussian]) > 0)
-        throw keys.invalid("methods",
-                           "cannot have gaussian-blue-noise on an open mesh, at whose border it would gather");
     keys.check(s.set.empty() ? "mesh" : "set", [&] { s.read = read_mesh_set(s); });
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
 }

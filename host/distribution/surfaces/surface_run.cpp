@@ -85,8 +85,6 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
         throw keys.invalid("points",
                            fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
-    if (s.method == SurfaceMethod::gaussian && s.read->surface.open_edges > 0)
-        throw keys.invalid("mesh", "is open: Gaussian blue noise would gather at its border; choose another method");
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
     if (!s.density.empty()) {
         keys.check("points", [&] { check_density_memory(s); });
@@ -121,13 +119,8 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
-    keys.integer("iterations", s.iterations, 0, 1'000'000, "the number of steps that all points make")
-        .otherwise(fmt::format("{} for lloyd, {} for gaussian-blue-noise", usual_iterations(SurfaceMethod::lloyd),
-                               usual_iterations(SurfaceMethod::gaussian)))
-        .only_if(moves_points(s.method), "method = lloyd or gaussian-blue-noise");
-    keys.number("sigma", s.sigma, {0.5, 2},
-                "the width of the Gaussians, in units of the square root of the area per point")
-        .only_if(s.method == SurfaceMethod::gaussian, "method = gaussian-blue-noise");
+    keys.integer("iterations", s.iterations, 0, 1'000'000, "the number of steps of Lloyd's method")
+        .only_if(s.method == SurfaceMethod::lloyd, "method = lloyd");
     keys.picture_or_formula("density", s.density, s.density_from,
                             "the density of the points: a formula in x, y and z in the mesh's units; the name of a "
                             "number of its vertices, such as red or quality; or a picture over its texture coordinates")

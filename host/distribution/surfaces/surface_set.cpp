@@ -176,19 +176,14 @@ SurfaceSet moved_set(const MeshPointSettings& settings, std::shared_ptr<const Su
     const auto tell = [&](std::size_t steps) {
         if (place.on_step) place.on_step(fmt::format("{} steps of {} points", steps, darts.points.size()));
     };
-    const bool is_lloyd = settings.method == SurfaceMethod::lloyd;
-    RelaxedSurface moved =
-        (is_lloyd ? relax_on_surface : descend_on_surface)(darts.mesh->surface, darts.points, settings, tell);
+    RelaxedSurface moved = relax_on_surface(darts.mesh->surface, darts.points, settings, tell);
     SurfaceSet set{.mesh = darts.mesh, .points = std::move(moved.points), .angle = settings.normal_angle};
     set.of_method = {
         {"iterations", "Iterations", static_cast<double>(moved.energies.size() - 1), "steps that all points made"},
         {"energy_before", "Energy before", moved.energies.front(), "of the darts with which it begins"},
         {"energy", "Energy", moved.energies.back(),
-         is_lloyd
-             ? "the mean squared distance of places from their nearest point, over that of a triangular lattice in "
-               "a plane of the same area"
-             : "the sum of the Gaussians of other points at a point, less that of points spread evenly in a plane; "
-               "random points have 1"}};
+         "the mean squared distance of places from their nearest point, over that of a triangular lattice in a plane "
+         "of the same area"}};
     return set;
 }
 
@@ -274,13 +269,11 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
     return std::min(distance, most);
 }
 
-bool moves_points(SurfaceMethod method) { return method == SurfaceMethod::lloyd || method == SurfaceMethod::gaussian; }
-
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
     if (settings.method == SurfaceMethod::tiles) return tiled_surface(settings, surface_mesh(settings), seed, place);
     if (settings.method == SurfaceMethod::quads) return tiled_quads(settings, surface_mesh(settings), seed);
-    if (moves_points(settings.method)) return moved_set(settings, surface_mesh(settings), seed, place);
+    if (settings.method == SurfaceMethod::lloyd) return moved_set(settings, surface_mesh(settings), seed, place);
     return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
                                                    : eliminated_set(settings, surface_mesh(settings), seed, place);
 }
@@ -293,7 +286,6 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
     if (settings.method == SurfaceMethod::quads) return "tiles on quads";
     if (settings.method == SurfaceMethod::elimination) return "sample elimination";
     if (settings.method == SurfaceMethod::lloyd) return "Lloyd relaxation";
-    if (settings.method == SurfaceMethod::gaussian) return "Gaussian blue noise";
     if (set.is_saturated && !settings.points) return "saturated: no further point fits";
     return settings.min_distance || settings.relative_radius ? "stopped at that number"
                                                              : "the distance shrank until so many fitted";

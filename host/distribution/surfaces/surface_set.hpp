@@ -29,15 +29,13 @@ enum class SurfaceMethod
     darts,
     elimination,
     lloyd,
-    gaussian,
     tiles,
     quads
 };
 
-inline constexpr WordTable<SurfaceMethod, 6> surface_methods{{{{SurfaceMethod::darts, "darts"},
+inline constexpr WordTable<SurfaceMethod, 5> surface_methods{{{{SurfaceMethod::darts, "darts"},
                                                                {SurfaceMethod::elimination, "elimination"},
                                                                {SurfaceMethod::lloyd, "lloyd"},
-                                                               {SurfaceMethod::gaussian, "gaussian-blue-noise"},
                                                                {SurfaceMethod::tiles, "tiles"},
                                                                {SurfaceMethod::quads, "quads"}}}};
 
@@ -75,8 +73,7 @@ struct MeshPointSettings
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::optional<std::uint32_t> iterations;     ///< of the methods that move points; empty: as many as is usual
-    double sigma = 1;                            ///< of Gaussian blue noise, in mean distances
+    std::uint32_t iterations = 50;               ///< of Lloyd's method
     std::filesystem::path start, obstacles;      ///< files of points; empty: there are none
     SurfaceOrder order = SurfaceOrder::own;      ///< the order of darts
     std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
@@ -132,9 +129,6 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
 /// Reads the files of start and obstacles, whose points are moved to the surface from at most a tenth of the distance
 /// away. Throws InputError, also where points of the start are nearer to each other than a distance that is to be kept.
 std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSettings& settings, const SurfaceMesh& mesh);
-
-/// Does the method move points that darts made?
-bool moves_points(SurfaceMethod method);
 
 /// Makes the points. Throws InputError where there is no room for as many, or no memory.
 SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t seed, const DistributionPlace& place);

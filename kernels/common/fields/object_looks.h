@@ -12,9 +12,11 @@
 #include <cmath>
 #define LOOKS_FUNCTION inline
 #define LOOKS_TABLE const float*
+#define LOOKS_ROOT std::sqrt
 #else
 #define LOOKS_FUNCTION static inline
 #define LOOKS_TABLE global const float*
+#define LOOKS_ROOT sqrt
 #endif
 
 CONTRACT(objects)
@@ -93,14 +95,7 @@ struct ObjectCoordinates
     float x, y, z;
 };
 
-LOOKS_FUNCTION float root_of(float squared)
-{
-#ifdef __cplusplus
-    return std::sqrt(squared);
-#else
-    return sqrt(squared);
-#endif
-}
+LOOKS_FUNCTION float root_of(float squared) { return LOOKS_ROOT(squared); }
 
 LOOKS_FUNCTION float within(float x, float low, float high) { return x < low ? low : x > high ? high : x; }
 
@@ -211,8 +206,7 @@ LOOKS_FUNCTION uint object_color(const struct ObjectScene* scene, LOOKS_TABLE sh
     if (scene->shows == SHOWS_CELLS) {
         const uint own =
             scene->palette[scene->layer[0].color + pobjects_bits(id, PURPOSE_COLOR) % scene->layer[0].colors];
-        const uint dot = x * x + y * y + z * z < disk * disk / 100;
-        return dot ? 0 : *inside ? own : mixed(own, 0xffffff, 0.6f);
+        return x * x + y * y + z * z < disk * disk / 100 ? 0 : *inside ? own : mixed(own, 0xffffff, 0.6f);
     }
     if (!*inside) return behind;
     const float turn = spread_value(scene->turn, id, PURPOSE_TURN, -1000, 1000);
@@ -283,8 +277,7 @@ LOOKS_FUNCTION struct SurfacePlace surface_place(uint view, float x, float y)
     if (view == VIEW_SPHERE) {
         const float left = 0.96f - x * x - y * y;
         if (left < 0) return place;
-        place.z = root_of(left);
-        nx = x, ny = y, nz = place.z;
+        nx = x, ny = y, nz = place.z = root_of(left);
     } else {
         place.z = 1.1f;
         float away = 1;
@@ -300,8 +293,7 @@ LOOKS_FUNCTION struct SurfacePlace surface_place(uint view, float x, float y)
     }
     const float length = root_of(nx * nx + ny * ny + nz * nz);
     const float facing = (-0.4f * nx + 0.6f * ny + 0.69f * nz) / (length > 0 ? length : 1);
-    place.light = 0.25f + 0.75f * (facing > 0 ? facing : 0);
-    place.is_there = 1;
+    place.light = 0.25f + 0.75f * (facing > 0 ? facing : 0), place.is_there = 1;
     return place;
 }
 
