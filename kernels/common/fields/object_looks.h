@@ -77,7 +77,7 @@ struct ObjectScene
     long left, bottom, z;             ///< the first sample's place in tiles times 2^32
     long step;                        ///< between samples
     float radius;                     ///< of disks, tiles
-    float extent;                     ///< of the picture's height in tiles, where the view is a body
+    float extent;                     ///< of the picture's height in tiles
     struct Spread size, turn, aspect; ///< turns are whole ones
     uint layers;
     struct Layer layer[MAX_LAYERS];
