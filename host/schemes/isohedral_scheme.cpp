@@ -11,17 +11,6 @@
 namespace poissonlab {
 namespace {
 
-/// True if no two tiles that meet along an edge have the same colour, for one unit of the tiling.
-bool is_proper(const IsohedralTile& tile, const TileColoring& coloring)
-{
-    for (std::uint32_t aspect = 0; aspect < tile.aspects().size(); ++aspect)
-        for (std::size_t edge = 0; edge < tile.hops().size(); ++edge) {
-            const TilePlace place{aspect, 0, 0};
-            if (coloring.of(place) == coloring.of(tile.neighbour(place, edge))) return false;
-        }
-    return true;
-}
-
 MarkPicture tiling_picture(const IsohedralTile& tile, const TileColoring& coloring, double columns, double rows)
 {
     constexpr double pixels_a_tile = 48;

@@ -64,9 +64,12 @@ TEST(Contract, OfClassDarts)
     const std::size_t pair[] = {LAYOUT_OF(ClassPair, reach)};
     EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassPair", "reach")),
                 ElementsAreArray(pair));
-    const std::size_t cells[] = {LAYOUT_OF(ClassCells, unused)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "unused")),
+    const std::size_t cells[] = {LAYOUT_OF(ClassCells, spread)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "spread")),
                 ElementsAreArray(cells));
+    const std::size_t slot[] = {LAYOUT_OF(ClassSlot, target)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassSlot", "target")),
+                ElementsAreArray(slot));
 }
 
 TEST(Contract, OfLloydSets)

@@ -99,6 +99,9 @@ struct TileColoring
     std::uint32_t of(const TilePlace& place) const;
 };
 
+/// True if no two neighbours across an edge have the same colour, anywhere in the tiling.
+bool is_proper(const IsohedralTile& tile, const TileColoring& coloring);
+
 /// True if every symmetry of the tiling that its type has maps tiles of one colour to tiles of one colour, and those of
 /// different colours to different colours.
 bool is_perfect(const IsohedralTile& tile, const TileColoring& coloring);

@@ -50,6 +50,14 @@ std::uint32_t power_image(const std::vector<std::uint32_t>& permutation, std::ui
     return color;
 }
 
+/// The number of units along each axis after which colours repeat.
+std::int32_t units_of(const TileColoring& coloring)
+{
+    const auto& permutations = coloring.permutations;
+    return permutations[0].empty() ? static_cast<std::int32_t>(coloring.colors)
+                                   : std::lcm(order_of(permutations[0]), order_of(permutations[1]));
+}
+
 class ColoringSearch
 {
 public:
@@ -118,13 +126,23 @@ std::uint32_t TileColoring::of(const TilePlace& place) const
     return static_cast<std::uint32_t>(rest < 0 ? rest + colors : rest);
 }
 
+bool is_proper(const IsohedralTile& tile, const TileColoring& coloring)
+{
+    // Permutations that do not commute change which colours meet from unit to unit.
+    const std::int32_t units = units_of(coloring);
+    for (const NeighbourPair& pair : neighbour_pairs(tile))
+        for (std::int32_t column = 0; column < units; ++column)
+            for (std::int32_t row = 0; row < units; ++row)
+                if (coloring.of({pair.aspect, column, row}) ==
+                    coloring.of({pair.other.aspect, pair.other.column + column, pair.other.row + row}))
+                    return false;
+    return true;
+}
+
 bool is_perfect(const IsohedralTile& tile, const TileColoring& coloring)
 {
-    // Each hop maps the tiles around it; colours must go to colours, one to one. Shifts are the same everywhere, so
-    // that the tiles of a few units tell all; permutations repeat after their orders.
-    const auto& permutations = coloring.permutations;
-    const std::int32_t units =
-        permutations[0].empty() ? 2 : std::max(2, std::lcm(order_of(permutations[0]), order_of(permutations[1])));
+    // Each hop maps the tiles around it; colours must go to colours, one to one.
+    const std::int32_t units = units_of(coloring);
     for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
         std::map<std::uint32_t, std::uint32_t> image;
         for (std::uint32_t aspect = 0; aspect < tile.aspects().size(); ++aspect)

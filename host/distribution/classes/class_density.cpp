@@ -65,8 +65,9 @@ double mean_in(const FixedRegion& region, const DensityAt& density, const std::s
         if (value >= 0 && std::isfinite(value))
             sum += value / 4;
         else if (region.contains(at))
-            throw DensityError(fmt::format("{}: is {:.6g} at {:.6g}, {:.6g} in the region: must be 0 or more", name,
-                                           std::isnan(value) ? NAN : value, x, y));
+            throw DensityError(
+                fmt::format("{}: is {:.6g} at {:.6g}, {:.6g} in the region: must be a finite number of at least 0",
+                            name, std::isnan(value) ? NAN : value, x, y));
     }
     return sum;
 }
@@ -91,22 +92,27 @@ ClassDensity class_density(const FixedRegion& region, const DensityAt& density, 
 {
     const OpenCells all = fine_cells(region, least_cells);
     const std::vector<double> shares = shares_of(region, all);
-    ClassDensity made{{all.level, {}}, 1};
-    double sum = 0, area = 0, most = 0;
+    std::vector<double> means;
+    double most = 0;
     for (std::size_t i = 0; i < shares.size(); ++i) {
-        const std::uint32_t* cell = &all.cells[2 * i];
-        const double mean = mean_in(region, density, name, cell, all.level), share = mean * shares[i];
-        area += shares[i];
-        if (!(share > 0)) continue;
-        most = std::max(most, mean);
-        made.cells.cells.insert(made.cells.cells.end(), cell, cell + 2);
-        made.cells.masses.push_back(share);
-        sum += share;
+        means.push_back(mean_in(region, density, name, &all.cells[2 * i], all.level));
+        if (shares[i] > 0) most = std::max(most, means[i]);
     }
-    if (!std::isfinite(sum)) throw DensityError(fmt::format("{}: is too large in the region", name));
-    if (!(sum > 0)) throw DensityError(fmt::format("{}: is 0 everywhere in the region", name));
+    if (!(most > 0)) throw DensityError(fmt::format("{}: is 0 everywhere in the region, or nearly", name));
+    // Masses near 1 neither overflow nor vanish where cells are divided.
+    const int exponent = std::ilogb(most);
+    ClassDensity made{{all.level, {}}, 1};
+    double sum = 0, area = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double part = std::scalbn(means[i], -exponent) * shares[i];
+        area += shares[i];
+        if (!(part > 0)) continue;
+        made.cells.cells.insert(made.cells.cells.end(), &all.cells[2 * i], &all.cells[2 * i] + 2);
+        made.cells.masses.push_back(part);
+        sum += part;
+    }
     find_starts(made.cells);
-    made.fullness = sum / (area * most);
+    made.fullness = sum / (area * std::scalbn(most, -exponent));
     return made;
 }
 

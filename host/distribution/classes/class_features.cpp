@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -35,10 +36,10 @@ double property_of(const nlohmann::json& properties, const std::string& name, bo
     return value;
 }
 
-void check_overlap(const std::vector<RegionFeature>& features, const PlaneRegion& whole, const std::string& file)
+void check_overlap(const std::vector<PlaneRegion>& regions, const PlaneRegion& whole, const std::string& file)
 {
     double sum = 0;
-    for (const RegionFeature& feature : features) sum += area_of({feature.polygons});
+    for (const PlaneRegion& region : regions) sum += area_of(region);
     const double area = area_of(whole);
     if (sum - area > most_overlap * area)
         throw InputError(fmt::format("{}: its features overlap by an area of {:.6g}: numbers of points need features "
@@ -65,12 +66,14 @@ std::vector<FeaturePart> feature_parts(const FeatureNumbers& asked, const PlaneR
     if (!whole.source || whole.source->features.empty())
         throw InputError(fmt::format("{}: has no features: a FeatureCollection of GeoJSON has some", file));
     const std::vector<RegionFeature>& features = whole.source->features;
-    check_overlap(features, whole, file);
+    std::vector<PlaneRegion> regions;
+    for (const RegionFeature& feature : features) regions.push_back(region_of(feature));
+    check_overlap(regions, whole, file);
     std::vector<FeaturePart> parts;
     for (std::size_t f = 0; f < features.size(); ++f) {
         const std::string name = fmt::format("{}: features[{}]", file, f);
         const auto properties = parsed_json(features[f].properties, name);
-        FeaturePart part{f, region_of(features[f]), {}};
+        FeaturePart part{f, std::move(regions[f]), {}};
         if (!obstacles.empty() && !part.region.polygons.empty()) part.region = without_polygons(part.region, obstacles);
         double sum = 0;
         for (const std::string& key : asked.names()) {
@@ -89,8 +92,9 @@ std::vector<FeaturePart> feature_parts(const FeatureNumbers& asked, const PlaneR
     }
     for (std::size_t i = 0; i < asked.names().size(); ++i)
         if (std::ranges::all_of(parts, [&](const FeaturePart& part) { return part.points[i] == 0; }))
-            throw InputError(fmt::format("{}: no feature has points of class {}: {} is 0 everywhere", file, i,
-                                         shortened(printable(asked.names()[i]))));
+            throw InputError(fmt::format("{}: no feature has points of class {}: {} is 0 everywhere{}", file, i,
+                                         shortened(printable(asked.names()[i])),
+                                         asked.points.empty() ? ", or times the area less than half a point" : ""));
     return parts;
 }
 

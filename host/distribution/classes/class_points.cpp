@@ -428,17 +428,44 @@ double density_error(const ClassSet& set, std::size_t of)
     return density_error(parts[0].densities[of], set.points.of_class(static_cast<std::uint32_t>(of)));
 }
 
+namespace {
+
+/// Returns the points of a class in one part of a set.
+PointSet points_in_part(const ClassedPoints& points, std::size_t part, std::size_t of)
+{
+    PointSet found{2, {}};
+    for (std::size_t i = part == 0 ? 0 : points.part_ends[part - 1]; i < points.part_ends[part]; ++i)
+        if (points.classes[i] == of)
+            found.coordinates.insert(found.coordinates.end(), points.points[i].begin(), points.points[i].end());
+    return found;
+}
+
+}
+
 std::vector<std::string> density_notes(const ClassSet& set)
 {
     constexpr double told = 0.01;
+    const std::vector<ClassPart>& parts = set.work.request.parts;
     std::vector<std::string> notes;
-    const std::vector<std::size_t> counts = set.points.counts();
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (const double error = density_error(set, i); error > std::max(told, 2.0 / static_cast<double>(counts[i])))
-            notes.push_back(fmt::format("class {} does not follow its density everywhere, as its distance leaves no "
-                                        "room where it is densest: a sixteenth of the density has {:.2g} % of the "
-                                        "points more or less than it should have",
-                                        i, 100 * error));
+    for (std::size_t i = 0; i < set.points.is_full.size(); ++i) {
+        double largest = 0;
+        std::size_t worst = 0;
+        for (std::size_t part = 0; part < parts.size(); ++part) {
+            if (parts[part].densities.empty()) continue;
+            const PointSet points = points_in_part(set.points, part, i);
+            const double error = density_error(parts[part].densities[i], points);
+            if (points.size() == 0 || error <= std::max({told, 2.0 / static_cast<double>(points.size()), largest}))
+                continue;
+            largest = error;
+            worst = part;
+        }
+        if (largest == 0) continue;
+        notes.push_back(fmt::format(
+            "class {} does not follow its density everywhere, as its distance leaves no room where it is densest: a "
+            "sixteenth of the density{} has {:.2g} % of the points more or less than it should have",
+            i, parts.size() > 1 ? fmt::format(" in features[{}]", set.work.features[worst].number) : "",
+            100 * largest));
+    }
     return notes;
 }
 

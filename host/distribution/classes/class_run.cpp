@@ -30,7 +30,8 @@ bool has_tiles(const Keys& keys)
     const bool has_tiles = keys.is_given("tiles");
     if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
         throw keys.invalid("torus", fmt::format("needs {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
-    for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors"})
+    for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors",
+                            "densities", "densities_from", "feature_points", "feature_densities"})
         if (has_tiles && keys.is_given(key))
             throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
     return has_tiles;
@@ -174,8 +175,10 @@ void class_keys(Keys& keys, ClassSettings& s)
         throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
     if (!s.points.empty() && s.points.size() != s.classes())
         throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
-    if (!s.points.empty() && !s.distances.empty() && s.distances.size() != s.points.size())
-        throw keys.invalid("distances", fmt::format("must be {}, one of each class", s.points.size()));
+    if (s.has_numbers() && !s.distances.empty())
+        if (const std::size_t classes = std::max(s.points.size(), s.features.names().size());
+            s.distances.size() != classes)
+            throw keys.invalid("distances", fmt::format("must be {}, one of each class", classes));
     check_densities(keys, s);
     if (keys.is_given("factor") && (!s.has_numbers() || s.colors > 0))
         throw keys.invalid("factor",

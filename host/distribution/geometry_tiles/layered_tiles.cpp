@@ -1,10 +1,14 @@
 #include "host/distribution/geometry_tiles/layered_tiles.hpp"
 
+#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/programs/memory_limit.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -29,8 +33,25 @@ DepthView LayeredTiles::view(std::uint32_t direction) const
     return depth_view(2 * std::numbers::pi * direction / settings_.directions, seen_elevation, set_.height);
 }
 
+void LayeredTiles::check_room(const std::vector<Key>& keys) const
+{
+    // Two samples a pixel are more than plants have but at coarse levels: sunflowers have 0.7 at level 0.
+    constexpr double bytes_of_pixel = sizeof(std::uint32_t) + 2 * sizeof(DepthSample), gibibyte = 1 << 30;
+    double bytes = 0;
+    for (const auto& [tile, direction, level] : keys) {
+        const DepthView seen = view(direction);
+        const double pixels = settings_.resolution / std::exp2(level); // along a tile
+        bytes += bytes_of_pixel * (seen.width * pixels + 1) * (seen.height * pixels + 1);
+    }
+    if (const auto most = static_cast<double>(memory_limit()); bytes > most)
+        throw InputError(fmt::format("{} layered depth images of {} pixels a tile and coarser ones need {:.1f} GiB of "
+                                     "memory: must be at most {:.1f}",
+                                     keys.size(), settings_.resolution, bytes / gibibyte, most / gibibyte));
+}
+
 void LayeredTiles::make(const std::vector<Key>& keys)
 {
+    check_room(keys);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<int>> levels;
     for (const auto& [tile, direction, level] : keys)
         if (!images_.contains({tile, direction, level})) levels[{tile, direction}].push_back(level);

@@ -52,7 +52,8 @@ public:
 
     DepthView view(std::uint32_t direction) const;
 
-    /// Makes images, and those of finer levels on the way, which it does not keep.
+    /// Makes images, and those of finer levels on the way, which it does not keep. Throws InputError where they have no
+    /// room in memory.
     void make(const std::vector<Key>& keys);
 
     /// The images of the first tile as they are seen from their directions: a row for each level.
@@ -62,6 +63,8 @@ public:
     const std::map<Key, LayeredDepthImage>& all() const { return images_; }
 
 private:
+    void check_room(const std::vector<Key>& keys) const;
+
     const PlantTileSet& set_;
     const FieldSettings& settings_;
     std::map<Key, LayeredDepthImage> images_;

@@ -48,11 +48,12 @@ std::array<double, 2> PlantField::rows_of(const FieldTile& tile) const
     return rows;
 }
 
-bool PlantField::may_be_seen(std::int32_t x, std::int32_t y) const
+bool PlantField::may_be_seen(const FieldTile& tile) const
 {
-    const MeshPoint middle{x + 0.5, y + 0.5, ground(x + 0.5, y + 0.5) + set_.height / 2};
+    const auto [low, high] = tile.ground;
+    const MeshPoint middle{tile.x + 0.5, tile.y + 0.5, (low + high + set_.height) / 2};
     const MeshPoint d = difference(middle, eye_);
-    const double reach = 1.0 + set_.height, ahead = dot(d, ahead_);
+    const double reach = 1.0 + set_.height + (high - low) / 2, ahead = dot(d, ahead_);
     const double half = columns_ / 2.0 / focal_; // tangent of half the angle
     return ahead > -reach && std::abs(dot(d, right_)) < half * ahead + reach * std::sqrt(1 + half * half);
 }
@@ -62,13 +63,13 @@ void PlantField::choose_tiles()
     for (std::uint32_t j = 0; j < settings_.field[1]; ++j)
         for (std::uint32_t i = 0; i < settings_.field[0]; ++i) {
             FieldTile tile{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
-            if (!may_be_seen(tile.x, tile.y)) continue;
             tile.ground = {INFINITY, -INFINITY};
             for (int k = 0; k < (ground_cells + 1) * (ground_cells + 1); ++k) {
                 const double z = ground(i + k % (ground_cells + 1) / double{ground_cells},
                                         j + k / (ground_cells + 1) / double{ground_cells});
                 tile.ground = {std::min(tile.ground[0], z), std::max(tile.ground[1], z)};
             }
+            if (!may_be_seen(tile)) continue;
             tile.tile = ptiles_tile(&tiling_, tile.x, tile.y, 0);
             const MeshPoint middle{i + 0.5, j + 0.5, ground(i + 0.5, j + 0.5) + set_.height / 2};
             const MeshPoint to_eye = difference(eye_, middle);

@@ -33,7 +33,7 @@ struct FieldTile
     std::array<double, 2> ground{}; ///< its lowest and highest corner of cells of the ground
 };
 
-/// The numbers of a picture's bands of distances from the camera: [4^k, 2 * 4^k) tiles and so on.
+/// The numbers of a band of distances from the camera.
 struct FieldCost
 {
     std::uint64_t tiles = 0, samples = 0, triangles = 0;
@@ -67,7 +67,7 @@ public:
 private:
     double ground(double x, double y) const { return terrain_ ? terrain_->at(x, y) : 0; }
     MeshPoint on_screen(const MeshPoint& place) const; ///< column, row and depth, in samples and tiles
-    bool may_be_seen(std::int32_t x, std::int32_t y) const;
+    bool may_be_seen(const FieldTile& tile) const;
     std::array<double, 2> rows_of(const FieldTile& tile) const;
     void choose_tiles();
     void draw_sky_and_ground(PlantCanvas& canvas, double moved) const;

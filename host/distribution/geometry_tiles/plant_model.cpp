@@ -197,6 +197,7 @@ void fit(PlantModel& model)
     double radius = 0;
     for (const MeshPoint& p : model.places) radius = std::max(radius, std::hypot(p[0], p[1]));
     if (!(radius > 0)) throw InputError("the mesh has no extent along x and y");
+    if (!std::isfinite(radius)) throw InputError("the mesh is too large along x and y");
     for (MeshPoint& p : model.places) {
         for (double& c : p) c /= radius;
         model.height = std::max(model.height, p[2]);
@@ -229,13 +230,13 @@ PlantModel plant_of_mesh(const TriangleMesh& mesh)
     model.triangles = mesh.triangles;
     for (const MeshPoint& p : mesh.vertices)
         model.places.push_back({p[0] - (low[0] + high[0]) / 2, p[1] - (low[1] + high[1]) / 2, p[2] - low[2]});
+    fit(model);
     for (const MeshTriangle& t : mesh.triangles) {
         const MeshPoint normal = cross(difference(model.places[t[1]], model.places[t[0]]),
                                        difference(model.places[t[2]], model.places[t[0]]));
         for (const std::uint32_t corner : t) model.normals[corner] = plus(model.normals[corner], normal);
     }
     for (MeshPoint& normal : model.normals) normal = unit(normal);
-    fit(model);
     return model;
 }
 

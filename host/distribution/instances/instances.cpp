@@ -146,17 +146,25 @@ void check_box(const ObjectTileSet& tiles, const InstanceBox& box)
                                      points, most_points_around));
 }
 
+constexpr double most_terrain_height = 1e6; ///< so that differences of places are exact enough to be drawn
+
 }
 
 Terrain::Terrain(const InstanceSettings& settings)
     : heights_(values_of_text(settings.terrain, "light", settings.terrain_area[2], settings.terrain_area[3])),
       area_(settings.terrain_area), scale_(settings.height)
 {
-    for (std::size_t i = 0; i < heights_.values.size(); ++i)
-        if (!std::isfinite(heights_.values[i]))
-            throw InputError(fmt::format("terrain {}: {}: height {}: must be finite",
+    for (std::size_t i = 0; i < heights_.values.size(); ++i) {
+        const double height = heights_.values[i];
+        const auto refuse = [&](double value, const std::string& allowed) {
+            throw InputError(fmt::format("terrain {}: {}: height {}: must be {}",
                                          printable(shortened(settings.terrain)),
-                                         pixel_name(heights_.width, heights_.height, i), heights_.values[i]));
+                                         pixel_name(heights_.width, heights_.height, i), value, allowed));
+        };
+        if (!std::isfinite(height)) refuse(height, "finite");
+        if (std::abs(scale_ * height) > most_terrain_height)
+            refuse(scale_ * height, fmt::format("at most {:.0f} up or down", most_terrain_height));
+    }
 }
 
 double Terrain::at(double x, double y) const

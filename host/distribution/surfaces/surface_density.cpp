@@ -135,6 +135,27 @@ double SurfaceDensity::at(const FixedSurface& surface, const SurfacePoint& point
     return value;
 }
 
+namespace {
+
+/// Returns the number of corners of triangles where a density is larger than a limit; a vertex counts for each
+/// triangle.
+std::uint64_t larger_corners(const FixedSurface& surface, SurfaceDensity& density, double limit)
+{
+    constexpr auto whole = std::uint32_t{1} << contract::surface::BARYCENTRIC_BITS;
+    std::uint64_t count = 0;
+    for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            SurfacePoint point{};
+            point.triangle = triangle;
+            if (corner > 0) point.shares[corner - 1] = whole;
+            std::ranges::copy(place_on(surface.triangles[triangle], point.shares[0], point.shares[1]), point.place);
+            count += density.value_at(surface, point) > limit ? 1 : 0;
+        }
+    return count;
+}
+
+}
+
 DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity& density, std::size_t count,
                                      const StreamKey& stream,
                                      const std::function<void(const std::string& what)>& on_step)
@@ -149,6 +170,7 @@ DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity
     double sum = 0; // of parts of the largest value, as the values may be too large or too small for a sum
     for (const double value : values) sum += value / largest;
     DensityCandidates candidates;
+    candidates.larger_corners = larger_corners(surface, density, 1.1 * largest);
     candidates.integral = sum / density_places * surface.area;
     const std::uint64_t most = std::clamp(darts_a_candidate * count, least_dart_limit, most_dart_limit);
     for (std::uint64_t& i = candidates.darts; candidates.points.size() < count; ++i) {

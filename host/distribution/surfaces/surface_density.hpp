@@ -32,11 +32,12 @@ public:
     /// The density at a point, in any unit. Throws InputError, with the place, where it is negative or not finite.
     double at(const FixedSurface& surface, const SurfacePoint& point);
 
+    /// What the text gives there, which may be negative or not finite.
+    double value_at(const FixedSurface& surface, const SurfacePoint& point);
+
     const std::string& name() const { return name_; }
 
 private:
-    double value_at(const FixedSurface& surface, const SurfacePoint& point);
-
     std::string name_;
     const TriangleMesh& mesh_;
     std::size_t column_ = 0;
@@ -49,12 +50,14 @@ struct DensityCandidates
 {
     std::vector<SurfacePoint> points;
     std::vector<double> densities;
-    double integral = 0;      ///< of those parts over the surface, from some 10^5 places
-    std::uint64_t darts = 0;  ///< random places from which the points were chosen
-    std::uint64_t larger = 0; ///< of these: places with a larger density than the largest of some 10^5
+    double integral = 0;              ///< of those parts over the surface, from some 10^5 places
+    std::uint64_t darts = 0;          ///< random places from which the points were chosen
+    std::uint64_t larger = 0;         ///< of these: places with a larger density than the largest of some 10^5
+    std::uint64_t larger_corners = 0; ///< corners of triangles where the density is more than a tenth larger than it
 };
 
-/// Returns `count` independent points. Peaks that none of some 10^5 places meets are flattened. Throws InputError, with
+/// Returns `count` independent points. Peaks that none of some 10^5 places meets are flattened; candidates and corners
+/// of triangles that lie on such peaks are counted, and others stay unknown. Throws InputError, with
 /// the density's name, if the density is 0 everywhere, or nearly, or large in too small a part of the surface.
 DensityCandidates density_candidates(const FixedSurface& surface, SurfaceDensity& density, std::size_t count,
                                      const StreamKey& stream,

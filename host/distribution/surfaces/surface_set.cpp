@@ -111,6 +111,18 @@ std::vector<SurfacePoint> eliminated(const std::vector<SurfacePoint>& candidates
     return eliminate_on_surface(*surface, candidates, kept, settings.normal_angle, order);
 }
 
+/// Returns the number of points of the start that are nearer to an obstacle than a distance.
+std::size_t near_obstacles(const SurfaceBeginning& beginning, const FixedSurface& surface, double distance,
+                           const MeshPointSettings& settings)
+{
+    const double units = surface.units_of(distance) * (1 - 0x1p-40);
+    const SurfaceNeighbours near(surface, beginning.obstacles, static_cast<std::uint64_t>(units) + 1);
+    const auto squared = static_cast<std::uint64_t>(units * units);
+    return static_cast<std::size_t>(std::ranges::count_if(beginning.start, [&](const SurfacePoint& point) {
+        return near.is_near(point, squared, least_cosine(settings.normal_angle));
+    }));
+}
+
 SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
                     const DistributionPlace& place)
 {
@@ -140,6 +152,11 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
     set.dart_distance = darts.min_distance;
     set.obstacles = beginning->obstacles;
     set.notes.insert(set.notes.end(), beginning->notes.begin(), beginning->notes.end());
+    if (const std::size_t near = near_obstacles(*beginning, set.mesh->surface, darts.min_distance, settings); near > 0)
+        set.notes.push_back(
+            fmt::format("{} nearer to an obstacle than the {:.6g} that new points keep",
+                        near == 1 ? "a point of the start is" : fmt::format("{} points of the start are", near),
+                        darts.min_distance));
     if (beginning->least < darts.min_distance && set.points.size() > beginning->start.size())
         set.notes.push_back(
             fmt::format("two points of the start are {:.6g} apart, nearer than the {:.6g} that new points keep",
@@ -162,6 +179,10 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
             set.notes.push_back(fmt::format("the density is larger at {} of {} places than the largest value that was "
                                             "looked for: peaks are flattened",
                                             random.larger, random.darts));
+        if (random.larger_corners > 0)
+            set.notes.push_back(fmt::format("the density is more than a tenth larger at {} of {} corners of triangles "
+                                            "than the largest value that was looked for: peaks are flattened",
+                                            random.larger_corners, 3 * set.mesh->surface.triangles.size()));
         return set;
     }
     const auto candidates = surface_candidates(mesh->surface, count, stream_key(seed, Purpose::surface_candidates, 0));

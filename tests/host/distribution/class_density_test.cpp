@@ -94,6 +94,23 @@ TEST(ClassDensities, SayWhereTheyAreFlattened)
     const ClassSet set = throw_classes(settings, 1, density_place);
     expect_distances(set);
     EXPECT_GT(density_error(set, 0), 0.02);
+    EXPECT_THAT(density_notes(set), testing::ElementsAre(testing::HasSubstr("a sixteenth of the density has ")));
+}
+
+/// Units of a density do not matter, however large or small: powers of two change no digit.
+TEST(ClassDensities, HaveAnyUnit)
+{
+    ClassSettings settings = wide_settings();
+    settings.points = {100};
+    settings.distances = {0.03};
+    settings.densities = {"1 + x"};
+    const ClassSet set = throw_classes(settings, 1, density_place);
+    for (const char* unit : {"2^-900", "2^1021"}) {
+        settings.densities = {std::string(unit) + "*(1 + x)"};
+        EXPECT_EQ(throw_classes(settings, 1, density_place).points, set.points) << unit;
+    }
+    settings.densities = {"2^-1068*(1 + x)"}; // of a few digits, which divided cells would lose
+    EXPECT_LT(density_error(throw_classes(settings, 1, density_place), 0), 0.05);
 }
 
 TEST(ClassDensities, LeavePlacesOfNoDensityEmpty)
@@ -207,6 +224,43 @@ TEST(ClassFeatures, HaveTheirNumbers)
               (FeatureCounts{{{10, 0}, {0, 0}, {25, 0}, {0, 0}}}));
 }
 
+/// A feature of two polygons that overlap has the area of their union, and is no overlap of features.
+TEST(ClassFeatures, MayHavePolygonsThatOverlap)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "beds.geojson";
+    write_whole_file(file, R"({"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"rate": 0.1}, "geometry": {"type": "MultiPolygon", "coordinates": [
+ [[[1000,0],[1020,0],[1020,10],[1000,10],[1000,0]]], [[[1010,0],[1030,0],[1030,10],[1010,10],[1010,0]]]]}},
+{"type": "Feature", "properties": {"rate": 0.001}, "geometry":
+ {"type": "Polygon", "coordinates": [[[1030,0],[1050,0],[1050,10],[1030,10],[1030,0]]]}}]})");
+    ClassSettings settings;
+    settings.place.region = file.string();
+    settings.features.densities = {"rate"};
+    EXPECT_EQ(throw_classes(settings, 1, density_place).points.classes.size(), 30U); // 30 and 0.2
+    settings.densities = {"x < 1003 ? 1 : 0"};
+    settings.distances = {1.5};
+    EXPECT_THAT(message_of([&] { throw_classes(settings, 1, density_place); }), testing::HasSubstr("is full with"));
+    settings.densities = {"x < 1003 ? 1 : 0.1"};
+    EXPECT_THAT(density_notes(throw_classes(settings, 1, density_place)),
+                testing::ElementsAre(testing::HasSubstr("a sixteenth of the density has ")));
+}
+
+/// Densities of features that round to no point are not 0.
+TEST(ClassFeatures, WithoutAPointAreRefused)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "few.geojson";
+    write_whole_file(file, R"({"type": "Feature", "properties": {"few": 0.001}, "geometry": {"type": "Polygon",
+"coordinates": [[[1000,0],[1020,0],[1020,10],[1000,10],[1000,0]]]}})");
+    ClassSettings settings;
+    settings.place.region = file.string();
+    settings.features.densities = {"few"};
+    EXPECT_EQ(message_of([&] { throw_classes(settings, 1, density_place); }),
+              "few.geojson: no feature has points of class 0: few is 0 everywhere, or times the area less than half a "
+              "point");
+}
+
 TEST(ClassFeatures, AreRefusedInOneLine)
 {
     const auto message = [](const ParkFile& park, const std::function<void(ClassSettings&)>& change) {
@@ -233,17 +287,17 @@ TEST(ClassFeatures, AreRefusedInOneLine)
                       [](ClassSettings& s) {
                           s.densities = {"1", "y > 35 ? 1 : 0"};
                       }),
-              "y > 35 ? 1 : 0: is 0 everywhere in the region");
+              "y > 35 ? 1 : 0: is 0 everywhere in the region, or nearly");
     EXPECT_THAT(message(park,
                         [](ClassSettings& s) {
                             s.densities = {"1", "x - 1020"};
                         }),
-                testing::MatchesRegex("x - 1020: is -[0-9.]+ at 10[0-9.]+, [0-9.]+ in the region: must be 0 or more"));
+                testing::MatchesRegex("x - 1020: is -[0-9.]+ at 10[0-9.]+, [0-9.]+ in the region: must be a finite number of at least 0"));
     EXPECT_THAT(message(park,
                         [](ClassSettings& s) {
                             s.densities = {"1", "sqrt(x - 1020)"};
                         }),
-                testing::MatchesRegex("sqrt.x - 1020.: is -?nan at .* in the region: must be 0 or more"));
+                testing::MatchesRegex("sqrt.x - 1020.: is -?nan at .* in the region: must be a finite number of at least 0"));
     EXPECT_EQ(message(park, [](ClassSettings& s) { s.place.region = "rectangle 0 0 1 1"; }),
               "rectangle 0 0 1 1: has no features: a FeatureCollection of GeoJSON has some");
 }

@@ -159,6 +159,25 @@ TEST(SurfaceDensities, AreEven)
     EXPECT_GT(least, 0.5);
 }
 
+/// A peak at the pole of a sphere that takes 10^-7 of its area, and that none of 131,072 places meets, is told of. A
+/// density whose largest place is a corner that places come near to is not.
+TEST(SurfaceDensities, TellOfPeaksAtCorners)
+{
+    MeshPointSettings settings;
+    const TriangleMesh mesh = sphere_mesh(12);
+    settings.read = std::make_shared<const SurfaceMesh>(SurfaceMesh{mesh, fixed_surface(mesh)});
+    settings.method = SurfaceMethod::elimination;
+    settings.points = 20;
+    const auto notes = [&](const std::string& density) {
+        settings.density = density;
+        return make_surface_set(settings, 1, {.engine = Engine::reference, .device = {}}).notes;
+    };
+    EXPECT_THAT(notes("1 + z"), testing::IsEmpty());
+    EXPECT_THAT(notes("1 + 9*exp(-1e7*(x*x + y*y + (z - 1)^2))"),
+                testing::ElementsAre("the density is more than a tenth larger at 24 of 1584 corners of triangles than "
+                                     "the largest value that was looked for: peaks are flattened"));
+}
+
 /// Units of a density do not matter, however large or small: powers of two change no digit.
 TEST(SurfaceDensities, HaveAnyUnit)
 {

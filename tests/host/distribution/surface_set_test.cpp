@@ -177,6 +177,27 @@ TEST(SurfaceSets, StayEvenWhereGivenPointsAreNear)
                                                                       "than the 0.0[34][0-9]+ that new points keep")));
 }
 
+/// Points of the start stay where they are, also beside obstacles; a note counts those that see an obstacle near.
+TEST(SurfaceSets, SayWhereTheStartIsNearObstacles)
+{
+    MeshPointSettings settings = settings_on(square_mesh());
+    settings.min_distance = 0.125;
+    const TemporaryFolder folder;
+    settings.start = folder.path() / "start.csv";
+    settings.obstacles = folder.path() / "obstacles.csv";
+    write_points(settings.start, {3, {0.25, 0.25, 0, 0.75, 0.75, 0, 0.75, 0.25, 0}});
+    write_points(settings.obstacles, {3, {0.25, 0.375, 0}}); // exactly as far away as new points would be
+    EXPECT_THAT(make_surface_set(settings, 1, on_reference).notes, testing::IsEmpty());
+    write_points(settings.obstacles, {3, {0.25, 0.37, 0}});
+    EXPECT_THAT(
+        make_surface_set(settings, 1, on_reference).notes,
+        testing::ElementsAre("a point of the start is nearer to an obstacle than the 0.125 that new points keep"));
+    write_points(settings.obstacles, {3, {0.25, 0.25, 0, 0.75, 0.7, 0}});
+    EXPECT_THAT(
+        make_surface_set(settings, 1, on_reference).notes,
+        testing::ElementsAre("2 points of the start are nearer to an obstacle than the 0.125 that new points keep"));
+}
+
 TEST(SurfaceSets, KeepAwayFromObstacles)
 {
     MeshPointSettings settings = settings_on(sphere_mesh(12));

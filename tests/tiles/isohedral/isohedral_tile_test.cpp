@@ -125,6 +125,51 @@ TEST(IsohedralTiles, TakeColouringsByAnyPermutations)
     }
 }
 
+/// A window of 12 units holds all that colourings of up to 4 colours do: they repeat after at most 4 units, or 6.
+TEST(IsohedralTiles, SayWhichColouringsArePerfectAndProper)
+{
+    std::array<int, 2> perfect{}, proper{};
+    const auto expect_counted = [&](const IsohedralTile& tile, const TileColoring& coloring) {
+        bool is_function = true, differs = true;
+        for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
+            std::map<std::uint32_t, std::uint32_t> image;
+            for (std::uint32_t aspect = 0; aspect < tile.aspects().size(); ++aspect)
+                for (std::int32_t column = -6; column < 6; ++column)
+                    for (std::int32_t row = -6; row < 6; ++row) {
+                        const TilePlace place{aspect, column, row};
+                        const std::uint32_t color = coloring.of(place), to = coloring.of(tile.image(place, edge));
+                        is_function = is_function && image.try_emplace(color, to).first->second == to;
+                        differs = differs && color != coloring.of(tile.neighbour(place, edge));
+                    }
+        }
+        EXPECT_EQ(is_perfect(tile, coloring), is_function);
+        EXPECT_EQ(is_proper(tile, coloring), differs);
+        ++perfect[is_function];
+        ++proper[differs];
+    };
+    for (const IsohedralType& type : isohedral_types()) {
+        if (type.number % 3 != 0) continue;
+        const IsohedralTile tile(type, {});
+        for (std::uint32_t first = 0; first < 4; ++first)
+            for (std::uint32_t second = 0; second < 4; ++second) {
+                TileColoring shifts{4, {}, {first, second}};
+                for (std::uint32_t k = 0; k < tile.aspects().size(); ++k) shifts.aspects.push_back((2 * first + k) % 4);
+                expect_counted(tile, shifts);
+                shifts.permutations = {{{1, 2, 0, 3}, {1, 0, 2, 3}}};
+                expect_counted(tile, shifts);
+            }
+    }
+    // Colours that meet only from the second column on: IH41 has neighbours at (1, 0) and (0, 1).
+    const IsohedralTile squares(isohedral_types()[40], {});
+    const TileColoring later{3, {0}, {}, {{{1, 2, 0}, {1, 0, 2}}}};
+    EXPECT_NE(later.of({0, 0, 0}), later.of({0, 0, 1}));
+    EXPECT_EQ(later.of({0, 2, 0}), later.of({0, 2, 1}));
+    EXPECT_FALSE(is_proper(squares, later));
+    EXPECT_TRUE(is_proper(squares, {4, {0}, {}, {{{1, 0, 3, 2}, {2, 3, 0, 1}}}}));
+    for (const auto& counts : {perfect, proper})
+        for (const int count : counts) EXPECT_GT(count, 10);
+}
+
 TEST(IsohedralTiles, ColouringsTellNeighboursApart)
 {
     int perfect = 0;

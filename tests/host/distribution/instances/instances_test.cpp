@@ -219,6 +219,8 @@ TEST(Instances, StandOnTheirTerrain)
     }
     settings.terrain = "1/x/0";
     EXPECT_THAT(message_of([&] { terrain_of(settings); }), testing::HasSubstr("must be finite"));
+    settings.terrain = "1e7 * y";
+    EXPECT_THAT(message_of([&] { terrain_of(settings); }), testing::HasSubstr("must be at most 1000000 up or down"));
 }
 
 /// A million units of a hair's breadth have few instances, and their tiles far too many points.
