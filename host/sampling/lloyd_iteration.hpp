@@ -89,9 +89,10 @@ inline std::size_t next_batch(std::size_t points, int dimension, std::size_t mad
 /// from the start.
 ///
 /// Where an iterate within a batch turns out to be the one to keep, its points are made once more, from those that the
-/// batch began with.
+/// batch began with. `work` is a number of points whose Lloyd iterations take as long, not below `points`: batches are
+/// as long as theirs.
 template <typename State>
-LloydResult run_batches(State& state, std::size_t points, int dimension, const LloydRequest& request)
+LloydResult run_batches(State& state, std::size_t points, std::size_t work, int dimension, const LloydRequest& request)
 {
     IterationCourse course(points, dimension, request);
     const bool may_go_back = request.keep_best || request.until_relative_radius <= 1;
@@ -101,7 +102,7 @@ LloydResult run_batches(State& state, std::size_t points, int dimension, const L
         stop_if_interrupted();
         const std::size_t made = course.iterations().size();
         if (made > 0) state.move();
-        const std::size_t count = next_batch(points, dimension, made, request.iterations);
+        const std::size_t count = next_batch(work, dimension, made, request.iterations);
         const PointSet before = may_go_back && count > 1 ? state.points() : PointSet{};
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) state.move();

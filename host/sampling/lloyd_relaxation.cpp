@@ -60,7 +60,7 @@ LloydRelaxation::LloydRelaxation(Device device, std::size_t work_group_size)
 LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain, const LloydRequest& request)
 {
     DeviceState state(device_, points, domain, work_group_size_);
-    return run_batches(state, points.size(), points.dimension, request);
+    return run_batches(state, points.size(), points.size(), points.dimension, request);
 }
 
 DeviceMemory LloydRelaxation::memory(int dimension, std::size_t points)

@@ -34,7 +34,9 @@ std::size_t sets_at_once(const LloydRequest& request, std::size_t points, int di
 {
     if (points == 0 || dimension != 2 || request.keep_best || request.until_relative_radius <= 1) return 0;
     constexpr std::size_t moves_at_once = std::size_t{1} << 26; // seconds
-    return std::min(LloydSets::most_sets(points), moves_at_once / (points * (request.iterations + 1)));
+    constexpr std::size_t points_of_record = 64;                // so that records of iterations stay few
+    const std::size_t moves = std::max(points, points_of_record) * (request.iterations + 1);
+    return std::min(LloydSets::most_sets(points), moves_at_once / moves);
 }
 
 class LloydSampler final : public StartedSampler
@@ -46,11 +48,7 @@ public:
           request_(lloyd_request(parameters)), repels_(parameters.flag("repulsion"))
     {}
 
-    void expect(std::uint32_t first, std::uint32_t count) override
-    {
-        StartedSampler::expect(first, count);
-        sets_.expect(first, count);
-    }
+    void expect(std::uint32_t first, std::uint32_t count) override { sets_.expect(first, count); }
 
     PointSet sample(std::uint32_t realization) override
     {
@@ -75,20 +73,36 @@ public:
     }
 
 private:
+    bool are_faster(std::size_t sets, std::size_t points) const
+    {
+        return LloydSets::are_faster(device_->info(), sets, points) &&
+               fits(LloydSets::memory(sets, points), device_->info());
+    }
+
+    /// The start of a realization, and those of the sets that are relaxed beside it.
+    std::vector<PointSet> starts_from(std::uint32_t realization)
+    {
+        std::vector<PointSet> starts{start(realization)};
+        const std::size_t points = starts[0].size(), most = sets_at_once(request_, points, starts[0].dimension);
+        const std::uint32_t count = sets_.expected_from(realization, most);
+        if (StartedSampler::traits().sizes_vary || most == 0 || !are_faster(count, points)) return starts;
+        try {
+            while (starts.size() < count && starts.back().size() == points)
+                starts.push_back(start(realization + static_cast<std::uint32_t>(starts.size())));
+        } catch (const InputError&) {
+            // A start that fails does so again in its turn, after the sets before it were stored.
+        }
+        if (starts.back().size() != points) starts.pop_back();
+        return starts;
+    }
+
     /// Relaxes the set of a realization, and those that are expected after it where they are faster side by side.
     std::vector<LloydResult> relax_from(std::uint32_t realization)
     {
-        std::vector<PointSet> starts{start(realization)};
-        const std::size_t most = sets_at_once(request_, starts[0].size(), starts[0].dimension);
-        if (most == 0) return {LloydRelaxation(*device_).relax(starts[0], {}, request_)};
-        const std::uint32_t count = sets_.expected_from(realization, most);
-        const auto are_faster = [&](std::size_t sets) {
-            return LloydSets::are_faster(device_->info(), sets, starts[0].size());
-        };
-        while (are_faster(count) && starts.size() < count && starts.back().size() == starts[0].size())
-            starts.push_back(start(realization + static_cast<std::uint32_t>(starts.size())));
-        if (starts.back().size() != starts[0].size()) starts.pop_back();
-        if (are_faster(starts.size())) return LloydSets(*device_).relax(starts, request_.iterations);
+        const std::vector<PointSet> starts = starts_from(realization);
+        const bool has_few = sets_at_once(request_, starts[0].size(), starts[0].dimension) > 0;
+        if (has_few && are_faster(starts.size(), starts[0].size()))
+            return LloydSets(*device_).relax(starts, request_.iterations);
         return {LloydRelaxation(*device_).relax(starts[0], {}, request_)};
     }
 

@@ -26,7 +26,6 @@ void describe_start(SamplerSpec& spec, const MemoryOfPoints& memory);
 class StartedSampler : public DeviceSampler
 {
 public:
-    void expect(std::uint32_t first, std::uint32_t count) override { start_->expect(first, count); }
     SetTraits traits() const override { return {.sizes_vary = start_->traits().sizes_vary, .iterations = iterations_}; }
 
 protected:

@@ -22,7 +22,7 @@ enum class QuiltingCut
 inline constexpr WordTable<QuiltingCut, 2> quilting_cuts{
     {{{QuiltingCut::minimum_cut, "min-cut"}, {QuiltingCut::path, "path"}}}};
 
-/// How the windows are found that are cut for a piece.
+/// The way in which windows are found that are cut for a piece.
 enum class PieceSearch
 {
     area,    ///< the smallest sums of squared differences over all pixels that may be cut

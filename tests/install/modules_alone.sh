@@ -26,18 +26,21 @@ objects_of() {
   [[ $file != */Unity/* ]] || files=$(sed -n 's/^#include "\(.*\)"$/\1/p' "$file")
   for file in $files; do
     object=$folder/objects/$(basename "$(dirname "$file")")_$(basename "$file").o
-    [[ $file == "$source"/* && -f $object ]] || bash -c "$compiler -o '$object' -c '$file'"
+    if [[ $file != "$source"/* || ! -f $object ]]; then
+      rm -f "$object" # that of another program: without one, linking fails where compiling does
+      bash -c "$compiler -o '$object' -c '$file'"
+    fi
     echo "$object"
   done
 }
 
 # link_alone MODULE: prints what is undefined in the program with this module; status 1 if it does not link.
 link_alone() {
-  cmake -S "$source" -B "$program" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPOISSONLAB_MODULES=$1" >"$folder/configure.log" 2>&1
-  ninja -C "$program" -t commands poissonlab >"$folder/commands"
+  cmake -S "$source" -B "$program" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPOISSONLAB_MODULES=$1" 2>&1 || return
+  ninja -C "$program" -t commands poissonlab >"$folder/commands" || return
   cd "$program"
   local link command
-  link=$(grep -E -- ' -o poissonlab( |$)' "$folder/commands")
+  link=$(grep -E -- ' -o poissonlab( |$)' "$folder/commands") || return # no command would be one that succeeds
   # The lists of modules and the files that stand in for modules, with the precompiled header of the build (as
   # position-independent code, which the build is for Python) or, where its options are others, without one.
   while read -r command; do
@@ -52,7 +55,7 @@ for module in methods own_methods results tiles other_tiles tilings regions dist
   large_sets particles point_formats processes reference space tile_measures zone_plate; do
   if ! (link_alone "$module") >"$folder/$module.out" 2>&1; then
     echo "the program with the module $module alone does not link:"
-    grep -oE '(undefined reference|multiple definition|error).*' "$folder/$module.out" | head -n 20
+    grep -ioE '(undefined reference|multiple definition|error|no such file).*' "$folder/$module.out" | head -n 20
     status=1
   fi
 done

@@ -8,6 +8,7 @@
 #include "host/sampling/optimized/gaussian_forces.hpp"
 #include "host/sampling/point_summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -153,7 +154,10 @@ GaussianBlueNoise::GaussianBlueNoise(Device device, std::size_t work_group_size)
 LloydResult GaussianBlueNoise::descend(const PointSet& points, const GaussianRequest& request)
 {
     GaussianState state(device_, points, request, work_group_size_);
-    return run_batches(state, points.size(), points.dimension, {.iterations = request.iterations});
+    // Each point has as many neighbours within its Gaussian as its volume says.
+    const double work = static_cast<double>(points.size()) * std::max(1.0, std::pow(request.sigma, points.dimension));
+    return run_batches(state, points.size(), static_cast<std::size_t>(work), points.dimension,
+                       {.iterations = request.iterations});
 }
 
 DeviceMemory GaussianBlueNoise::memory(double sigma, std::size_t points, int dimension)

@@ -119,5 +119,41 @@ TEST(LloydSets, AreTheRealizationsOfTheSampler)
     }
 }
 
+/// Random points, none for realization 4, and from 6 on one more in each set than in the one before.
+class StartThatFails final : public Sampler
+{
+public:
+    PointSet sample(std::uint32_t realization) override
+    {
+        if (realization == 4) throw InputError("no points for 4");
+        std::mt19937_64 random(realization);
+        return test::random_points(realization < 6 ? 200 : 194 + realization, 2, random);
+    }
+    void expect(std::uint32_t, std::uint32_t) override { ADD_FAILURE() << "times of sets would be those of others"; }
+};
+
+TEST(LloydSets, AreMadeBeforeAStartThatFails)
+{
+    Device device = Device::open();
+    SamplerSpec start;
+    start.create = [](const auto&, const auto&, Engine, const auto&) { return std::make_unique<StartThatFails>(); };
+    for (const std::string name : {"lloyd", "gaussian-blue-noise"}) {
+        const SamplerSpec& spec = *find_sampler(name);
+        Parameters parameters(spec.parameters);
+        parameters.set("iterations", std::int64_t{3}, {});
+        parameters.set("start", std::make_shared<const SamplerChoice>(SamplerChoice{&start, {}}), {});
+        const auto create = [&] {
+            return spec.create(parameters, {.points = 200, .dimension = 2, .seed = 5}, Engine::opencl,
+                               [&]() -> Device& { return device; });
+        };
+        const auto alone = create(), sampler = create();
+        for (const std::uint32_t realization : {1, 2, 3, 5, 6, 7, 8}) {
+            sampler->expect(realization, 9 - realization);
+            EXPECT_EQ(sampler->sample(realization), alone->sample(realization)) << name << realization;
+        }
+        EXPECT_THROW(sampler->sample(4), InputError);
+    }
+}
+
 }
 }
