@@ -16,7 +16,7 @@
 
 namespace poissonlab {
 
-/// How plants stand, beside where.
+/// The ways in which plants stand, besides their places.
 struct PlantLooks
 {
     std::uint32_t models = 1;

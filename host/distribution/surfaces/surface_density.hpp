@@ -32,7 +32,7 @@ public:
     /// The density at a point, in any unit. Throws InputError, with the place, where it is negative or not finite.
     double at(const FixedSurface& surface, const SurfacePoint& point);
 
-    /// What the text gives there, which may be negative or not finite.
+    /// The value of the text there, which may be negative or not finite.
     double value_at(const FixedSurface& surface, const SurfacePoint& point);
 
     const std::string& name() const { return name_; }

@@ -288,16 +288,19 @@ TEST(ClassFeatures, AreRefusedInOneLine)
                           s.densities = {"1", "y > 35 ? 1 : 0"};
                       }),
               "y > 35 ? 1 : 0: is 0 everywhere in the region, or nearly");
-    EXPECT_THAT(message(park,
-                        [](ClassSettings& s) {
-                            s.densities = {"1", "x - 1020"};
-                        }),
-                testing::MatchesRegex("x - 1020: is -[0-9.]+ at 10[0-9.]+, [0-9.]+ in the region: must be a finite number of at least 0"));
-    EXPECT_THAT(message(park,
-                        [](ClassSettings& s) {
-                            s.densities = {"1", "sqrt(x - 1020)"};
-                        }),
-                testing::MatchesRegex("sqrt.x - 1020.: is -?nan at .* in the region: must be a finite number of at least 0"));
+    EXPECT_THAT(
+        message(park,
+                [](ClassSettings& s) {
+                    s.densities = {"1", "x - 1020"};
+                }),
+        testing::MatchesRegex(
+            "x - 1020: is -[0-9.]+ at 10[0-9.]+, [0-9.]+ in the region: must be a finite number of at least 0"));
+    EXPECT_THAT(
+        message(park,
+                [](ClassSettings& s) {
+                    s.densities = {"1", "sqrt(x - 1020)"};
+                }),
+        testing::MatchesRegex("sqrt.x - 1020.: is -?nan at .* in the region: must be a finite number of at least 0"));
     EXPECT_EQ(message(park, [](ClassSettings& s) { s.place.region = "rectangle 0 0 1 1"; }),
               "rectangle 0 0 1 1: has no features: a FeatureCollection of GeoJSON has some");
 }

@@ -48,7 +48,7 @@ struct RayHit
     double margin = INFINITY; ///< of the ray from the borders of triangles that it meets or nearly meets
 };
 
-/// Where a ray meets the triangle, by Möller and Trumbore: its distance and the weights of the corners.
+/// The place at which a ray meets the triangle, by Möller and Trumbore: its distance and the weights of the corners.
 inline std::optional<std::array<double, 4>> met(const MeshPoint& from, const MeshPoint& along, const LitTriangle& t)
 {
     const MeshPoint a = difference(t.v[1].place, t.v[0].place), b = difference(t.v[2].place, t.v[0].place);
