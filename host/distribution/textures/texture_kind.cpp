@@ -92,8 +92,8 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_advised = false)
     keys.integer("stages", r.stages, 0, 3, "3, 1: without pieces around edges, or 0: without new pieces");
     keys.integer("candidates", r.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
     keys.word("search", r.search, piece_searches,
-              "with one stage: these windows are the most similar ones in all that may be cut, or in the costs of cuts "
-              "around the circle or near the middles of sides");
+              "with stages = 1: windows that are cut are those that differ least from the patches in all of the area "
+              "that may be cut, or whose costs of cuts are least around the circle or near the middles of sides");
     keys.integer("attempts", r.attempts, 1, most_texture_attempts,
                  "sets of patches that are drawn, of which the best is taken; with joint where patches that are chosen "
                  "together do not fit");
