@@ -50,6 +50,7 @@ std::string placed_key(const Kind& kind)
 bool is_text(const KeySpec& spec)
 {
     const ValueKind kind = spec.value.kind;
+    if (kind == ValueKind::text && spec.count > 1) return true; // a list of texts
     return spec.own.empty() && (kind == ValueKind::text || kind == ValueKind::choice || kind == ValueKind::sampler);
 }
 

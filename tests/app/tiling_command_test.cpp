@@ -149,7 +149,7 @@ TEST_F(TilingCommand, WrongArguments)
         "tiling: --algorithm one-hsah: must be one of \"edge-hash\", \"two-hashes\", \"one-hash\", \"scanline\", "
         "\"scanline-compact\", \"culik\", \"kari\", \"ammann\"; did you mean \"one-hash\"?");
     expect_error("wang --colors 2 --hash md5 --window 0 0 1 1",
-                 "tiling: --hash md5: must be one of \"permutation\", \"long-period\", \"xxh64\"");
+                 "tiling: --hash md5: must be one of \"permutation\", \"long-period\", \"xxh64\", \"two-tables\"");
     expect_error("corner --colors 2 --window 0 0 1 1 --period -1",
                  "tiling: --period -1: must be [MX, MY], or the first of these, integers of at least 0");
     expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3",

@@ -29,10 +29,12 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
     keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
         .required();
     keys.words(
-        "methods", s.methods,
-        {std::string(surface_methods[SurfaceMethod::elimination]), std::string(surface_methods[SurfaceMethod::lloyd])},
-        "methods that make as many points on the mesh, to be compared; random points and dart throwing are always "
-        "compared");
+            "methods", s.methods,
+            {std::string(surface_methods[SurfaceMethod::elimination]),
+             std::string(surface_methods[SurfaceMethod::lloyd])},
+            "methods that make as many points on the mesh, to be compared; random points and dart throwing are always "
+            "compared")
+        .otherwise("none");
     keys.integer("points", s.points, 2, max_points, "the number of points of methods")
         .excludes("set")
         .otherwise("as many as the set has");

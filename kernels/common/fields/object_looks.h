@@ -85,7 +85,7 @@ struct ObjectScene
     uint ripples;             ///< the colour into which noise fades the background; the same: none
     float noise_cells;        ///< of the noise, a tile
     uint shows;               ///< SHOWS_LAYERS, ...
-    uint has_bodies;          ///< layers are faces of bodies in space
+    uint has_bodies, unused;  ///< layers are faces of bodies in space; fills the record
     uint palette[MAX_COLORS]; ///< 0xrrggbb
 };
 
