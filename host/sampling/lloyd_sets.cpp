@@ -19,7 +19,7 @@ using contract::lloyd_sets::Sets;
 
 auto grid_of(std::size_t points) { return whole_grid(VoronoiKernels::cells_per_axis(2, points), 2); }
 
-/// Those of all sets, one after the other.
+/// Each buffer has its values of all sets, one set after the other.
 struct SetBuffers
 {
     Buffer<double> positions, sorted, areas, displacements, energies, squared_near, sums, smallest;

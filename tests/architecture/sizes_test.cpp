@@ -22,7 +22,7 @@ constexpr std::ptrdiff_t most_lines = 600, usual_lines = 300;
 /// One file in so many may have more than `usual_lines`.
 constexpr std::ptrdiff_t files_per_long_file = 25;
 
-constexpr int most_files_in_a_folder = 38, most_files_in_a_folder_of_tests = 64;
+constexpr int most_files_in_a_folder = 37, most_files_in_a_folder_of_tests = 64;
 
 std::ptrdiff_t line_count(const SourceFile& file) { return std::ranges::count(file.text, '\n'); }
 
