@@ -155,12 +155,12 @@ DistributionResult make_aperiodic_tables(const AperiodicTableSettings& settings,
     }
     const auto searched = search_constructions(settings.width);
     result.tables.push_back(period_table(searched, settings.width));
-    result.facts = {"the sets of 24 and 32 Wang tiles are printed as pictures in a book only and are not available",
+    result.facts = {"the set of 32 Wang tiles is printed as a picture in a book only and is not available",
                     "\"failed\" is explained where several patterns of Wang tiles give the same corner tile: the "
                     "dissertation gives no reason"};
     result.numbers = {{"numbers", "Numbers compared", tallies.numbers, "of tables 8.1 to 8.7"},
                       {"same", "Numbers that are the same", tallies.same, ""},
-                      {"unavailable", "Numbers not available", tallies.unavailable, "of the sets 24/24 and 32/16"}};
+                      {"unavailable", "Numbers not available", tallies.unavailable, "of the set 32/16"}};
     add_smallest(searched, settings.width, files, result);
     return result;
 }

@@ -29,14 +29,15 @@ protected:
 TEST_F(AperiodicCommand, ListsTheSets)
 {
     EXPECT_THAT(printed("sets"), HasSubstr("kari              14        6           3         6  Kari 1996\n"));
-    EXPECT_THAT(printed("sets"), HasSubstr("not available: Robinson 24/24, "));
+    EXPECT_THAT(printed("sets"), HasSubstr("not available: Penrose 32/16, "));
     const Json sets = json("sets");
     ASSERT_EQ(sets.size(), 6U);
     EXPECT_EQ(sets[2]["name"], "ammann");
     EXPECT_EQ(sets[2]["tiles"], 16);
     EXPECT_EQ(sets[2]["colors"], 6);
     EXPECT_EQ(sets[2]["wang_tiles"].size(), 16U);
-    EXPECT_EQ(sets[3]["available"], false);
+    EXPECT_EQ(sets[3]["name"], "robinson");
+    EXPECT_EQ(sets[4]["available"], false);
 }
 
 TEST_F(AperiodicCommand, ConvertsAsTheDissertationsTables)
@@ -112,7 +113,7 @@ TEST_F(AperiodicCommand, PrintsTheTablesOfItsPage)
     EXPECT_EQ(page, content_of(source_folder() + "/docs/aperiodic-tiles.md"));
     // No number differs from those that are printed, and the largest set is there.
     EXPECT_THAT(page, Not(HasSubstr("**here")));
-    EXPECT_THAT(page, HasSubstr("| 160168/14810 | 1213029/58910 | 1642/777 |"));
+    EXPECT_THAT(page, HasSubstr("| 160168/14810 | 1213029/58910 | 1642/777 | 7092/2068 |"));
 }
 
 TEST_F(AperiodicCommand, PrintsTilings)
@@ -151,7 +152,7 @@ TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
 TEST_F(AperiodicCommand, WrongArguments)
 {
     expect_error("verify karj --width 3", "aperiodic verify: SET karj: must be one of \"culik\", \"kari\", \"ammann\", "
-                                          "\"jeandel-rao\", or a file of tiles; did you mean \"kari\"?");
+                                          "\"robinson\", \"jeandel-rao\", or a file of tiles; did you mean \"kari\"?");
     expect_error(
         "verify kari --width 0",
         "aperiodic verify: --width 0: must be an integer from 1 to 64 (see poissonlab aperiodic verify --help)");

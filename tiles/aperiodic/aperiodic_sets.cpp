@@ -35,13 +35,16 @@ WangTile tile_of(int north, int east, int south, int west)
     return {static_cast<Color>(north), static_cast<Color>(east), static_cast<Color>(south), static_cast<Color>(west)};
 }
 
-/// Four digits a tile, in the order that `places` says: of north, east, south and west.
+/// Four digits of a hexadecimal number a tile, in the order that `places` says: of north, east, south and west.
 template <std::size_t N>
 WangList listed(const std::array<const char*, N>& digits, const std::array<std::size_t, 4>& places)
 {
     std::vector<WangTile> tiles;
     for (const char* text : digits) {
-        const auto digit = [&](std::size_t edge) { return text[places[edge]] - '0'; };
+        const auto digit = [&](std::size_t edge) {
+            const char c = text[places[edge]];
+            return c <= '9' ? c - '0' : c - 'a' + 10;
+        };
         tiles.push_back(tile_of(digit(0), digit(1), digit(2), digit(3)));
     }
     return renumbered(std::move(tiles));
@@ -85,6 +88,14 @@ WangList ammann_tiles()
     return listed(west_north_east_south, {1, 2, 3, 0});
 }
 
+WangList robinson_tiles()
+{
+    constexpr std::array north_east_south_west{"00aa", "1100", "1220", "1370", "13a9", "2644", "3a16", "4033",
+                                               "409b", "40b5", "4753", "53aa", "5544", "5b66", "5ba4", "6647",
+                                               "7648", "8916", "9416", "a411", "a452", "a682", "a853", "b850"};
+    return listed(north_east_south_west, {0, 1, 2, 3});
+}
+
 WangList jeandel_rao_tiles()
 {
     constexpr std::array east_north_west_south{"2021", "2220", "1131", "1232", "3133", "0131",
@@ -100,7 +111,7 @@ const std::vector<AperiodicSet>& aperiodic_sets()
         {"kari", "Kari 14/6", "Kari 1996", kari_tiles, "8.4"},
         {"ammann", "Ammann 16/6", "Grünbaum and Shephard 1986 after Ammann, as listed by Stam 1997", ammann_tiles,
          "8.3"},
-        {"", "Robinson 24/24", "Robinson 1977", nullptr, "8.2", only_printed},
+        {"robinson", "Robinson 24/24", "Robinson 1977, derived anew from Ammann's tiles A2", robinson_tiles, "8.2"},
         {"", "Penrose 32/16", "Penrose", nullptr, "8.1", only_printed},
         {"jeandel-rao", "Jeandel and Rao 11/4", "Jeandel and Rao 2015, two of five colours merged", jeandel_rao_tiles}};
     return sets;

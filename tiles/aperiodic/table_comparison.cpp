@@ -1,10 +1,20 @@
 #include "tiles/aperiodic/table_comparison.hpp"
 
-#include "tiles/aperiodic/aperiodic_sets.hpp"
-
 #include <algorithm>
 
 namespace poissonlab {
+
+WangList counted_tiles(const AperiodicSet& set)
+{
+    WangList list = set.tiles();
+    if (set.name != "robinson") return list;
+    for (WangTile& tile : list.tiles) {
+        tile.east += list.colors.horizontal;
+        tile.west += list.colors.horizontal;
+    }
+    list.colors.vertical += list.colors.horizontal;
+    return list;
+}
 
 const std::vector<PrintedColumn>& printed_columns()
 {
@@ -57,7 +67,8 @@ std::vector<ComparedColumn> compare_tables(const std::function<void(const Printe
         if (set != aperiodic_sets().end()) {
             column.here.emplace();
             const std::size_t repetitions = std::max<std::size_t>(1, printed.steps.size());
-            for (const ConstructionStep& step : repeat_construction(set->tiles(), printed.construction, repetitions)) {
+            for (const ConstructionStep& step :
+                 repeat_construction(counted_tiles(*set), printed.construction, repetitions)) {
                 const bool is_last = column.here->size() + 1 == printed.steps.size(); // without Wang colours
                 column.here->push_back(
                     {step.corners.list.tiles.size(), step.corners.list.colors, is_last ? 0 : color_count(step.wang)});
@@ -79,7 +90,7 @@ std::vector<SearchedColumn> search_constructions(std::size_t width)
         if (set.tiles == nullptr) continue;
         for (std::size_t i = 0; i < corner_constructions.all().size(); ++i) {
             const auto construction = static_cast<CornerConstruction>(i);
-            CornerList corners = construct_corners(set.tiles(), construction).list;
+            CornerList corners = construct_corners(counted_tiles(set), construction).list;
             PeriodSearch search = search_periods(wang_list_of(corners), width);
             columns.push_back({set.title, construction, std::move(corners), std::move(search)});
         }

@@ -1,6 +1,7 @@
 // The dissertation's tables 8.1 to 8.7 beside what the laboratory computes.
 #pragma once
 
+#include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
 #include "tiles/aperiodic/cylinder_search.hpp"
 
@@ -38,6 +39,10 @@ struct PrintedColumn
 
 /// All columns, table after table. The first steps are tables 8.1 and 8.2.
 const std::vector<PrintedColumn>& printed_columns();
+
+/// The tiles of a set, with colours as the dissertation counts them: of Robinson's set it numbers those of horizontal
+/// and vertical edges in one sequence, so that 12 and 12 are 24.
+WangList counted_tiles(const AperiodicSet& set);
 
 /// A column of a table, with the steps as they are here; none where the set is not available.
 struct ComparedColumn

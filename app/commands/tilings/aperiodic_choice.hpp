@@ -13,7 +13,7 @@
 namespace poissonlab {
 
 /// The help explains the argument that names a set by this.
-inline constexpr auto aperiodic_set_help = "culik, kari, ammann, jeandel-rao, or the file of a set";
+inline constexpr auto aperiodic_set_help = "culik, kari, ammann, robinson, jeandel-rao, or the file of a set";
 
 /// A set of Wang tiles; where it was made of corner tiles, also those.
 struct ChosenTiles

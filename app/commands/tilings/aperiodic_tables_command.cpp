@@ -28,9 +28,38 @@ tiles, and Wang tiles of those again. This page is what `poissonlab aperiodic ta
 to 8.7 that can be computed, beside the one that is printed there. A cell is tiles/colours of corner tiles and, in
 brackets, the colours of the Wang tiles made of them, of which there are as many. The first rows are tables 8.1 and 8.2.
 
-The sets of 24 and 32 Wang tiles are printed as pictures only (Grünbaum and Shephard, *Tilings and Patterns*, page 593);
-their columns are not checked. "Failed" is explained by what is counted: several patterns of Wang tiles give the same
-corner tile, so that corner tiles do not tell the Wang tiles they come from. The dissertation gives no reason.
+The sets of 24 and 32 Wang tiles are printed as pictures only (Grünbaum and Shephard, *Tilings and Patterns*, page 593).
+That of 24 tiles, Robinson's, is derived anew, as the end of this page says, and all numbers that are printed of it come
+out. That of 32 tiles, Penrose's, is not available, and its column is not checked. "Failed" is explained by what is
+counted: several patterns of Wang tiles give the same corner tile, so that corner tiles do not tell the Wang tiles they
+come from. The dissertation gives no reason.
+)";
+
+constexpr auto derivations =
+    R"(
+## The sets of 24 and 32 Wang tiles
+
+**24 tiles.** In a tiling with Ammann's two L-shaped tiles A2, some edges end at two junctions of three tiles and lie
+between two large tiles. When each of these is shrunk to one of its ends, tiles have four neighbours each and lie in a
+square grid, one Wang tile for each. Such edges are straight or L-shaped, and each kind has two ends. Two of the four
+choices give 24 tiles with 12 colours of horizontal edges and 12 of vertical ones, if sides have the same colour only
+where the tiling makes them meet, and one of the two gives the printed numbers: all 57, from 203 to 7,092 corner tiles. So
+this is Robinson's set up to the names of colours, and reflections, as far as numbers can tell. The dissertation counts
+its colours as 24. The script `tests/tiles/aperiodic/robinson_tiles.py` derives the set with exact numbers. The 62 corner
+tiles that the horizontal construction makes of it, in tables 8.1 and 8.4, are not aperiodic: they have a tiling that
+repeats 2 × 1 tiles, moved by one tile from row to row, which
+`poissonlab aperiodic verify robinson --construction horizontal --width 2` finds.
+
+**32 tiles.** The dissertation says that they come of cutting up a tiling with Penrose's kites and darts, and no more. The
+table lists what was tried, with colours as above. None has the printed 32 tiles, 28 colours of both kinds of edges, 114
+squares of 2 × 2 tiles, and 58 black tiles.
+
+| grid | Wang tiles | colours of horizontal, vertical edges | squares of 2 × 2 tiles | black tiles |
+| --- | --- | --- | --- | --- |
+| Ammann bars of two neighbouring directions | 24 | 10, 10 | 100 | 42 |
+| Ammann bars of two other directions | 38 | 14, 14 | 236 | 56 |
+| neighbouring directions, with paths along kites and darts, and edges of both paths shrunk to an end: eight choices | 34, 35, 36, 37, 40 | 15 to 20 of each | 124 to 184 | 52 to 66 |
+| neighbouring directions, with marks at vertices of kites and darts, 2,116 choices: the two nearest ones | 28, 34 | 14, 12 and 18, 16 | 114, 118 | 46, 58 |
 )";
 
 constexpr auto periods_head =
@@ -163,6 +192,7 @@ void print_tables(const bool& as_json)
     fmt::print("{}", tables_head);
     for (const char* table : {"8.3", "8.4", "8.7", "8.5", "8.6"}) print_table(table, columns);
     print_periods();
+    fmt::print("{}", derivations);
 }
 
 }

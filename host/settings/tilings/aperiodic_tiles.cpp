@@ -33,7 +33,7 @@ std::vector<std::string> aperiodic_words(TileKind kind, bool has_tiling)
 {
     std::vector<std::string> words;
     for (const std::string& set : aperiodic_set_names()) {
-        if (has_tiling && set == "jeandel-rao") continue; // by search only, which has no places
+        if (has_tiling && (set == "robinson" || set == "jeandel-rao")) continue; // by search only, which has no places
         if (kind == TileKind::wang) words.push_back(set);
         if (kind != TileKind::corner) continue;
         for (const std::string& construction : corner_constructions.all()) words.push_back(set + "-" + construction);

@@ -47,6 +47,7 @@ TEST_F(AperiodicSchemes, TablesAreThoseOfTheDissertationAndItsSmallestSetRepeats
     const DistributionResult result = made(AperiodicTableSettings{3});
     EXPECT_GT(number_of(result, "numbers"), 100);
     EXPECT_EQ(number_of(result, "same"), number_of(result, "numbers"));
+    EXPECT_EQ(number_of(result, "unavailable"), 35) << "all of the set 32/16";
     EXPECT_EQ(number_of(result, "claimed_tiles"), 44);
     EXPECT_EQ(number_of(result, "claimed_period_width"), 2);
     EXPECT_EQ(number_of(result, "claimed_period_height"), 3);

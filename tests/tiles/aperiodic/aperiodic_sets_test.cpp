@@ -24,8 +24,9 @@ TEST(AperiodicSets, HaveTheirPrintedNumbers)
     EXPECT_THAT(size_of(culik_tiles()), ElementsAre(13, 4, 5));
     EXPECT_THAT(size_of(kari_tiles()), ElementsAre(14, 3, 6));
     EXPECT_THAT(size_of(ammann_tiles()), ElementsAre(16, 6, 6));
+    EXPECT_THAT(size_of(robinson_tiles()), ElementsAre(24, 12, 12));
     EXPECT_THAT(size_of(jeandel_rao_tiles()), ElementsAre(11, 4, 4));
-    EXPECT_THAT(aperiodic_set_names(), ElementsAre("culik", "kari", "ammann", "jeandel-rao"));
+    EXPECT_THAT(aperiodic_set_names(), ElementsAre("culik", "kari", "ammann", "robinson", "jeandel-rao"));
 }
 
 TEST(AperiodicSets, HaveNoTileTwiceAndNoColourOnOneSideOnly)
@@ -81,7 +82,7 @@ TEST(AperiodicSets, MultiplyAsKariAndCulikSay)
 TEST(AperiodicSets, AreKnownByName)
 {
     EXPECT_EQ(find_aperiodic_set("kari")->title, "Kari 14/6");
-    EXPECT_EQ(find_aperiodic_set("robinson"), nullptr);
+    EXPECT_EQ(find_aperiodic_set("penrose"), nullptr);
     EXPECT_EQ(find_aperiodic_set(""), nullptr);
 }
 

@@ -47,7 +47,7 @@ TEST_P(CylinderSearch, AgreesWithSatOnSetsWithoutPeriods)
     expect_heights_by_sat(list, CylinderAxis::vertical);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, CylinderSearch, testing::Values("culik", "kari", "ammann", "jeandel-rao"));
+INSTANTIATE_TEST_SUITE_P(Sets, CylinderSearch, testing::Values("culik", "kari", "ammann", "robinson", "jeandel-rao"));
 
 /// All neighbours fit in several copies of the rectangle.
 void expect_repeats(const WangList& list, const PeriodicTiling& tiling)
