@@ -22,7 +22,7 @@ std::uint32_t high_word(std::int64_t v) { return static_cast<std::uint32_t>(stat
 /// The bit at a corner of tiles of level 0.
 std::uint32_t corner_bit(std::uint32_t seed, std::int64_t x, std::int64_t y)
 {
-    return ptiles_hash(ptiles_hash(seed, low_word(x), low_word(y), 0), high_word(x), high_word(y), 0) & 1;
+    return ptiles_mix(ptiles_hash(seed, low_word(x), low_word(y), high_word(x)) + 1 + high_word(y)) & 1;
 }
 
 RecursiveFrame frame_of(const RecursiveWindow& window)
