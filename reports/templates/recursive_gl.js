@@ -1,4 +1,5 @@
-// Drawing of recursive Wang tiles by WebGL2: each cell of a tile is one call, and each of its points a square.
+// Drawing of recursive Wang tiles by WebGL2: each cell of a tile is one call, and each of its
+// points a square of two triangles.
 "use strict";
 
 /** A point is seen from its threshold on, and whole at so many times the density. */
@@ -7,7 +8,8 @@ const fullAt = 1.3;
 const recursiveVertices = `#version 300 es
 precision highp float;
 precision highp int;
-layout(location = 0) in uvec3 point; // the place in the cell, in 2^-32 of its side, and the rank in the tile around it
+uniform highp usampler2D points; // places in cells, in 2^-32 of their sides, and ranks in the tiles around
+uniform int first;
 uniform uint seed, level, first_rank;
 uniform uvec2 low;
 uniform vec2 offset_high, offset_low; // the cell's corner from the middle of the view: 2^-16 cells, and 2^-16 of these
@@ -32,13 +34,16 @@ float weight_at(vec2 from_middle) {
   return texture(layer, at).r;
 }
 void main() {
+  int index = first + gl_VertexID / 6;
+  uvec3 point = texelFetch(points, ivec2(index & 1023, index >> 10), 0).xyz;
   uint rank = point.z;
   uint bits = mixed(mixed(mixed(mixed(mixed(seed) + low.x) + low.y) + level) + 1u + rank);
   vec2 high = vec2(point.xy >> 16) + offset_high, rest = vec2(point.xy & 0xffffu) + offset_low;
   vec2 from_middle = (high + rest / 65536.0) * (cell_pixels / 65536.0);
   float threshold = float(rank) + turn;
   shown = clamp((demand * weight_at(from_middle) / threshold - 1.0) / (full_at - 1.0), 0.0, 1.0);
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  int vertex = gl_VertexID % 6; // of two triangles
+  vec2 corner = vec2(vertex == 1 || vertex >= 4, vertex >= 2 && vertex != 4);
   float angle = is_turned ? float((bits >> 8) & 255u) * 6.283185307 / 256.0 : 0.0;
   if (rank < first_rank) shown = 0.0; // drawn with the tiles above
   float side = stamp_pixels * (0.7 + 0.6 * float((bits >> 16) & 255u) / 255.0);
@@ -72,15 +77,14 @@ class RecursiveDrawing {
     this.program = linkedProgram(gl, recursiveVertices, recursiveFragments);
     this.places = new Map();
     gl.useProgram(this.program);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, plane.set.cellPoints, gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribDivisor(0, 1);
-    for (const [unit, name] of ["stamp", "layer"].entries()) {
+    ["stamp", "layer", "points"].forEach((name, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(name === "stamp" ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, gl.createTexture());
       gl.uniform1i(this.uniform(name), unit);
-    }
+    });
+    this.takeNearest(); // whole numbers are not to be read without
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1024, plane.set.cellPoints.length / 4096);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, plane.set.cellPoints.length / 4096, gl.RGBA_INTEGER, gl.UNSIGNED_INT, plane.set.cellPoints);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
@@ -91,8 +95,9 @@ class RecursiveDrawing {
     return this.places.get(name);
   }
 
-  /** Takes stamps: canvases of one size. */
-  setStamps(stamps) {
+  /** Takes stamps: canvases of one size, which are as wide as this part of the width of stamps. */
+  setStamps(stamps, part = 1) {
+    this.part = part;
     const { gl } = this;
     const side = stamps[0].width;
     gl.activeTexture(gl.TEXTURE0);
@@ -102,7 +107,7 @@ class RecursiveDrawing {
     gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(side) + 1, gl.RGBA8, side, side, stamps.length);
     stamps.forEach((stamp, i) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, stamp));
     gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
     for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, wrap, gl.CLAMP_TO_EDGE);
     this.stamps = stamps.length;
   }
@@ -112,6 +117,11 @@ class RecursiveDrawing {
     const { gl } = this;
     gl.activeTexture(gl.TEXTURE1);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, width, height, 0, gl.RED, gl.FLOAT, weights);
+    this.takeNearest();
+  }
+
+  takeNearest() {
+    const { gl } = this;
     for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
   }
 
@@ -124,7 +134,7 @@ class RecursiveDrawing {
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.uniform1ui(this.uniform("seed"), view.seed);
     gl.uniform2f(this.uniform("size"), canvas.width / view.ratio, canvas.height / view.ratio);
-    gl.uniform1f(this.uniform("stamp_pixels"), view.stampPixels);
+    gl.uniform1f(this.uniform("stamp_pixels"), view.stampPixels * this.part);
     gl.uniform1f(this.uniform("full_at"), fullAt);
     gl.uniform1i(this.uniform("stamps"), this.stamps);
     gl.uniform1i(this.uniform("is_turned"), view.isTurned);
@@ -144,8 +154,8 @@ class RecursiveDrawing {
       gl.uniform1f(this.uniform("cell_pixels"), part.pixels);
       gl.uniform1f(this.uniform("turn"), part.turn);
       gl.uniform1f(this.uniform("demand"), part.demand);
-      gl.vertexAttribIPointer(0, 3, gl.UNSIGNED_INT, 12, 12 * (part.segment * set.pointsPerTile + part.first));
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, part.count);
+      gl.uniform1i(this.uniform("first"), part.segment * set.pointsPerTile + part.first);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * part.count);
     }
   }
 }

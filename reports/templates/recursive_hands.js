@@ -14,7 +14,7 @@ function stampOf(draw) {
 
 const dotStamp = (color) => stampOf((context) => {
   context.fillStyle = color;
-  context.arc(0, 0, 0.5, 0, 2 * Math.PI);
+  context.arc(0, 0, 0.85, 0, 2 * Math.PI);
   context.fill();
 });
 
@@ -55,7 +55,7 @@ function showStamps() {
     given: () => ownStamps.given,
     picture: () => ownStamps.picture,
   }[which]();
-  if (all.length > 0) drawing.setStamps(all);
+  if (all.length > 0) drawing.setStamps(all, which === "dots" ? 0.5 / 0.85 : 1); // dots are half as wide as stamps
   redraw();
 }
 

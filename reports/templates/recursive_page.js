@@ -7,7 +7,7 @@ const about = byId("recursive").dataset;
 const set = new RecursiveSet(Uint8Array.from(atob(byId("tiles").textContent.trim()), (c) => c.charCodeAt(0)), about.colors);
 const plane = new RecursivePlane(set, Number(about.seed));
 const drawing = new RecursiveDrawing(canvas, plane);
-const leastZoom = 32; // pixels of a tile of level 0
+const leastZoom = 96; // pixels of a tile of level 0
 const tileZooms = [128, 512]; // pixels of a tile of any other level
 const levelsAbove = 3; // whose points are looked at one by one: lights of 8 bits are no darker than 1 / 16^3
 const mostSaved = 200000; // points in a file

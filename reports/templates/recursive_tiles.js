@@ -53,14 +53,14 @@ class RecursiveSet {
     }
     this.own = own;
     /** For each cell of each tile, by rank: the places of points in the cell, and their ranks in the tile. */
-    this.cellPoints = new Uint32Array(8 * 16 * n * 3);
+    this.cellPoints = new Uint32Array(8 * 16 * n * 4);
     const filled = new Uint32Array(8 * 16);
     for (let tile = 0; tile < 8; ++tile)
       for (let rank = 0; rank < 16 * n; ++rank) {
         const { cell, point } = this.link(tile, rank);
         const from = 2 * (this.children[tile][cell] * n + point);
         const segment = tile * 16 + cell;
-        this.cellPoints.set([own[from], own[from + 1], rank], 3 * (segment * n + filled[segment]++));
+        this.cellPoints.set([own[from], own[from + 1], rank, 0], 4 * (segment * n + filled[segment]++));
       }
   }
 
@@ -70,7 +70,7 @@ class RecursiveSet {
     let [low, high] = [0, n];
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.cellPoints[3 * (segment * n + middle) + 2] < rank) low = middle + 1;
+      if (this.cellPoints[4 * (segment * n + middle) + 2] < rank) low = middle + 1;
       else high = middle;
     }
     return low;
