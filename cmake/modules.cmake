@@ -5,9 +5,10 @@
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules
   methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures
-  surface_spectra geometry_tiles)
+  surface_spectra geometry_tiles recursive_tiles)
 set(lab_command_modules
-  results tiles tilings textures regions distributions classes surfaces surface_textures large_sets manual)
+  results tiles tilings textures regions distributions classes surfaces surface_textures
+  recursive_tiles large_sets manual)
 # These modules are built when work needs them, because no command and no key names them: files of HDF5, points in files
 # other than text, processes of MPI, the sequential twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
 set(lab_wordless_modules particles point_formats processes reference space tile_measures zone_plate)
@@ -29,6 +30,7 @@ set(lab_needs_of_surfaces methods point_formats)
 set(lab_needs_of_surface_spectra surfaces)
 set(lab_needs_of_surface_textures distributions textures surfaces)
 set(lab_needs_of_geometry_tiles distributions surfaces)
+set(lab_needs_of_recursive_tiles distributions other_tiles)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})

@@ -142,6 +142,7 @@ Command distribute_stipple_command();
 Command distribute_hatch_command();
 Command distribute_icons_command();
 Command distribute_instances_command();
+Command distribute_recursive_command();
 Command aperiodic_tile_command();
 Command aperiodic_tables_command();
 Command isohedral_list_command();

@@ -38,6 +38,7 @@ std::vector<GroupedCommand> tilings_commands(const ProgramContext& context);
 std::vector<GroupedCommand> textures_commands(const ProgramContext& context);
 std::vector<GroupedCommand> regions_commands(const ProgramContext& context);
 std::vector<GroupedCommand> distributions_commands(const ProgramContext& context);
+std::vector<GroupedCommand> recursive_tiles_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surfaces_commands(const ProgramContext& context);
 std::vector<GroupedCommand> classes_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surface_textures_commands(const ProgramContext& context);

@@ -169,9 +169,10 @@ void time_recursive(benchmark::State& state, std::uint32_t points_per_tile)
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(1e6 / points_per_tile)));
     const RecursiveTiling tiling(recursive_tiles(1), side, stream_key(1, Purpose::recursive_tilings, 0));
     const RecursiveDensity density(std::uint64_t{points_per_tile} * side * side, side, 0, std::nullopt);
+    const RecursiveFrame frame({}, {side, side});
     std::size_t points = 0;
     for (auto _ : state) {
-        const auto found = tiling.window_points({0, {0, 0}, side}, density);
+        const auto found = points_in_frame(tiling.tiles(), frame, tiling.roots(), density);
         points = found.size();
         benchmark::DoNotOptimize(found.data());
     }

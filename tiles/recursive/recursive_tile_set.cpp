@@ -159,7 +159,7 @@ RecursiveTileSet tiles_in(std::string_view bytes)
 
 }
 
-void write_recursive_tiles(const std::filesystem::path& file, const RecursiveTileSet& tiles)
+std::string recursive_tile_bytes(const RecursiveTileSet& tiles)
 {
     std::string bytes(recursive_magic);
     append(bytes, tiles.points_per_tile());
@@ -169,7 +169,12 @@ void write_recursive_tiles(const std::filesystem::path& file, const RecursiveTil
         for (const RecursiveLink link : tiles.tile(i).links) append(bytes, link.word);
     }
     append(bytes, xxh64_bytes(bytes));
-    write_whole_file(file, bytes);
+    return bytes;
+}
+
+void write_recursive_tiles(const std::filesystem::path& file, const RecursiveTileSet& tiles)
+{
+    write_whole_file(file, recursive_tile_bytes(tiles));
 }
 
 RecursiveTileSet read_recursive_tiles(const std::filesystem::path& file)

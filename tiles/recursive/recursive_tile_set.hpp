@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -98,6 +99,9 @@ private:
 //
 // Bytes, all numbers with the low byte first: "RECWANG1"; N as 32 bits, seed as 64 bits; for each of the 8 tiles 16
 // bytes, the tiles of its cells, and 16 N links of 16 bits, the cell times 4,096 plus the point; XXH64 of all before.
+
+/// The bytes of a file.
+std::string recursive_tile_bytes(const RecursiveTileSet& tiles);
 
 /// Throws StorageError.
 void write_recursive_tiles(const std::filesystem::path& file, const RecursiveTileSet& tiles);

@@ -25,7 +25,7 @@ class Coordinates
 public:
     explicit Coordinates(std::uint32_t side) : side_(side) {}
 
-    void add(int level, const std::array<std::uint64_t, 2>& cell, const RecursivePlace& place)
+    void add(int level, const RecursiveCell& cell, const RecursivePlace& place)
     {
         const double size = static_cast<double>(side_) * static_cast<double>(std::uint64_t{1} << 2 * level);
         for (std::size_t k = 0; k < 2; ++k)
@@ -40,8 +40,8 @@ private:
 
 }
 
-/// The mean weight gets points / side^2; the largest one that times pixels * full weight / sum of weights.
-RecursiveDensity::RecursiveDensity(std::uint64_t points, std::uint64_t side, int level,
+/// The mean weight gets points / tiles; the largest one that times pixels * full weight / sum of weights.
+RecursiveDensity::RecursiveDensity(std::uint64_t points, std::array<std::uint64_t, 2> tiles, int level,
                                    const std::optional<Density>& density)
     : level_(level), is_uniform_(!density)
 {
@@ -52,34 +52,42 @@ RecursiveDensity::RecursiveDensity(std::uint64_t points, std::uint64_t side, int
         sum = 0;
         for (const std::uint64_t weight : density->weights) sum += weight;
     }
-    const Wide all = pixels * points << 40, tiles = sum * side * side;
-    const Wide whole = all / tiles, part = ((all % tiles) << 32) / tiles;
+    const Wide all = pixels * points << 40, parts = sum * tiles[0] * tiles[1];
+    const Wide whole = all / parts, part = ((all % parts) << 32) / parts;
     if (whole >= std::uint64_t{1} << 31)
         throw InputError(fmt::format("the densest place would get {:.3g} points per tile: must be less than 2^31",
                                      static_cast<double>(whole)));
     most_ = static_cast<std::uint64_t>((whole << 32) + part);
 }
 
-/// A tile in its place.
-struct RecursiveTiling::Node
+/// A tile of the level above the window's that meets it begins before it by its digit, and so on.
+RecursiveFrame::RecursiveFrame(std::vector<std::array<std::uint8_t, 2>> of_levels, std::array<std::uint64_t, 2> size)
+    : digits(std::move(of_levels)), sizes(digits.size() + 1, size)
 {
-    std::uint8_t tile = 0;
-    std::array<std::uint64_t, 2> cell{};
-    std::uint64_t turn = 0;
-};
+    for (std::size_t level = digits.size(); level-- > 0;)
+        for (std::size_t k = 0; k < 2; ++k)
+            sizes[level][k] = size[k] == 0 ? 0 : (digits[level][k] + sizes[level + 1][k] - 1) / 4 + 1;
+}
+
+std::uint64_t turn_of_cell(std::uint32_t cell, std::uint64_t turn)
+{
+    return (cell_turns[cell] * one_point + turn) / recursive_cells;
+}
+
+namespace {
 
 /// Goes through the levels of tiles that meet a window.
-class RecursiveTiling::Walk
+class Walk
 {
 public:
-    Walk(const RecursiveTileSet& tiles, const RecursiveWindow& window, const RecursiveDensity& density,
+    Walk(const RecursiveTileSet& tiles, const RecursiveFrame& frame, const RecursiveDensity& density,
          RecursiveDrawing drawing)
-        : tiles_(tiles), window_(window), density_(density), points_(tiles.points_per_tile()), drawing_(drawing)
+        : tiles_(tiles), frame_(frame), density_(density), points_(tiles.points_per_tile()), drawing_(drawing)
     {}
 
-    /// Shows all points of a tile, by add(level, cell, place), and the tiles in its cells that have more.
+    /// Shows all points of a tile, by add(level, cell, place, rank), and the tiles in its cells that have more.
     template <class Add>
-    void visit(const Node& node, int level, const Add& add, std::vector<Node>& next) const
+    void visit(const RecursiveNode& node, int level, const Add& add, std::vector<RecursiveNode>& next) const
     {
         const std::uint64_t most = demand_over(node, level);
         const RankedCell ranked = ranks_of(node, level, most);
@@ -87,14 +95,17 @@ public:
         for (std::uint32_t rank = ranked.first; rank < ranked.first + ranked.count; ++rank) {
             const RecursiveLink link = tile.links[rank];
             const std::uint32_t cell = link.cell();
-            add_if_wanted({tile.children[cell], cell_of(node, cell), 0}, link.point(), level,
-                          rank * one_point + node.turn, add);
+            add_if_wanted({tile.children[cell], frame_.cell_of(node.cell, level, cell), 0}, link.point(), level,
+                          rank * one_point + node.turn,
+                          [&](int at, const RecursiveCell& holder, const RecursivePlace& place) {
+                              add(at, holder, place, rank);
+                          });
         }
         descend(node, level, most, next);
     }
 
     /// The ranks of a tile whose turn comes before the largest demand over it, `most`.
-    RankedCell ranks_of(const Node& node, int level, std::uint64_t most) const
+    RankedCell ranks_of(const RecursiveNode& node, int level, std::uint64_t most) const
     {
         const bool is_twice = drawing_ == RecursiveDrawing::twice;
         const std::uint64_t first = level > 0 && !is_twice ? points_ : 0;
@@ -106,75 +117,55 @@ public:
 
     /// Adds the tiles in the cells of a tile that have more. A smaller tile's first sub-point comes when it has more
     /// than N points per tile.
-    void descend(const Node& node, int level, std::uint64_t most, std::vector<Node>& next) const
+    void descend(const RecursiveNode& node, int level, std::uint64_t most, std::vector<RecursiveNode>& next) const
     {
         const std::uint64_t full = points_ * one_point;
         if (drawing_ == RecursiveDrawing::twice ? most <= full : most / recursive_cells < full) return;
         for (std::uint32_t cell = 0; cell < recursive_cells; ++cell) {
-            const Node child{tiles_.tile(node.tile).children[cell], cell_of(node, cell),
-                             (cell_turns[cell] * one_point + node.turn) / recursive_cells};
-            if (meets_window(child, level + 1)) next.push_back(child);
+            const RecursiveCell at = frame_.cell_of(node.cell, level, cell);
+            if (frame_.has(at, level + 1))
+                next.push_back({tiles_.tile(node.tile).children[cell], at, turn_of_cell(cell, node.turn)});
         }
     }
 
     /// The largest demand over a tile.
-    std::uint64_t demand_over(const Node& node, int level) const
+    std::uint64_t demand_over(const RecursiveNode& node, int level) const
     {
-        if (density_.is_uniform() || level < window_.level) return density_.demand(full_weight, level);
+        if (density_.is_uniform() || level < frame_.level()) return density_.demand(full_weight, level);
         return density_.demand(density_.bounds().over(place_in_window(level, node.cell, {0, 0}),
                                                       place_in_window(level, node.cell, {UINT32_MAX, UINT32_MAX})),
                                level);
     }
 
-    bool meets_window(const Node& node, int level) const
-    {
-        if (level == 0 && window_.level == 0) return true;
-        return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t k) {
-            const std::uint64_t low = window_.corner[k], high = low + (window_.side - 1); // inclusive
-            if (level >= window_.level) {
-                const std::uint64_t at = node.cell[k] >> 2 * (level - window_.level);
-                return at >= low && at <= high;
-            }
-            const int down = 2 * (window_.level - level);
-            return down >= 64 || (node.cell[k] >= low >> down && node.cell[k] <= high >> down);
-        });
-    }
-
 private:
-    static std::array<std::uint64_t, 2> cell_of(const Node& node, std::uint32_t cell)
-    {
-        return {node.cell[0] << 2 | (cell & 3U), node.cell[1] << 2 | cell >> 2};
-    }
-
     /// The place of a tile of a level no less than the window's, or of a place in it, in the window of 2^32 units.
-    DensityPlace place_in_window(int level, const std::array<std::uint64_t, 2>& cell, const RecursivePlace& place) const
+    DensityPlace place_in_window(int level, const RecursiveCell& cell, const RecursivePlace& place) const
     {
-        const int down = 2 * (level - window_.level);
+        const int down = 2 * (level - frame_.level());
         DensityPlace result{};
         for (std::size_t k = 0; k < 2; ++k) {
-            const std::uint64_t from_corner = cell[k] - (window_.corner[k] << down);
-            const Wide span = static_cast<Wide>(window_.side) << down;
+            const Wide span = static_cast<Wide>(frame_.sizes.back()[k]) << down;
             const bool is_short = span >> 32 == 0; // nearly always, and much faster
             result[k] = static_cast<std::uint32_t>(
-                is_short ? (from_corner << 32 | place[k]) / static_cast<std::uint64_t>(span)
-                         : static_cast<std::uint64_t>((static_cast<Wide>(from_corner) << 32 | place[k]) / span));
+                is_short ? (cell[k] << 32 | place[k]) / static_cast<std::uint64_t>(span)
+                         : static_cast<std::uint64_t>((static_cast<Wide>(cell[k]) << 32 | place[k]) / span));
         }
         return result;
     }
 
     /// A point of a tile one level below that where it has its rank. It is followed to the window's level.
     template <class Add>
-    void add_if_wanted(Node holder, std::uint32_t point, int level_of_rank, std::uint64_t turn, const Add& add) const
+    void add_if_wanted(RecursiveNode holder, std::uint32_t point, int level_of_rank, std::uint64_t turn,
+                       const Add& add) const
     {
         int level = level_of_rank + 1;
-        while (level < window_.level) {
-            if (!meets_window(holder, level)) return;
+        for (; frame_.has(holder.cell, level) && level < frame_.level(); ++level) {
             const RecursiveLink link = tiles_.tile(holder.tile).links[point];
-            holder = {tiles_.tile(holder.tile).children[link.cell()], cell_of(holder, link.cell()), 0};
+            holder = {tiles_.tile(holder.tile).children[link.cell()], frame_.cell_of(holder.cell, level, link.cell()),
+                      0};
             point = link.point();
-            ++level;
         }
-        if (window_.level > level_of_rank && !meets_window(holder, level)) return;
+        if (!frame_.has(holder.cell, level)) return;
         const RecursivePlace& place = tiles_.places(holder.tile)[point];
         if (!density_.is_uniform()) {
             const std::uint64_t weight = density_.bounds().at(place_in_window(level, holder.cell, place));
@@ -184,11 +175,32 @@ private:
     }
 
     const RecursiveTileSet& tiles_;
-    const RecursiveWindow& window_;
+    const RecursiveFrame& frame_;
     const RecursiveDensity& density_;
     std::uint32_t points_;
     RecursiveDrawing drawing_;
 };
+
+}
+
+std::vector<RecursivePoint> points_in_frame(const RecursiveTileSet& tiles, const RecursiveFrame& frame,
+                                            std::vector<RecursiveNode> roots, const RecursiveDensity& density)
+{
+    const Walk walk(tiles, frame, density, RecursiveDrawing::once);
+    std::vector<RecursivePoint> points;
+    for (int level = 0; !roots.empty(); ++level) {
+        std::vector<RecursiveNode> next;
+        for (const RecursiveNode& node : roots)
+            walk.visit(
+                node, level,
+                [&](int at, const RecursiveCell& cell, const RecursivePlace& place, std::uint32_t rank) {
+                    points.push_back({at, cell, place, {level, node.cell, rank}});
+                },
+                next);
+        roots = std::move(next);
+    }
+    return points;
+}
 
 RecursiveTiling::RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream,
                                  RootTiles roots)
@@ -199,9 +211,9 @@ RecursiveTiling::RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t si
         root_turns_.push_back((turn + 1) * one_point / count);
 }
 
-std::vector<RecursiveTiling::Node> RecursiveTiling::roots() const
+std::vector<RecursiveNode> RecursiveTiling::roots() const
 {
-    std::vector<Node> nodes;
+    std::vector<RecursiveNode> nodes;
     for (std::uint32_t i = 0; i < side_ * side_; ++i)
         nodes.push_back({static_cast<std::uint8_t>(root_tiles_[i]), {i % side_, i / side_}, root_turns_[i]});
     return nodes;
@@ -209,17 +221,17 @@ std::vector<RecursiveTiling::Node> RecursiveTiling::roots() const
 
 PointSet RecursiveTiling::torus_points(const RecursiveDensity& density, RecursiveDrawing drawing) const
 {
-    const RecursiveWindow window{0, {0, 0}, side_};
-    const Walk walk(*tiles_, window, density, drawing);
+    const RecursiveFrame frame({}, {side_, side_});
+    const Walk walk(*tiles_, frame, density, drawing);
     PointSet set{2, {}};
-    std::vector<Node> nodes = roots();
+    std::vector<RecursiveNode> nodes = roots();
     for (int level = 0; !nodes.empty(); ++level) {
         std::vector<Coordinates> found(nodes.size(), Coordinates(side_));
-        std::vector<std::vector<Node>> next(nodes.size());
+        std::vector<std::vector<RecursiveNode>> next(nodes.size());
         tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
             walk.visit(
                 nodes[i], level,
-                [&](int at, const std::array<std::uint64_t, 2>& cell, const RecursivePlace& place) {
+                [&](int at, const RecursiveCell& cell, const RecursivePlace& place, std::uint32_t /*rank*/) {
                     found[i].add(at, cell, place);
                 },
                 next[i]);
@@ -236,13 +248,13 @@ PointSet RecursiveTiling::torus_points(const RecursiveDensity& density, Recursiv
 void RecursiveTiling::show_levels(const RecursiveDensity& density, RecursiveDrawing drawing,
                                   const std::function<void(int level, const std::vector<RankedCell>&)>& show) const
 {
-    const RecursiveWindow window{0, {0, 0}, side_};
-    const Walk walk(*tiles_, window, density, drawing);
-    std::vector<Node> nodes = roots();
+    const RecursiveFrame frame({}, {side_, side_});
+    const Walk walk(*tiles_, frame, density, drawing);
+    std::vector<RecursiveNode> nodes = roots();
     for (int level = 0; !nodes.empty(); ++level) {
         std::vector<RankedCell> ranked;
-        std::vector<Node> next;
-        for (const Node& node : nodes) {
+        std::vector<RecursiveNode> next;
+        for (const RecursiveNode& node : nodes) {
             const std::uint64_t most = walk.demand_over(node, level);
             ranked.push_back(walk.ranks_of(node, level, most));
             walk.descend(node, level, most, next);
@@ -250,34 +262,6 @@ void RecursiveTiling::show_levels(const RecursiveDensity& density, RecursiveDraw
         show(level, ranked);
         nodes = std::move(next);
     }
-}
-
-std::vector<RecursivePoint> RecursiveTiling::window_points(const RecursiveWindow& window,
-                                                           const RecursiveDensity& density) const
-{
-    const Wide along = static_cast<Wide>(side_) << 2 * std::clamp(window.level, 0, deepest_recursive_level);
-    if (window.level < 0 || window.level > deepest_recursive_level || along > static_cast<Wide>(UINT64_MAX) + 1)
-        throw InputError(fmt::format("level {} of {} tiles: must be from 0 to {}, and tiles' numbers below 2^64",
-                                     window.level, side_, deepest_recursive_level));
-    for (const std::uint64_t from : window.corner)
-        if (window.side == 0 || static_cast<Wide>(from) + window.side > along)
-            throw InputError("a window that is empty or reaches beyond its torus");
-    const Walk walk(*tiles_, window, density, RecursiveDrawing::once);
-    std::vector<RecursivePoint> points;
-    std::vector<Node> nodes = roots();
-    std::erase_if(nodes, [&](const Node& node) { return !walk.meets_window(node, 0); });
-    for (int level = 0; !nodes.empty(); ++level) {
-        std::vector<Node> next;
-        for (const Node& node : nodes)
-            walk.visit(
-                node, level,
-                [&](int at, const std::array<std::uint64_t, 2>& cell, const RecursivePlace& place) {
-                    points.push_back({at, cell, place});
-                },
-                next);
-        nodes = std::move(next);
-    }
-    return points;
 }
 
 }

@@ -1,4 +1,4 @@
-// Points of recursive Wang tiles: of toroidal tilings, and of any small square of them.
+// Points of recursive Wang tiles: of toroidal tilings, and how the levels of tiles of any window are gone through.
 //
 // Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang tiles for real-time blue noise, SIGGRAPH 2006. A tile of level
 // 0 gets its points by rank, then the tiles in its cells, which are of level 1, get their sub-points, and so on, as far
@@ -63,9 +63,15 @@ private:
 class RecursiveDensity
 {
 public:
-    /// `side` tiles of `level` along each axis get `points` of them. Throws InputError, a line without place, where a
+    /// So many tiles of `level` along each axis get `points` of them. Throws InputError, a line without place, where a
     /// tile of that level would get 2^31 points or more at the density's largest weight.
-    RecursiveDensity(std::uint64_t points, std::uint64_t side, int level, const std::optional<Density>& density);
+    RecursiveDensity(std::uint64_t points, std::array<std::uint64_t, 2> tiles, int level,
+                     const std::optional<Density>& density);
+
+    /// As many along both axes.
+    RecursiveDensity(std::uint64_t points, std::uint64_t side, int level, const std::optional<Density>& density)
+        : RecursiveDensity(points, std::array{side, side}, level, density)
+    {}
 
     bool is_uniform() const { return is_uniform_; }
 
@@ -101,22 +107,66 @@ enum class RecursiveDrawing
     twice, ///< the points of tiles and of the tiles in their cells: an error, as the first are among the second
 };
 
-/// A point where it lies: `cell`, in tiles of a level from the torus' lower left, and the place in that tile.
+/// A tile of a level, from the lowest one of that level that meets a window.
+using RecursiveCell = std::array<std::uint64_t, 2>;
+
+/// A window of whole tiles of a level, and how the tiles of each level that meet it lie: numbers stay small at any
+/// depth, as they count from the lowest of these tiles.
+struct RecursiveFrame
+{
+    /// The place of a window's lowest tile in a tile of the level above, from 0 to 3 along each axis, for the levels
+    /// from 1 to that of the window; `size`: of the window, in tiles.
+    RecursiveFrame(std::vector<std::array<std::uint8_t, 2>> digits, std::array<std::uint64_t, 2> size);
+
+    int level() const { return static_cast<int>(digits.size()); }
+
+    /// The place of a cell of a tile of `level`, at the next level.
+    RecursiveCell cell_of(const RecursiveCell& tile, int level, std::uint32_t cell) const
+    {
+        const auto at = static_cast<std::size_t>(level);
+        const std::array<std::uint8_t, 2> less = at < digits.size() ? digits[at] : std::array<std::uint8_t, 2>{};
+        return {4 * tile[0] + (cell & 3U) - less[0], 4 * tile[1] + (cell >> 2) - less[1]};
+    }
+
+    /// Tells whether a tile meets the window; those of deeper levels do, as their parents did. Tiles before the lowest
+    /// have numbers that wrapped around.
+    bool has(const RecursiveCell& tile, int level) const
+    {
+        const auto at = static_cast<std::size_t>(level);
+        return at >= sizes.size() || (tile[0] < sizes[at][0] && tile[1] < sizes[at][1]);
+    }
+
+    std::vector<std::array<std::uint8_t, 2>> digits;   ///< by level, from level 1 on
+    std::vector<std::array<std::uint64_t, 2>> sizes{}; ///< by level, from level 0 on: the tiles that meet the window
+};
+
+/// The tile, of any level, and the rank there by which a point was found.
+struct RecursiveOrigin
+{
+    int level = 0;
+    RecursiveCell tile{};
+    std::uint32_t rank = 0;
+
+    auto operator<=>(const RecursiveOrigin&) const = default;
+};
+
+/// A point where it lies: `cell`, in tiles of a level that is no less than that of its window, from the window's lowest
+/// corner, and the place in that tile.
 struct RecursivePoint
 {
     int level = 0;
-    std::array<std::uint64_t, 2> cell{};
+    RecursiveCell cell{};
     RecursivePlace place{};
+    RecursiveOrigin origin{};
 
     auto operator<=>(const RecursivePoint&) const = default;
 };
 
-/// Whole tiles of a level: `side` along each axis from `corner` on.
-struct RecursiveWindow
+/// A tile of level 0 in its place.
+struct RecursiveRoot
 {
-    int level = 0;
-    std::array<std::uint64_t, 2> corner{};
-    std::uint64_t side = 1;
+    std::uint8_t tile = 0;
+    std::uint64_t turn = 0; ///< when it gets its next point: parts of 2^32 of one point per tile; not 0
 };
 
 /// A tile of a level in its place, and the ranks of it that may have points: `count` from `first` on.
@@ -128,8 +178,22 @@ struct RankedCell
     std::uint32_t first = 0, count = 0;
 };
 
-/// The deepest level whose tiles have numbers in 64 bits, for tori of up to four tiles.
-inline constexpr int deepest_recursive_level = 31;
+/// A tile in its place, of any level.
+struct RecursiveNode
+{
+    std::uint8_t tile = 0;
+    RecursiveCell cell{};
+    std::uint64_t turn = 0;
+};
+
+/// When the tile of a cell gets its next point, of one that gets it at `turn`: cells that are neighbours are far apart.
+std::uint64_t turn_of_cell(std::uint32_t cell, std::uint64_t turn);
+
+/// The points of a window, `roots` being the tiles of level 0 that meet it, in the order of levels, tiles and ranks.
+/// `density` is one over just this window. Places are those of the window's level or deeper ones, exactly: points of
+/// larger tiles are followed down.
+std::vector<RecursivePoint> points_in_frame(const RecursiveTileSet& tiles, const RecursiveFrame& frame,
+                                            std::vector<RecursiveNode> roots, const RecursiveDensity& density);
 
 class RecursiveTiling
 {
@@ -154,17 +218,10 @@ public:
     void show_levels(const RecursiveDensity& density, RecursiveDrawing drawing,
                      const std::function<void(int level, const std::vector<RankedCell>&)>& show) const;
 
-    /// The points in a window, whose density is one over just these tiles. Places are those of the window's level or
-    /// deeper ones, exactly: points of larger tiles are followed down. Throws InputError for windows that reach beyond
-    /// the torus, and levels so deep that tiles' numbers do not fit 64 bits.
-    std::vector<RecursivePoint> window_points(const RecursiveWindow& window, const RecursiveDensity& density) const;
+    /// The tiles of level 0, row by row from the lower left.
+    std::vector<RecursiveNode> roots() const;
 
 private:
-    struct Node;
-    class Walk;
-
-    std::vector<Node> roots() const;
-
     const RecursiveTileSet* tiles_;
     std::uint32_t side_;
     RootTiles root_tiles_;

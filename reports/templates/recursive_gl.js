@@ -1,0 +1,161 @@
+// Drawing of recursive Wang tiles by WebGL2: each cell of a tile is one call, and each of its
+// points a square of two triangles.
+"use strict";
+
+/** A point is seen from its threshold on, and whole at so many times the density. */
+const fullAt = 1.3;
+
+const recursiveVertices = `#version 300 es
+precision highp float;
+precision highp int;
+uniform highp usampler2D points; // places in cells, in 2^-32 of their sides, and ranks in the tiles around
+uniform int first;
+uniform uint seed, level, first_rank;
+uniform uvec2 low;
+uniform vec2 offset_high, offset_low; // the cell's corner from the middle of the view: 2^-16 cells, and 2^-16 of these
+uniform vec2 size; // of the view, pixels
+uniform float cell_pixels, turn, demand, stamp_pixels, full_at;
+uniform int stamps;
+uniform bool is_turned, has_layer;
+uniform highp sampler2D layer;
+uniform vec2 layer_at, layer_scale;
+uniform float ground;
+out vec3 at_stamp;
+out float shown;
+uint mixed(uint v) {
+  v = (v ^ (v >> 16)) * 0x21f0aaadu;
+  v = (v ^ (v >> 15)) * 0xd35a2d97u;
+  return v ^ (v >> 15);
+}
+float weight_at(vec2 from_middle) {
+  if (!has_layer) return ground;
+  vec2 at = layer_at + from_middle * layer_scale;
+  if (any(lessThan(at, vec2(0))) || any(greaterThanEqual(at, vec2(1)))) return ground;
+  return texture(layer, at).r;
+}
+void main() {
+  int index = first + gl_VertexID / 6;
+  uvec3 point = texelFetch(points, ivec2(index & 1023, index >> 10), 0).xyz;
+  uint rank = point.z;
+  uint bits = mixed(mixed(mixed(mixed(mixed(seed) + low.x) + low.y) + level) + 1u + rank);
+  vec2 high = vec2(point.xy >> 16) + offset_high, rest = vec2(point.xy & 0xffffu) + offset_low;
+  vec2 from_middle = (high + rest / 65536.0) * (cell_pixels / 65536.0);
+  float threshold = float(rank) + turn;
+  shown = clamp((demand * weight_at(from_middle) / threshold - 1.0) / (full_at - 1.0), 0.0, 1.0);
+  int vertex = gl_VertexID % 6; // of two triangles
+  vec2 corner = vec2(vertex == 1 || vertex >= 4, vertex >= 2 && vertex != 4);
+  float angle = is_turned ? float((bits >> 8) & 255u) * 6.283185307 / 256.0 : 0.0;
+  if (rank < first_rank) shown = 0.0; // drawn with the tiles above
+  float side = stamp_pixels * (0.7 + 0.6 * float((bits >> 16) & 255u) / 255.0);
+  vec2 across = (corner - 0.5) * side;
+  vec2 at = from_middle + vec2(cos(angle) * across.x - sin(angle) * across.y, sin(angle) * across.x + cos(angle) * across.y);
+  at_stamp = vec3(corner.x, 1.0 - corner.y, float(int(bits & 255u) % stamps));
+  gl_Position = shown > 0.0 ? vec4(2.0 * at / size, 0, 1) : vec4(2, 2, 2, 1);
+}`;
+
+const recursiveFragments = `#version 300 es
+precision highp float;
+precision highp sampler2DArray;
+uniform sampler2DArray stamp;
+in vec3 at_stamp;
+in float shown;
+out vec4 color;
+void main() {
+  color = texture(stamp, at_stamp) * shown;
+}`;
+
+class RecursiveDrawing {
+  /** Throws where there is no WebGL2. */
+  constructor(canvas, plane) {
+    this.canvas = canvas;
+    this.plane = plane;
+    const gl = (this.gl = canvas.getContext("webgl2", { antialias: false, premultipliedAlpha: true, preserveDrawingBuffer: true }));
+    if (!gl) {
+      document.getElementById("said").textContent = "This page needs WebGL2, which this browser does not have";
+      throw new Error("no WebGL2");
+    }
+    this.program = linkedProgram(gl, recursiveVertices, recursiveFragments);
+    this.places = new Map();
+    gl.useProgram(this.program);
+    ["stamp", "layer", "points"].forEach((name, unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(name === "stamp" ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, gl.createTexture());
+      gl.uniform1i(this.uniform(name), unit);
+    });
+    this.takeNearest(); // whole numbers are not to be read without
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1024, plane.set.cellPoints.length / 4096);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, plane.set.cellPoints.length / 4096, gl.RGBA_INTEGER, gl.UNSIGNED_INT, plane.set.cellPoints);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
+  }
+
+  uniform(name) {
+    if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.places.get(name);
+  }
+
+  /** Takes stamps: canvases of one size, which are as wide as this part of the width of stamps. */
+  setStamps(stamps, part = 1) {
+    this.part = part;
+    const { gl } = this;
+    const side = stamps[0].width;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.deleteTexture(gl.getParameter(gl.TEXTURE_BINDING_2D_ARRAY));
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, gl.createTexture());
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(side) + 1, gl.RGBA8, side, side, stamps.length);
+    stamps.forEach((stamp, i) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, stamp));
+    gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, wrap, gl.CLAMP_TO_EDGE);
+    this.stamps = stamps.length;
+  }
+
+  /** Takes the weights of the painted layer, rows from below. */
+  setLayer(weights, width, height) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, width, height, 0, gl.RED, gl.FLOAT, weights);
+    this.takeNearest();
+  }
+
+  takeNearest() {
+    const { gl } = this;
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  }
+
+  /** Draws { seed, parts, ratio, stampPixels, isTurned, layer, ground }: parts of the view, see partsOf(). */
+  draw(view) {
+    const { gl, canvas } = this;
+    const set = this.plane.set;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.uniform1ui(this.uniform("seed"), view.seed);
+    gl.uniform2f(this.uniform("size"), canvas.width / view.ratio, canvas.height / view.ratio);
+    gl.uniform1f(this.uniform("stamp_pixels"), view.stampPixels * this.part);
+    gl.uniform1f(this.uniform("full_at"), fullAt);
+    gl.uniform1i(this.uniform("stamps"), this.stamps);
+    gl.uniform1i(this.uniform("is_turned"), view.isTurned);
+    gl.uniform1i(this.uniform("has_layer"), view.layer !== null);
+    gl.uniform1f(this.uniform("ground"), view.ground);
+    if (view.layer) {
+      gl.uniform2f(this.uniform("layer_at"), ...view.layer.at);
+      gl.uniform2f(this.uniform("layer_scale"), ...view.layer.scale);
+    }
+    for (const part of view.parts) {
+      const units = part.offset.map((v) => v * 65536);
+      gl.uniform2f(this.uniform("offset_high"), ...units.map(Math.floor));
+      gl.uniform2f(this.uniform("offset_low"), ...units.map((v) => (v - Math.floor(v)) * 65536));
+      gl.uniform2ui(this.uniform("low"), ...part.low);
+      gl.uniform1ui(this.uniform("level"), part.level);
+      gl.uniform1ui(this.uniform("first_rank"), part.firstRank);
+      gl.uniform1f(this.uniform("cell_pixels"), part.pixels);
+      gl.uniform1f(this.uniform("turn"), part.turn);
+      gl.uniform1f(this.uniform("demand"), part.demand);
+      gl.uniform1i(this.uniform("first"), part.segment * set.pointsPerTile + part.first);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * part.count);
+    }
+  }
+}

@@ -1,0 +1,220 @@
+// The page of recursive Wang tiles: stamps, mouse, fingers, keys, buttons and files.
+"use strict";
+
+const stampSide = 128;
+
+/** A stamp: draw(context) in a square from -1 to 1, y upwards. */
+function stampOf(draw) {
+  const stamp = Object.assign(document.createElement("canvas"), { width: stampSide, height: stampSide });
+  const context = stamp.getContext("2d");
+  context.setTransform(stampSide / 2, 0, 0, -stampSide / 2, stampSide / 2, stampSide / 2);
+  draw(context);
+  return stamp;
+}
+
+const dotStamp = (color) => stampOf((context) => {
+  context.fillStyle = color;
+  context.arc(0, 0, 0.85, 0, 2 * Math.PI);
+  context.fill();
+});
+
+const leafStamp = (color, vein) => stampOf((context) => {
+  context.fillStyle = color;
+  context.moveTo(-0.95, 0);
+  context.bezierCurveTo(-0.4, 0.7, 0.4, 0.55, 0.95, 0);
+  context.bezierCurveTo(0.4, -0.55, -0.4, -0.7, -0.95, 0);
+  context.fill();
+  context.strokeStyle = vein;
+  context.lineWidth = 0.05;
+  context.beginPath();
+  context.moveTo(-0.95, 0);
+  context.lineTo(0.85, 0);
+  for (const x of [-0.5, -0.15, 0.2])
+    for (const side of [-1, 1]) {
+      context.moveTo(x, 0);
+      context.lineTo(x + 0.3, side * 0.3);
+    }
+  context.stroke();
+});
+
+/** A picture as large as fits into the square. */
+const pictureStamp = (picture) => stampOf((context) => {
+  const longest = Math.max(picture.width, picture.height);
+  context.scale(1, -1);
+  context.drawImage(picture, -picture.width / longest, -picture.height / longest, (2 * picture.width) / longest, (2 * picture.height) / longest);
+});
+
+const ownStamps = { given: [], picture: [] };
+
+function showStamps() {
+  const which = byId("stamps").value;
+  const ink = getComputedStyle(canvas).color;
+  const all = {
+    dots: () => [dotStamp(ink)],
+    leaves: () => [["#4c8c2b", "#2f6118"], ["#7fae3a", "#4f7a1d"], ["#c9a227", "#8a6a10"], ["#a8552b", "#6f3212"]].map((colors) => leafStamp(...colors)),
+    given: () => ownStamps.given,
+    picture: () => ownStamps.picture,
+  }[which]();
+  if (all.length > 0) drawing.setStamps(all, which === "dots" ? 0.5 / 0.85 : 1); // dots are half as wide as stamps
+  redraw();
+}
+
+/** Reads the stamps that the page was made with. */
+async function readGiven() {
+  const urls = Array.from(document.querySelectorAll("#given-stamps span"), (span) => `data:image/png;base64,${span.textContent.trim()}`);
+  try {
+    for (const url of urls) {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      ownStamps.given.push(pictureStamp(image));
+    }
+  } catch (error) {
+    byId("said").textContent = "A stamp of this page is no picture that this browser reads";
+    ownStamps.given = [];
+  }
+  byId("stamps").querySelector("[value=given]").hidden = ownStamps.given.length === 0;
+  if (ownStamps.given.length > 0) byId("stamps").value = "given";
+  showStamps();
+}
+
+byId("stamp-picture").addEventListener("change", async (event) => {
+  const file = event.target.files[0];
+  if (!file) return;
+  try {
+    ownStamps.picture = [pictureStamp(await createImageBitmap(file))];
+  } catch (error) {
+    byId("said").textContent = `${file.name}: is no picture that this browser reads`;
+    return;
+  }
+  byId("stamps").querySelector("[value=picture]").hidden = false;
+  byId("stamps").value = "picture";
+  showStamps();
+});
+
+const fromMiddle = (event) => {
+  const box = canvas.getBoundingClientRect();
+  return [event.clientX - box.left - box.width / 2, box.height / 2 - (event.clientY - box.top)];
+};
+
+/** Paints from one place to another, which a fast hand leaves far apart. */
+function paintAlong(from, to) {
+  const steps = Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / (0.25 * Number(byId("brush-size").value)));
+  for (let step = 1; step <= steps; ++step) paint(...from.map((v, k) => v + ((to[k] - v) * step) / steps));
+}
+
+const fingers = new Map();
+canvas.addEventListener("pointerdown", (event) => {
+  canvas.setPointerCapture(event.pointerId);
+  fingers.set(event.pointerId, fromMiddle(event));
+  if (byId("painting").checked && fingers.size === 1) paint(...fromMiddle(event));
+});
+canvas.addEventListener("pointermove", (event) => {
+  if (!fingers.has(event.pointerId)) return;
+  const [before, now] = [fingers.get(event.pointerId), fromMiddle(event)];
+  fingers.set(event.pointerId, now);
+  if (fingers.size === 2) {
+    const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
+    const apart = (p) => Math.max(1, Math.hypot(p[0] - other[0], p[1] - other[1]));
+    zoomBy(apart(now) / apart(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+  } else if (byId("painting").checked) {
+    paintAlong(before, now);
+  } else {
+    move((before[0] - now[0]) / state.zoom, (before[1] - now[1]) / state.zoom);
+  }
+  redraw();
+});
+for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => fingers.delete(event.pointerId));
+canvas.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  zoomBy(Math.exp(-event.deltaY / 500), ...fromMiddle(event));
+  redraw();
+}, { passive: false });
+canvas.addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const step = (event.shiftKey ? 400 : 40) / state.zoom;
+  const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
+  if (moves[event.key]) move(...moves[event.key]);
+  else if (event.key === "+" || event.key === "=") zoomBy(1.25);
+  else if (event.key === "-") zoomBy(0.8);
+  else if (event.key === "Home") goHome();
+  else if (event.key === " " && byId("painting").checked) paint(0, 0);
+  else return;
+  event.preventDefault();
+  redraw();
+});
+
+function goHome() {
+  Object.assign(state, { tile: [Address.parse("0"), Address.parse("0")], at: [0.5, 0.5], zoom: 256 });
+}
+
+byId("place").addEventListener("change", (event) => {
+  const place = event.target.value.split(/[\s,;]+/).filter((word) => word !== "").map(Address.parse);
+  if (place.length !== 2 || !place.every(Boolean) || place[0].digits.length !== place[1].digits.length) {
+    byId("said").textContent = `${event.target.value}: must be two tiles of one level, such as -5:0132 7:3301`;
+    return;
+  }
+  byId("said").textContent = "";
+  Object.assign(state, { tile: place, at: [0.5, 0.5], zoom: 256 });
+  redraw();
+});
+for (const slider of ["spacing", "stamp-size", "brush", "brush-size"]) byId(slider).addEventListener("input", redraw);
+byId("stamps").addEventListener("change", showStamps);
+byId("empty").addEventListener("click", () => newSheet(0));
+byId("full").addEventListener("click", () => newSheet(255));
+
+// Diving zooms in without end, and says how many frames a second the browser draws.
+let dive = null;
+function diveOn(now) {
+  if (!dive) return;
+  dive.push(now);
+  if (dive.length > 60) dive.shift();
+  const seconds = (now - dive[0]) / 1000;
+  if (seconds > 0.5) byId("frames").textContent = `${((dive.length - 1) / seconds).toFixed(0)} frames a second`;
+  const passed = dive.length > 1 ? now - dive[dive.length - 2] : 0;
+  zoomBy(2 ** (Math.min(100, passed) / 1000), 40 * Math.sin(now / 3000), 40 * Math.cos(now / 2000));
+  drawNow();
+  requestAnimationFrame(diveOn);
+}
+byId("dive").addEventListener("change", (event) => {
+  dive = event.target.checked ? [] : null;
+  byId("frames").textContent = "";
+  if (dive) requestAnimationFrame(diveOn);
+});
+
+function save(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+byId("save-csv").addEventListener("click", () => {
+  const seen = seenWindow();
+  if (perTile() * seen.size[0] * seen.size[1] > mostSaved) {
+    byId("said").textContent = "Too many points are in view: give them more room";
+    return;
+  }
+  save(new Blob([csvOf(windowPoints(seen), drawing.stamps)], { type: "text/plain" }), "points.csv");
+});
+byId("save-png").addEventListener("click", () => {
+  drawNow();
+  canvas.toBlob((blob) => save(blob, "painting.png"));
+});
+byId("save-density").addEventListener("click", () => layerPicture().toBlob((blob) => save(blob, "density.png")));
+for (const button of document.querySelectorAll("[data-copy]"))
+  button.addEventListener("click", () => {
+    const shown = byId(button.dataset.copy);
+    if (navigator.clipboard) navigator.clipboard.writeText(shown.href || shown.textContent).catch(() => {});
+    getSelection().selectAllChildren(shown);
+  });
+
+canvas.addEventListener("webglcontextlost", () => (byId("said").textContent = "The browser took WebGL2 away: open this page again"));
+addEventListener("hashchange", readAddress);
+addEventListener("resize", redraw);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", showStamps);
+byId("stamp-size").value = about.stampSize;
+if (!readAddress()) goHome();
+showStamps();
+readGiven();
+drawNow();
