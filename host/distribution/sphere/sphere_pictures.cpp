@@ -108,10 +108,10 @@ PngPixels sphere_ground(SphereProjection projection, const std::function<GroundP
 }
 
 MarkPicture sphere_dots(SphereProjection projection, const std::vector<SpherePlace>& points, double radius,
-                        const std::string& ground)
+                        const std::string& color, const std::string& ground)
 {
     MarkPicture picture{picture_width, picture_height, picture_width, ground};
-    MarkGroup dots{"#101820"};
+    MarkGroup dots{color};
     for (const SpherePlace& place : points) {
         const bool is_globe = projection == SphereProjection::globe;
         const auto [x, y] = is_globe ? on_globe(direction_of(place)) : on_map(place);

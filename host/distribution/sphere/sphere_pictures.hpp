@@ -32,6 +32,6 @@ PngPixels sphere_ground(SphereProjection projection,
 
 /// The points as dots over that picture, whose file is `ground`; `radius` is that of dots on the unit sphere.
 MarkPicture sphere_dots(SphereProjection projection, const std::vector<SpherePlace>& points, double radius,
-                        const std::string& ground);
+                        const std::string& color, const std::string& ground);
 
 }

@@ -24,9 +24,14 @@ constexpr double degrees = 180 / std::numbers::pi;
 /// Pictures have the first points, which are even as well.
 constexpr std::size_t most_dots = 20'000;
 
+/// Points that the whole sphere may have with the density of the densest place.
+constexpr std::int64_t most_sphere_values = 1 << 24;
+
 void sphere_keys(Keys& keys, SphereSettings& s)
 {
-    keys.points(s.points, "the number of points: exactly so many where they are even, about so many of an environment");
+    keys.integer("points", s.points, 1, most_sphere_values,
+                 "the number of points: exactly so many where they are even, about so many of an environment")
+        .required();
     keys.word("variant", s.variant, polyominoes,
               "the polyomino: a pentomino that is divided into 4, or a hexomino that is divided into 81");
     keys.picture_or_formula("environment", s.environment, s.environment_from,
@@ -41,11 +46,11 @@ void sphere_keys(Keys& keys, SphereSettings& s)
     if (!keys.is_read()) return;
     if (!s.environment.empty())
         keys.check("environment", [&] { s.light = std::make_shared<const SphereLight>(s.environment, s.seen_from); });
-    if (const double values = sphere_values(s); values > most_polyomino_values)
+    if (const double values = sphere_values(s); values > static_cast<double>(most_sphere_values))
         throw keys.invalid("points",
                            fmt::format("would be {:.0f} over the whole sphere with the density of the densest "
                                        "place: must be at most {:.0f}",
-                                       values, most_polyomino_values));
+                                       values, static_cast<double>(most_sphere_values)));
 }
 
 std::string sphere_label(const SphereSettings& s)
@@ -72,7 +77,8 @@ void add_pictures(const std::vector<SpherePlace>& points, const PolyominoSphere&
 {
     const std::vector<SpherePlace> shown(
         points.begin(), points.begin() + static_cast<std::ptrdiff_t>(std::min(points.size(), most_dots)));
-    const double radius = std::min(0.02, 0.7 / std::sqrt(std::max<double>(1, static_cast<double>(shown.size()))));
+    const double radius =
+        (light ? 0.5 : 1) * std::min(0.02, 0.7 / std::sqrt(std::max<double>(1, static_cast<double>(shown.size()))));
     const std::string of =
         light ? "the light" : "the squares of HEALPix and the first tiles, which go on across borders";
     const std::string first =
@@ -80,7 +86,8 @@ void add_pictures(const std::vector<SpherePlace>& points, const PolyominoSphere&
     const auto add = [&](SphereProjection projection, const std::string& name, const std::string& way) {
         write_png(files.add(name + ".png"),
                   sphere_ground(projection, [&](const SpherePlace& place) { return ground_at(place, sphere, light); }));
-        files.add_marks(name + ".json", sphere_dots(projection, shown, radius, name + ".png"),
+        files.add_marks(name + ".json",
+                        sphere_dots(projection, shown, radius, light ? "#e02020" : "#101820", name + ".png"),
                         fmt::format("{} over {}, {}.", first, of, way), result);
     };
     add(SphereProjection::globe, "globe",
