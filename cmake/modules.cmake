@@ -5,7 +5,7 @@
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules
   methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures
-  surface_spectra geometry_tiles recursive_tiles)
+  surface_spectra geometry_tiles recursive_tiles sphere)
 set(lab_command_modules
   results tiles tilings textures regions distributions classes surfaces surface_textures
   recursive_tiles large_sets manual)
@@ -31,6 +31,7 @@ set(lab_needs_of_surface_spectra surfaces)
 set(lab_needs_of_surface_textures distributions textures surfaces)
 set(lab_needs_of_geometry_tiles distributions surfaces)
 set(lab_needs_of_recursive_tiles distributions other_tiles)
+set(lab_needs_of_sphere other_tiles distributions surface_spectra)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})

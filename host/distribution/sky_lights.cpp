@@ -3,6 +3,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
+#include "base/geometry/circle_point.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,37 +15,6 @@ namespace poissonlab {
 namespace {
 
 constexpr double place_units = 4294967296.0; // of a pixel
-
-/// Cosine and sine of `part` turns, 0 to 1/8, by their series: libraries differ in last bits, weights must not.
-std::array<double, 2> short_circle(double part)
-{
-    const double x = 2 * std::numbers::pi * part, squared = x * x;
-    double cosine = 0, sine = 0;
-    for (int n = 18; n >= 2; n -= 2) {
-        cosine = (1 - cosine) * squared / (n * (n - 1));
-        sine = (1 - sine) * squared / (n * (n + 1));
-    }
-    return {1 - cosine, x * (1 - sine)};
-}
-
-/// Cosine and sine of `part` turns, 0 <= part <= 1, from those of the first eighth.
-std::array<double, 2> circle_point(double part)
-{
-    if (part > 0.5) {
-        const auto [cosine, sine] = circle_point(1 - part);
-        return {cosine, -sine};
-    }
-    if (part > 0.25) {
-        const auto [cosine, sine] = circle_point(0.5 - part);
-        return {-cosine, sine};
-    }
-    if (part <= 0.125) return short_circle(part);
-    const auto [cosine, sine] = short_circle(0.25 - part);
-    return {sine, cosine};
-}
-
-/// The cosine of the polar angle of the border above a row.
-double border_cosine(int row, int height) { return circle_point(row / (2.0 * height))[0]; }
 
 /// The colour of a pixel, as bright as that.
 std::vector<double> pixel_power(const LinearPicture& map, int column, int row, double luminance_of_light)
@@ -87,6 +57,8 @@ LinearPicture sky_map(const std::string& text)
                 static_cast<double>(full_weight)));
     return map;
 }
+
+double border_cosine(int row, int height) { return circle_point(row / (2.0 * height))[0]; }
 
 double solid_angle(int row, int width, int height)
 {

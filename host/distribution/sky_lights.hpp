@@ -32,6 +32,9 @@ struct SkyLight
 /// y, the latitude from -1/2 to 1/2: grey, its largest value 1. Throws InputError for what is neither.
 LinearPicture sky_map(const std::string& text);
 
+/// The cosine of the polar angle of the border above this row of a map, row 0 at the top.
+double border_cosine(int row, int height);
+
 /// The solid angle of a pixel in this row of a map, row 0 at the top.
 double solid_angle(int row, int width, int height);
 

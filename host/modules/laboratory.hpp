@@ -43,6 +43,7 @@ void add_surface_textures(Laboratory& laboratory);
 void add_surface_spectra(Laboratory& laboratory);
 void add_geometry_tiles(Laboratory& laboratory);
 void add_recursive_tiles(Laboratory& laboratory);
+void add_sphere(Laboratory& laboratory);
 
 /// The modules of this program; CMake writes the list.
 const std::vector<Module>& built_modules();

@@ -106,6 +106,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[distribution]]\nkind = \"class-set\"\n", "classes"},
              {"[[distribution]]\nkind = \"geometry-tiles\"\n", "geometry_tiles"},
              {"[[distribution]]\nkind = \"recursive-tiles\"\n", "recursive_tiles"},
+             {"[[distribution]]\nkind = \"sphere\"\n", "sphere"},
              {"[[texture]]\nexemplar = \"a.png\"\n", "textures"},
              {"dimension = 3\n[[method]]\nsampler = \"random\"\n", "space"},
              {"tiles = 2\n[[method]]\nsampler = \"random\"\n", "tile_measures"},

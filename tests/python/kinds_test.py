@@ -188,6 +188,21 @@ class Kinds(unittest.TestCase):
         with self.assertRaisesRegex(poissonlab.InputError, "along: needs method darts|along.*darts"):
             distribute.points(region=roads, along=True, method="lloyd", points=9)
 
+    def test_points_on_the_sphere_are_unit_vectors_whose_nearest_ones_scipy_finds(self):
+        made = distribute.sphere(points=3840, rng=1)
+        self.assertEqual(made.points.shape, (3840, 3))
+        self.assertLess(abs(numpy.linalg.norm(made.points, axis=1) - 1).max(), 1e-14)
+        nearest = 2 * numpy.arcsin(scipy.spatial.cKDTree(made.points).query(made.points, 2)[0][:, 1] / 2)
+        packed = numpy.sqrt(2 / numpy.sqrt(3) * 4 * numpy.pi / 3840)
+        self.assertAlmostEqual(made.numbers["least_angle"], numpy.degrees(nearest.min()), places=9)
+        self.assertAlmostEqual(made.numbers["relative_radius"], nearest.min() / packed, places=9)
+        self.assertAlmostEqual(made.numbers["mean_nearest_distance"], nearest.mean() / packed, places=9)
+        mean_distance = 2 * scipy.spatial.distance.pdist(made.points).sum() / 3840**2
+        self.assertAlmostEqual(made.numbers["cap_discrepancy"], 3 * 3840 * (4 / 3 - mean_distance) / 4, places=6)
+        self.assertEqual(len(distribute.sphere(points=1, rng=1).points), 1)
+        with self.assertRaisesRegex(poissonlab.InputError, "seen_from = .*needs environment"):
+            distribute.sphere(points=9, seen_from="outside")
+
     def test_unknown_keywords_of_kinds_are_not_those_of_samplers(self):
         with self.assertRaisesRegex(TypeError, r"no parameter 'n': it has"):
             distribute.darts(n=3)
@@ -197,7 +212,7 @@ class Kinds(unittest.TestCase):
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
                           "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set",
                           "mesh_set", "class_set", "cells", "textured_surface", "surface_objects", "geometry_tiles",
-                          "recursive"})
+                          "recursive", "sphere"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 

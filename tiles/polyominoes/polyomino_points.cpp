@@ -23,18 +23,6 @@ std::uint64_t power(std::uint64_t base, std::uint32_t exponent)
     return result;
 }
 
-/// The point of a value, if it has one. The density at its tile on the finest level decides, so that none is missing
-/// among points of that level; the point is that of the tile on the level that the density there asks for.
-std::optional<std::array<double, 2>> point_of_value(const PolyominoTorus& torus, std::uint64_t value, double scale,
-                                                    const Density& density, std::uint32_t finest)
-{
-    const auto [x, y] = torus.middle(torus.tile(value, finest), finest);
-    const double wanted = scale * static_cast<double>(density.at(x, y));
-    if (static_cast<double>(value) >= wanted) return std::nullopt;
-    const std::uint32_t level = torus.counts().level_of(wanted);
-    return torus.point(torus.tile(value, level), level, torus.counts().row_of(wanted, level));
-}
-
 /// Points of the torus for a weight of 1.
 double points_per_weight(std::size_t points, const Density& density)
 {
@@ -45,8 +33,8 @@ double points_per_weight(std::size_t points, const Density& density)
 
 }
 
-PolyominoCounts::PolyominoCounts(Polyomino shape, std::uint32_t side)
-    : roots(std::uint64_t{side} * side / cells_of(shape).size()),
+PolyominoCounts::PolyominoCounts(Polyomino shape, std::uint32_t side, std::uint32_t squares)
+    : roots(std::uint64_t{squares} * side * side / cells_of(shape).size()),
       children(power(static_cast<std::uint64_t>(factor_of(shape)), 2)),
       least_level(first_level_of(shape) + table_depth_of(shape)),
       last_row(static_cast<std::uint32_t>(power(children, table_depth_of(shape))))
@@ -67,24 +55,14 @@ std::uint32_t PolyominoCounts::row_of(double points, std::uint32_t level) const
     return std::clamp(static_cast<std::uint32_t>(std::ceil(part * last_row)), 1U, last_row);
 }
 
-PolyominoTorus::PolyominoTorus(const PolyominoTable& table, std::uint32_t side, std::uint64_t seed,
-                               std::uint32_t realization)
-    : table_(table), side_(side), counts_(table.neighbourhoods.rule.shape, side),
-      anchor_(anchor_of(table.neighbourhoods.rule.shape))
-{
-    const Neighbourhoods& all = table.neighbourhoods;
-    const std::vector<Pose> roots = random_torus_tiling(all.rule.shape, side, seed, realization);
-    if (roots.empty()) throw InputError(fmt::format("no tiling of {} x {} cells was found", side, side));
-    order_ = random_permutation(static_cast<std::uint32_t>(roots.size()),
-                                stream_key(seed, Purpose::polyomino_seed, realization, order_attempt), 0);
-    tiles_ = divided(all.rule, roots, all.first_level);
-    const auto factor = static_cast<std::uint64_t>(all.rule.factor);
-    const auto period = static_cast<std::int64_t>(side * power(factor, all.first_level));
-    for (const Collar& collar : collars_on_torus(all.rule.shape, tiles_, period))
-        classes_.push_back(class_of(all, collar));
-}
+PolyominoTiles::PolyominoTiles(const PolyominoTable& table, std::uint32_t side, std::uint32_t squares,
+                               const std::vector<Pose>& roots)
+    : side_(side), table_(table), counts_(table.neighbourhoods.rule.shape, side, squares),
+      anchor_(anchor_of(table.neighbourhoods.rule.shape)),
+      tiles_(divided(table.neighbourhoods.rule, roots, table.neighbourhoods.first_level))
+{}
 
-LevelTile PolyominoTorus::tile(std::uint64_t value, std::uint32_t level) const
+LevelTile PolyominoTiles::tile(std::uint64_t value, std::uint32_t level) const
 {
     const Neighbourhoods& all = table_.neighbourhoods;
     const std::uint64_t children = all.rule.children.size();
@@ -101,10 +79,47 @@ LevelTile PolyominoTorus::tile(std::uint64_t value, std::uint32_t level) const
     return tile;
 }
 
-std::int64_t PolyominoTorus::side_units(std::uint32_t level) const
+LatticePlace PolyominoTiles::point_units(const LevelTile& tile, std::uint32_t row) const
+{
+    return point_of(tile.pose, anchor_, table_.correction(row, tile.tile_class, tile.number));
+}
+
+std::int64_t PolyominoTiles::side_units(std::uint32_t level) const
 {
     const auto factor = static_cast<std::uint64_t>(table_.neighbourhoods.rule.factor);
     return static_cast<std::int64_t>(side_ * power(factor, level)) * cell_units;
+}
+
+std::optional<ChosenTile> PolyominoTiles::chosen_tile(std::uint64_t value, std::uint32_t finest,
+                                                      const std::function<double(const LevelTile& tile)>& wanted) const
+{
+    const double points = wanted(tile(value, finest));
+    if (static_cast<double>(value) >= points) return std::nullopt;
+    const std::uint32_t level = counts_.level_of(points);
+    return ChosenTile{tile(value, level), level, counts_.row_of(points, level)};
+}
+
+namespace {
+
+std::vector<Pose> torus_roots(Polyomino shape, std::uint32_t side, std::uint64_t seed, std::uint32_t realization)
+{
+    std::vector<Pose> roots = random_torus_tiling(shape, side, seed, realization);
+    if (roots.empty()) throw InputError(fmt::format("no tiling of {} x {} cells was found", side, side));
+    return roots;
+}
+
+}
+
+PolyominoTorus::PolyominoTorus(const PolyominoTable& table, std::uint32_t side, std::uint64_t seed,
+                               std::uint32_t realization)
+    : PolyominoTiles(table, side, 1, torus_roots(table.neighbourhoods.rule.shape, side, seed, realization))
+{
+    const Neighbourhoods& all = table.neighbourhoods;
+    order_ = random_permutation(static_cast<std::uint32_t>(counts().roots),
+                                stream_key(seed, Purpose::polyomino_seed, realization, order_attempt), 0);
+    const auto period = side_units(all.first_level) / cell_units;
+    for (const Collar& collar : collars_on_torus(all.rule.shape, first_tiles(), period))
+        classes_.push_back(class_of(all, collar));
 }
 
 std::array<double, 2> PolyominoTorus::on_torus(const LatticePlace& units, std::uint32_t level) const
@@ -114,16 +129,6 @@ std::array<double, 2> PolyominoTorus::on_torus(const LatticePlace& units, std::u
         return static_cast<double>((c % side + side) % side) / static_cast<double>(side);
     };
     return {wrapped(units.x), wrapped(units.y)};
-}
-
-std::array<double, 2> PolyominoTorus::point(const LevelTile& tile, std::uint32_t level, std::uint32_t row) const
-{
-    return on_torus(point_of(tile.pose, anchor_, table_.correction(row, tile.tile_class, tile.number)), level);
-}
-
-std::array<double, 2> PolyominoTorus::middle(const LevelTile& tile, std::uint32_t level) const
-{
-    return on_torus(point_of(tile.pose, anchor_, {}), level);
 }
 
 PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points)
@@ -139,12 +144,12 @@ PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points)
     return set;
 }
 
-double proven_distance(const PolyominoTorus& torus, std::size_t points)
+double proven_distance(const PolyominoTiles& tiles, std::size_t points)
 {
-    const std::uint32_t level = torus.counts().level_of(static_cast<double>(points));
-    const RowProof& proof = torus.table().proofs[torus.counts().row_of(static_cast<double>(points), level) - 1];
+    const std::uint32_t level = tiles.counts().level_of(static_cast<double>(points));
+    const RowProof& proof = tiles.table().proofs[tiles.counts().row_of(static_cast<double>(points), level) - 1];
     const auto squared = static_cast<double>(proof.squared_distance_after(level));
-    return std::sqrt(squared) / static_cast<double>(torus.side_units(level));
+    return std::sqrt(squared) / static_cast<double>(tiles.side_units(level));
 }
 
 double polyomino_values(std::size_t points, const Density& density)
@@ -157,8 +162,14 @@ PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points, const
     const double scale = points_per_weight(points, density), values = polyomino_values(points, density);
     const std::uint32_t finest = torus.counts().level_of(values);
     std::vector<std::optional<std::array<double, 2>>> places(static_cast<std::size_t>(values));
-    tbb::parallel_for(std::size_t{0}, places.size(),
-                      [&](std::size_t value) { places[value] = point_of_value(torus, value, scale, density, finest); });
+    const auto wanted = [&](const LevelTile& tile) {
+        const auto [x, y] = torus.middle(tile, finest);
+        return scale * static_cast<double>(density.at(x, y));
+    };
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t value) {
+        if (const auto chosen = torus.chosen_tile(value, finest, wanted))
+            places[value] = torus.point(chosen->tile, chosen->level, chosen->row);
+    });
     PointSet set{2, {}};
     for (const auto& place : places)
         if (place) set.coordinates.insert(set.coordinates.end(), place->begin(), place->end());

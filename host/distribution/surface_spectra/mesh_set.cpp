@@ -18,9 +18,6 @@ namespace {
 /// Points may be off the mesh by this part of the square root of the area per point.
 constexpr double off_mesh = 0.1;
 
-/// Spectra end here at the latest, in units of sqrt(N / area): beyond the first peak of Poisson disk sets.
-constexpr double farthest_reach = 1.6;
-
 /// Lattices have their first peaks below this frequency: those of squares at 1, those of triangles at 1.07.
 constexpr double reach_of_lattices = 1.2;
 
@@ -75,20 +72,11 @@ public:
         set.rings = eigenfunction_rings(found_.eigenvalues, found_.powers[number], surface_.area, highest_);
         const SurfaceDistances distances =
             surface_distances(surface_, points, least_cosine(normal_angle_), surface_.area);
-        const auto count = static_cast<double>(points.size());
-        const double packed = std::sqrt(2 / std::numbers::sqrt3 * surface_.area / count);
         set.least = distances.least;
         set.mean_nearest = distances.mean_nearest;
-        set.relative_radius = distances.least / packed;
-        set.nearest_ratio = distances.mean_nearest / packed;
         set.counts = counts_over_parts(mesh_, positions);
-        const double reach = frequency_of(highest_) * std::sqrt(surface_.area / count);
-        const FrequencyRange low = low_frequency_range(points.size(), 2);
-        if (!set.rings.empty() && reach > low_frequency_end) set.low_frequency_mean = mean_power_in(set.rings, low);
-        set.effective_nyquist = effective_nyquist_frequency(set.rings, points.size(), 2);
-        const bool reaches_lattices = reach >= reach_of_lattices;
-        if (reaches_lattices) set.above_chance = anisotropy_above_chance_db(set.rings, 1);
-        set.verdict = verdict_of(set, points.size(), reaches_lattices);
+        complete_measures(set, points.size(), surface_.area,
+                          frequency_of(highest_) * std::sqrt(surface_.area / static_cast<double>(points.size())));
         return set;
     }
 
@@ -99,6 +87,24 @@ private:
     double highest_, normal_angle_;
 };
 
+}
+
+void complete_measures(MeshSetMeasures& set, std::size_t points, double area, double reach)
+{
+    const double packed = std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points));
+    set.relative_radius = set.least / packed;
+    set.nearest_ratio = set.mean_nearest / packed;
+    const FrequencyRange low = low_frequency_range(points, 2);
+    if (!set.rings.empty() && reach > low_frequency_end) set.low_frequency_mean = mean_power_in(set.rings, low);
+    set.effective_nyquist = effective_nyquist_frequency(set.rings, points, 2);
+    const bool reaches_lattices = reach >= reach_of_lattices;
+    if (reaches_lattices) set.above_chance = anisotropy_above_chance_db(set.rings, 1);
+    set.verdict = verdict_of(set, points, reaches_lattices);
+}
+
+double curve_width(std::size_t points)
+{
+    return std::max(1.0, std::round(std::sqrt(static_cast<double>(points)) / rings_of_curve));
 }
 
 std::shared_ptr<const SurfaceMesh> surface_of(const MeshSetSettings& settings)
@@ -156,7 +162,7 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     spectra.shape = shape_of(points.mesh);
     spectra.triangles = points.mesh.triangles.size();
     spectra.reach =
-        std::min(farthest_reach, frequency_of_eigenfunctions(settings.eigenfunctions, surface.area) / density);
+        std::min(farthest_spectrum, frequency_of_eigenfunctions(settings.eigenfunctions, surface.area) / density);
     const double highest = eigenvalue_of(spectra.reach * density);
     const double longest = longest_edge_in_wavelengths / frequency_of(highest);
     // Equilateral triangles are the fewest, and there are two of them for each vertex.
@@ -181,7 +187,7 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     });
     spectra.eigenfunctions = found.eigenvalues.size();
     const MeshSetMeasurement measurement(surface, mesh, found, highest, settings.normal_angle);
-    const double width = std::max(1.0, std::round(std::sqrt(static_cast<double>(count)) / rings_of_curve));
+    const double width = curve_width(count);
     const auto curve = [&](std::size_t number) {
         return eigenfunction_rings(found.eigenvalues, found.powers[number], surface.area, highest, width);
     };

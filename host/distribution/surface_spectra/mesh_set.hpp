@@ -7,6 +7,7 @@
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/kinds/kind.hpp"
 #include "results/blue_noise.hpp"
+#include "results/pictures/curve_chart.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,16 @@ struct MeshSetMeasures
     BlueNoiseVerdict verdict;
 };
 
+/// Spectra end here at the latest, in units of sqrt(N / area): beyond the first peak of Poisson disk sets.
+inline constexpr double farthest_spectrum = 1.6;
+
+/// Adds the measures that follow from rings, least and mean_nearest of points on a surface of this area. `reach` is the
+/// end of the spectrum in units of sqrt(N / area).
+void complete_measures(MeshSetMeasures& set, std::size_t points, double area, double reach);
+
+/// The width of rings as curves show them.
+double curve_width(std::size_t points);
+
 /// A method beside the points that are measured: as many of its points.
 struct MethodSpectrum
 {
@@ -92,6 +103,13 @@ struct MeshSpectra
 /// Measures the points, and as many random ones and as many by dart throwing to compare them with.
 MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings& settings, std::uint64_t seed,
                              const std::function<void(const std::string& what)>& on_step);
+
+/// Compares the set, which is called `name`, with other methods, random points and darts; `where` ends the title.
+DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& name, const std::string& where);
+
+/// The curves of all sets of a spectrum: `value` of their rings.
+CurveChart spectrum_chart(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
+                          double level, double RadialBin::*value);
 
 /// Returns kind = "mesh-set", which measures a file of points.
 Kind mesh_set_kind();

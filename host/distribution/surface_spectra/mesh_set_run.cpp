@@ -7,7 +7,6 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "results/curve_tables.hpp"
-#include "results/pictures/curve_chart.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -126,10 +125,44 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
     return numbers;
 }
 
-/// Compares the set with other methods, random points and darts.
-DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& name)
+DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                   DistributionFiles& files)
 {
-    DistributionTable table{"The points compared with others on this mesh", {"", name}, {}};
+    MeshWithPoints points = *read_mesh_set(settings);
+    if (settings.set.empty())
+        points.points = points_by_method(settings.methods.front(), *settings.points, points.surface, settings, seed);
+    const std::string name = settings.set.empty() ? settings.methods.front() : "points";
+    const MeshSpectra spectra = measure_mesh_set(points, settings, seed, place.on_step);
+    DistributionResult result;
+    result.facts = facts_of(points, spectra);
+    result.numbers = numbers_of(points, spectra, !settings.set.empty());
+    result.tables = {comparison_of(spectra, name, "on this mesh")};
+    const std::size_t count = points.points.size();
+    files.add_curves(
+        "power", spectrum_chart(spectra, name, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
+        "Radially averaged power: the mean power of the mesh's eigenfunctions in rings of equal frequency; "
+        "random points have 1, and blue noise has little on the left.",
+        result);
+    files.add_curves(
+        "anisotropy",
+        spectrum_chart(spectra, name, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
+        "Anisotropy: the variance of the power of the eigenfunctions in a ring. Random points have 0 dB, and peaks of "
+        "a lattice rise above it.",
+        result);
+    const FixedSurface& surface = points.surface->surface;
+    const SurfaceDots dots{std::isfinite(spectra.set.mean_nearest) ? spectra.set.mean_nearest : 0,
+                           surface.open_edges == 0};
+    write_png(files.add("points.png"), surface_view(surface, points.points, dots));
+    result.pictures.push_back({"points.png", "The points on the mesh, from the front above and from behind above."});
+    write_whole_file(files.add("radial.csv", result), radial_csv(spectra.set.rings));
+    return result;
+}
+
+}
+
+DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& name, const std::string& where)
+{
+    DistributionTable table{"The points compared with others " + where, {"", name}, {}};
     std::vector<const MeshSetMeasures*> sets{&spectra.set};
     for (const MethodSpectrum& method : spectra.methods) {
         table.columns.push_back(method.name);
@@ -165,8 +198,8 @@ DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& n
     return table;
 }
 
-CurveChart chart_of(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
-                    double level, double RadialBin::*value)
+CurveChart spectrum_chart(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
+                          double level, double RadialBin::*value)
 {
     const double unit = 1 / std::sqrt(static_cast<double>(points));
     CurveChart chart{{"frequency / √(N / area)", 0, std::max(0.1, spectra.reach), 0.25}, y, level, {}};
@@ -182,40 +215,6 @@ CurveChart chart_of(const MeshSpectra& spectra, const std::string& name, std::si
         add(spectra.methods[i].name, colors[i % colors.size()], spectra.methods[i].curve);
     add(name, "#2c728e", spectra.set_curve);
     return chart;
-}
-
-DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                                   DistributionFiles& files)
-{
-    MeshWithPoints points = *read_mesh_set(settings);
-    if (settings.set.empty())
-        points.points = points_by_method(settings.methods.front(), *settings.points, points.surface, settings, seed);
-    const std::string name = settings.set.empty() ? settings.methods.front() : "points";
-    const MeshSpectra spectra = measure_mesh_set(points, settings, seed, place.on_step);
-    DistributionResult result;
-    result.facts = facts_of(points, spectra);
-    result.numbers = numbers_of(points, spectra, !settings.set.empty());
-    result.tables = {comparison_of(spectra, name)};
-    const std::size_t count = points.points.size();
-    files.add_curves(
-        "power", chart_of(spectra, name, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
-        "Radially averaged power: the mean power of the mesh's eigenfunctions in rings of equal frequency; "
-        "random points have 1, and blue noise has little on the left.",
-        result);
-    files.add_curves(
-        "anisotropy", chart_of(spectra, name, count, {"anisotropy (dB)", -20, 40, 5}, 0, &RadialBin::anisotropy_db),
-        "Anisotropy: the variance of the power of the eigenfunctions in a ring. Random points have 0 dB, and peaks of "
-        "a lattice rise above it.",
-        result);
-    const FixedSurface& surface = points.surface->surface;
-    const SurfaceDots dots{std::isfinite(spectra.set.mean_nearest) ? spectra.set.mean_nearest : 0,
-                           surface.open_edges == 0};
-    write_png(files.add("points.png"), surface_view(surface, points.points, dots));
-    result.pictures.push_back({"points.png", "The points on the mesh, from the front above and from behind above."});
-    write_whole_file(files.add("radial.csv", result), radial_csv(spectra.set.rings));
-    return result;
-}
-
 }
 
 Kind mesh_set_kind()
