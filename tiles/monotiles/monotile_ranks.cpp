@@ -55,6 +55,8 @@ public:
             energies_[state].resize(points_[state].size());
         }
         list_pairs();
+        for (std::uint32_t state = 0; state < count; ++state) push_from_copies(state);
+        for (std::uint32_t state = 0; state < count; ++state) by_second_[state].push_back({state, 1, {1, 0, 0, 1}, {}});
     }
 
     /// Returns [state][number of the part * points + point].
@@ -103,7 +105,26 @@ private:
             const auto [x, y] = point_of(tiling, frame.at);
             by_second_[second.state].push_back({first, near.frequencies[i] / shares[first], {c, -s, s, c}, {x, y}});
         }
-        for (std::uint32_t i = 0; i < points_.size(); ++i) by_second_[i].push_back({i, 1, {1, 0, 0, 1}, {}});
+    }
+
+    /// A point is taken in all tiles of its state at once: it keeps away from its copies in tiles that are near. Three
+    /// of them may lie around a corner.
+    void push_from_copies(std::uint32_t state)
+    {
+        for (const DividedPair& pair : by_second_[state]) {
+            if (pair.first != state) continue;
+            for (std::size_t i = 0; i < points_[state].size(); ++i)
+                energies_[state][i] += energy(pair, points_[state][i], points_[state][i]);
+        }
+    }
+
+    /// Returns the energy of a point of the pair's first tile beside one of the second tile.
+    static double energy(const DividedPair& pair, const PairVector& second, const PairVector& first)
+    {
+        const PairVector there = turned(pair.turn, second);
+        const double x = pair.at.x + there.x - first.x, y = pair.at.y + there.y - first.y;
+        const double squared = x * x + y * y;
+        return pair.weight / (squared * squared);
     }
 
     std::size_t lowest(std::size_t state) const
@@ -118,16 +139,10 @@ private:
 
     void push_away(std::size_t state, const PairVector& point)
     {
-        for (const DividedPair& pair : by_second_[state]) {
-            const PairVector there = turned(pair.turn, point);
-            for (std::size_t i = 0; i < ranks_[pair.first].size(); ++i) {
-                if (ranks_[pair.first][i] != unranked) continue;
-                const double x = pair.at.x + there.x - points_[pair.first][i].x;
-                const double y = pair.at.y + there.y - points_[pair.first][i].y;
-                const double squared = x * x + y * y;
-                energies_[pair.first][i] += pair.weight / (squared * squared);
-            }
-        }
+        for (const DividedPair& pair : by_second_[state])
+            for (std::size_t i = 0; i < ranks_[pair.first].size(); ++i)
+                if (ranks_[pair.first][i] == unranked)
+                    energies_[pair.first][i] += energy(pair, point, points_[pair.first][i]);
     }
 
     const MonotileTable& table_;

@@ -55,7 +55,8 @@ void name_foreign_keys(Keys& keys, const std::vector<ParameterSpec>& own)
             if (find_spec(own, spec.key) || !named.insert(spec.key).second) continue;
             Parameters unused;
             const auto said = keys.parameter(spec, unused);
-            Keys::Said(said).only_if(false, owners_of(spec.key)).otherwise("needed by tiles that have it");
+            Keys::Said foreign = Keys::Said(said).only_if(false, owners_of(spec.key));
+            if (!spec.otherwise && spec.unless_given.empty()) foreign.otherwise("needed by tiles that have it");
         }
 }
 

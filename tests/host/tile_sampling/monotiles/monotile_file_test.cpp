@@ -2,6 +2,7 @@
 // what their tables say of the tilings, and files that are damaged or lie.
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/geometry/relative_radius.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
@@ -148,6 +149,24 @@ TEST(MonotileFile, PartsOfThePointsAreNestedAndAsManyAsAskedFor)
                 EXPECT_NEAR(static_cast<double>(part.size()), density * n, 2 * chance) << word << density;
             }
         }
+}
+
+// Points of any part by rank keep apart, also those of tiles that are alike and meet in threes around a corner. Of
+// random points this many would have distances near 0.
+TEST(MonotileFile, PartsOfThePointsAreSpread)
+{
+    for (const char* word : {"hat", "spectre"}) {
+        const MonotilePointsFile file(file_bytes(word, 4, 0), word);
+        for (const double density : {0.05, 0.1, 0.25, 0.5, 0.75}) {
+            const double side = std::sqrt(2000 / (density * file.density()));
+            const auto part = window_points(file, {1'000'000, 1}, {0, 0}, {side, side}, density);
+            double least = 1e9;
+            for (const pmono_point& p : part)
+                for (const pmono_point* q = part.data(); q != &p; ++q)
+                    least = std::min(least, std::hypot(p.position[0] - q->position[0], p.position[1] - q->position[1]));
+            EXPECT_GT(relative_radius(least / side, part.size(), 2), 0.4) << word << ", density " << density;
+        }
+    }
 }
 
 // The growth of the number of tiles and the share of mirrored tiles follow from a file's tables alone: 4 + sqrt(15) for
