@@ -115,7 +115,7 @@ _poissonlab()
         ['texture tile']='--window --seed --marks --out --help'
         ['texture verify']='--json --help'
         ['tiles']='build points picture page verify'
-        ['tiles build']='corner edge template sphere --tiles --colors --points --relative-radius --filling --lloyd --repulsion --ranked --border --joint-iterations --null-peaks --equal-moments --class-points --class-distances --class-matrix --seed --engine --device --quiet --json --out --help'
+        ['tiles build']='corner edge template sphere hat spectre --tiles --levels --colors --points --relative-radius --filling --lloyd --repulsion --ranked --border --joint-iterations --null-peaks --equal-moments --class-points --class-distances --class-matrix --seed --engine --device --quiet --json --out --help'
         ['tiles build --border']='strip chain'
         ['tiles build --engine']='opencl reference'
         ['tiles build --filling']='dart-throwing relaxation-dart-throwing'

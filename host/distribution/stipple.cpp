@@ -2,13 +2,12 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
-#include "base/random/random.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/ink/line_directions.hpp"
+#include "host/distribution/ranked_sets.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/self_similar_tile.hpp"
-#include "tiles/poisson/tile_lookup.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +35,7 @@ PixelPlaces ranked_places(const Density& density, std::size_t points, std::uint6
 
 /// Points of a tiling with ranked tiles, as large as the picture asks for: at the most ink all of them stay, elsewhere
 /// those whose level is below the ink's part of it.
-PixelPlaces tiled_places(const Density& density, const PoissonTileSet& tiles, std::size_t points, std::uint64_t seed)
+PixelPlaces tiled_places(const Density& density, const RankedSet& tiles, std::size_t points, std::uint64_t seed)
 {
     double parts = 0; // of the most ink, in pixels
     for (const std::uint64_t weight : density.weights)
@@ -46,15 +45,10 @@ PixelPlaces tiled_places(const Density& density, const PoissonTileSet& tiles, st
         throw InputError(fmt::format("{} marks by the ranks of tiles: the darkest places are so small a part of the "
                                      "picture that they are chosen of {:.0f} points; must be at most {:.0f}",
                                      points, looked_at, most_tiled_points));
-    const double side = std::sqrt(tiles.parameters.points_per_tile * parts / static_cast<double>(points)); // of a tile
-    const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0], 0};
-    const ptiles_tiling look_up = runtime_tiling(tiles, tiling);
-    const double low[3] = {0, 0, 0}, high[3] = {density.width / side, density.height / side, 0};
-    std::vector<ptiles_point> all(ptiles_in_window(&look_up, low, high, nullptr, 0, 1));
-    ptiles_in_window(&look_up, low, high, all.data(), all.size(), 1);
+    const double side = std::sqrt(tiles.density() * parts / static_cast<double>(points)); // of a tile, or an edge
     PixelPlaces places;
-    for (const ptiles_point& point : all) {
-        const double x = point.position[0] * side, y = point.position[1] * side;
+    for (const LeveledPoint& point : tiles.points(density.width / side, density.height / side, seed)) {
+        const double x = point.x * side, y = point.y * side;
         if (!(x < density.width && y < density.height)) continue;
         const std::uint64_t weight =
             density.weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(density.width) +
@@ -64,15 +58,6 @@ PixelPlaces tiled_places(const Density& density, const PoissonTileSet& tiles, st
         places.push_back(static_cast<std::uint64_t>(y * place_units_a_pixel));
     }
     return places;
-}
-
-PoissonTileSet ranked_tiles(const StippleSettings& settings)
-{
-    PoissonTileSet tiles = std::get<PoissonTileSet>(chosen_method(settings.method));
-    if (tiles.ranks.empty())
-        throw InputError(
-            fmt::format("{}: are tiles without ranks (tiles build --ranked)", settings.method.tiles.string()));
-    return tiles;
 }
 
 /// A stroke of this length, round ends included, around a place.
@@ -125,9 +110,8 @@ double even_radius(const InkPicture& picture, const StippleSettings& settings, c
     if (settings.by == MarkPlaces::gaussian)
         return relaxed_radius(settings, stippling.asked, picture.ink.width, picture.ink.height, place);
     if (settings.by == MarkPlaces::ranks && !settings.method.tiles.empty()) {
-        const PoissonTileSet tiles = ranked_tiles(settings);
         // Distances are of the marks that were asked for, which are as many as the tiles' scale says.
-        return relative_radius_of(tiles.squared_min_distance, tiles.parameters) *
+        return RankedSet(settings.method.tiles).relative_radius() *
                std::sqrt(static_cast<double>(stippling.places.size()) / 2 / static_cast<double>(stippling.asked));
     }
     if (settings.by == MarkPlaces::ranks) {
@@ -220,7 +204,7 @@ Stippling stipple(const InkPicture& picture, const StippleSettings& settings, st
     if (settings.by == MarkPlaces::ranks) {
         stippling.places = settings.method.tiles.empty()
                                ? ranked_places(picture.density, points, seed)
-                               : tiled_places(picture.density, ranked_tiles(settings), points, seed);
+                               : tiled_places(picture.density, RankedSet(settings.method.tiles), points, seed);
     } else {
         stippling.even = even_points(chosen_method(settings.method), points, picture.density.width,
                                      picture.density.height, seed, place);

@@ -1,4 +1,5 @@
 // `poissonlab tiles build --border chain`: what it means by itself, what it refuses, and a file that is proven.
+#include "base/files/whole_file.hpp"
 #include "tests/support/command_test.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -6,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <cstring>
 
 namespace poissonlab {
 namespace {
@@ -41,6 +44,27 @@ TEST_F(TilesBuildCommand, ChainsComeWithWhatTheyAreGoodWith)
     EXPECT_THAT(verified.out, HasSubstr("border                chain\n"));
     EXPECT_THAT(verified.out, HasSubstr("chains  "));
     EXPECT_THAT(run("verify a.ptiles --json").out, HasSubstr("\"joint_iterations\": 20"));
+}
+
+/// A file of a monotile is proven by verify, and one whose promise is too large by one unit is not.
+TEST_F(TilesBuildCommand, HatsAndSpectresAreProven)
+{
+    for (const std::string word : {"hat", "spectre"}) {
+        ASSERT_EQ(run("build " + word + " --points 2 --levels 0 --out a.ptiles --quiet").status, 0);
+        const nlohmann::json json = nlohmann::json::parse(run("verify a.ptiles --json").out);
+        EXPECT_EQ(json.at("kind"), word);
+        EXPECT_EQ(json.at("states"), word == "hat" ? 19 : 42);
+        EXPECT_GT(json.at("relative_radius").get<double>(), 0.79);
+        std::string bytes = read_whole_file(folder_.path() / "a.ptiles");
+        ++bytes[40];
+        const std::uint64_t sum = tile_file_checksum(bytes);
+        std::memcpy(bytes.data() + 120, &sum, sizeof(sum));
+        write_whole_file(folder_.path() / "b.ptiles", bytes);
+        const Outcome refused = run("verify b.ptiles");
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_EQ(refused.error, "poissonlab: error: b.ptiles: promises other distances than are proven\n");
+        EXPECT_EQ(refused.out, "");
+    }
 }
 
 TEST_F(TilesBuildCommand, OptionsSayOtherwise)

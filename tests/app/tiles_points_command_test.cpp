@@ -3,9 +3,12 @@
 #include "base/points/point_file.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "tests/support/command_test.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
+#include "tiles/poisson/monotile_points_file.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +55,34 @@ TEST_F(TilesPointsCommand, WritesAWindowInEveryFormat)
     }
     EXPECT_THAT(content_of(folder_.path() / "points.txt"),
                 StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
+}
+
+/// Windows of one tile that never repeats, 10^12 edges away: files of every format have the points of the header, and a
+/// density leaves those of its level.
+TEST_F(TilesPointsCommand, WritesWindowsOfHatsAndSpectres)
+{
+    constexpr std::array<std::int64_t, 2> origin{1'000'000'000'000, -77};
+    constexpr std::array<double, 2> low{}, high{23, 23};
+    for (const std::string word : {"hat", "spectre"}) {
+        const std::string set = fmt::format("{}/runtime/tile_sets/{}-n4.ptiles", source_folder(), word);
+        const MonotilePointsFile file = read_monotile_points(set);
+        for (const double density : {1.0, 0.4}) {
+            std::array<pmono_point, 500> found{};
+            const std::size_t count = pmono_in_window(&file.set(), 5, origin.data(), low.data(), high.data(),
+                                                      found.data(), found.size(), density);
+            PointSet expected{2, {}};
+            for (std::size_t i = 0; i < count; ++i)
+                for (const double x : found[i].position) expected.coordinates.push_back(x / 23);
+            for (const std::string name : {"points.txt", "points.npy"}) {
+                const Outcome outcome = run(fmt::format(
+                    "{} --window 1000000000000 -77 23 23 --seed 5 --density {} --out {}", set, density, name));
+                ASSERT_EQ(outcome.status, 0) << outcome.error;
+                EXPECT_EQ(outcome.out + outcome.error, "");
+                EXPECT_EQ(read_points(folder_.path() / name, CoordinateRange{0, 23}).at(0), expected) << name;
+            }
+        }
+    }
+    expect_error(source_folder() + "/runtime/tile_sets/hat-n4.ptiles --torus 3 --out a.txt", "never close");
 }
 
 /// Both engines write equal bytes, of windows, tori and parts of the points.

@@ -160,6 +160,7 @@ protected:
         std::filesystem::current_path(folder_.path());
         said_of("tiles build corner --colors 2 --points 4 --relative-radius 0.4 --lloyd 1 --engine reference --quiet "
                 "--out set.ptiles");
+        std::filesystem::copy_file(source_folder() + "/runtime/tile_sets/hat-n4.ptiles", "hat.ptiles");
     }
     ~WrongInputs() override { std::filesystem::current_path(before_); }
 

@@ -5,6 +5,7 @@
 #include "base/files/xxh64_bytes.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 #include "tests/fuzz/mended_mutation.hpp"
+#include "tiles/poisson/monotile_points_file.hpp"
 #include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace poissonlab::fuzz {
 namespace {
@@ -43,6 +45,13 @@ void mend_overhang(unsigned char* data, std::uint64_t coordinates)
     std::memcpy(data + 100, overhang.data(), sizeof(overhang));
 }
 
+/// The size of a file with the points of a monotile, by the numbers of its header.
+std::uint64_t monotile_size(const unsigned char* data)
+{
+    const std::uint64_t states = word_at(data, 28), points = word_at(data, 32) % 32, parts = word_at(data, 48);
+    return header_size + 16 * (points + word_at(data, 52) + parts) + 8 * states * (1 + points) + 2 * parts * points;
+}
+
 /// Makes the file as long as its header says, where there is room, and its checksum right. Returns the new size.
 std::size_t mended(unsigned char* data, std::size_t size, std::size_t max_size)
 {
@@ -56,7 +65,8 @@ std::size_t mended(unsigned char* data, std::size_t size, std::size_t max_size)
     const std::uint64_t classes = version == 3 ? word_at(data, 36) % 33 : 0;
     const std::uint64_t of_classes =
         4 * classes + 8 * classes * (classes + 1); // numbers, and two distances of each pair
-    const std::uint64_t declared = header_size + (points * dimension + lengths + ranks) * 2 + of_classes;
+    const std::uint64_t declared =
+        version == 4 ? monotile_size(data) : header_size + (points * dimension + lengths + ranks) * 2 + of_classes;
     if (points <= max_size && lengths <= max_size && declared <= max_size) {
         for (std::size_t i = size; i < declared; ++i) data[i] = static_cast<unsigned char>(i * i * 37);
         size = declared;
@@ -121,6 +131,21 @@ void check_runtime(std::string_view bytes)
                 "a point outside of the window");
 }
 
+/// Points of monotiles by their file's tables, whether these are those of a tiling or lie.
+void check_monotile(const pmono_set& set)
+{
+    constexpr std::int64_t far = std::int64_t{1} << 40;
+    for (const std::array<std::int64_t, 2>& origin : {std::array<std::int64_t, 2>{0, 0}, {far, -far}, {-12, 34567}}) {
+        const std::array<double, 2> low{-3, -2.5}, high{4, 5};
+        std::array<pmono_point, 4> points{};
+        const std::uint64_t found =
+            pmono_in_window(&set, 5, origin.data(), low.data(), high.data(), points.data(), points.size(), 0.9);
+        for (std::size_t i = 0; i < std::min<std::size_t>(found, points.size()); ++i)
+            require(points[i].position[0] >= low[0] && points[i].position[1] < high[1] && points[i].level < 0.9,
+                    "a point outside of the window");
+    }
+}
+
 void check_accepted(const PoissonTileSet& set)
 {
     require(decode_tile_set(encode_tile_set(set), "again") == set, "a set that changes when it is written and read");
@@ -147,6 +172,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     fuzz::check_runtime(bytes);
+    std::optional<MonotilePointsFile> monotile;
+    if (fuzz::accepts("a.ptiles", [&] { monotile.emplace(std::string(bytes), "a.ptiles"); }))
+        fuzz::check_monotile(monotile->set());
     PoissonTileSet set;
     if (fuzz::accepts("a.ptiles", [&] { set = decode_tile_set(bytes, "a.ptiles"); })) fuzz::check_accepted(set);
     return 0;

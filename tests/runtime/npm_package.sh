@@ -15,7 +15,7 @@ export npm_config_cache=$folder/cache npm_config_offline=true npm_config_audit=f
   npm_config_update_notifier=false
 
 cd "$source/runtime"
-files=(LICENSE README.md package.json poisson_tiles{.js,.mjs,.d.ts,.d.mts,_gpu.h,.wgsl} tile_sets/*)
+files=(LICENSE README.md package.json monotile_points{.js,.d.ts} poisson_tiles{.js,.mjs,.d.ts,.d.mts,_gpu.h,.wgsl} tile_sets/*)
 
 # What is packed: a new file of the package has to be named in package.json.
 check_packed() {

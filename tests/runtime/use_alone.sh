@@ -42,6 +42,43 @@ awk -v d="$least" -v s="$(od -An -tu8 -j40 -N8 *.ptiles)" 'BEGIN { e = d * 65536
 ((exponent == 2 * ($(od -An -tu4 -j112 -N4 *.ptiles) + 1) && ranked == 1))
 awk -v d="$squared" 'BEGIN { exit !(d >= 0 && d < 0.015) }' # of the largest empty circle: 0.11 tiles
 
+cat >monotile.c <<'END'
+#include "monotile_points.h"
+#include <stdio.h>
+int main(int count, char** words)
+{
+    static unsigned char bytes[1 << 16];
+    static pmono_point points[9000];
+    static pmono_set set;
+    FILE* file = fopen(words[count - 1], "rb");
+    const int64_t origin[2] = {123456789012, -987654321098};
+    const double low[2] = {-40, -30}, high[2] = {70, 50};
+    if (!file || pmono_open(&set, bytes, fread(bytes, 1, sizeof bytes, file))) return 1;
+    const uint64_t n = pmono_in_window(&set, 1, origin, low, high, points, 9000, 0.75);
+    for (uint64_t i = 0; i < n; ++i)
+        printf("%a %a %a %lu\n", points[i].position[0], points[i].position[1], points[i].level, (unsigned long)points[i].id);
+    printf("%.9g %u %d\n", pmono_min_distance(&set), pmono_exponent(&set), pmono_is_ranked(&set));
+    return 0;
+}
+END
+# All compilers find the same bits, also where they may fuse products and sums.
+cp "$1"/monotile_*.h "$1"/tile_sets/*-n4.ptiles .
+"$2" -std=c99 -Wall -Wextra -Werror -pedantic monotile.c -o monotile
+"$2" -std=c99 -O3 -march=native -ffp-contract=fast monotile.c -o monotile_fused
+"$3" -std=c++11 -x c++ -Wall -Wextra -Werror -pedantic monotile.c -o monotile_cxx
+monotiles="monotile_fused monotile_cxx"
+if command -v clang >/dev/null; then
+  clang -std=c99 -O3 -march=native -ffp-contract=fast -Wall -Wextra -Werror -pedantic monotile.c -o monotile_clang
+  monotiles="$monotiles monotile_clang"
+fi
+for set in hat-n4 spectre-n4; do
+  ./monotile $set.ptiles >expected
+  for program in $monotiles; do ./$program $set.ptiles | cmp - expected; done
+  echo "$set: $(($(wc -l <expected) - 1)) points, the same bits from monotile $monotiles"
+  # Three quarters of four points in each tile of area 8 sqrt(3) or 3 + 3 sqrt(3), up to what lies across the border.
+  awk -v s=$set 'END { area = s == "hat-n4" ? 8 * sqrt(3) : 3 + 3 * sqrt(3); e = (NR - 1) / (3 * 8800 / area); exit !(e > 0.98 && e < 1.02) }' expected
+done
+
 cat >scatter.cpp <<'END'
 #include "point_distribution.hpp"
 #include <cstdio>

@@ -37,14 +37,6 @@ RingPlace grown(const TileStates& states, const RingPlace& place)
     return states.flips ? tiling.ring.conjugate(image) : image;
 }
 
-/// Returns the frame of a part of a tile.
-TileFrame frame_of_part(const TileStates& states, const TileFrame& whole, const TileFrame& part)
-{
-    const RootRing& ring = states.tiling->ring;
-    const int turn = states.flips ? -whole.turn : whole.turn;
-    return {grown(states, whole.at) + ring.times(ring.unit(2 * turn), part.at), turned_by(turn + part.turn)};
-}
-
 /// Calls `action` with each pair of a part of the first tile and a part of the second one. If both are the same tile,
 /// the pairs are of different parts.
 template <class Action>
@@ -288,6 +280,13 @@ private:
     std::deque<std::pair<std::uint32_t, PrototileCollar>> found_;
 };
 
+}
+
+TileFrame frame_of_part(const TileStates& states, const TileFrame& whole, const TileFrame& part)
+{
+    const RootRing& ring = states.tiling->ring;
+    const int turn = states.flips ? -whole.turn : whole.turn;
+    return {grown(states, whole.at) + ring.times(ring.unit(2 * turn), part.at), turned_by(turn + part.turn)};
 }
 
 TileStates prototile_states(const PolygonTiling& tiling)

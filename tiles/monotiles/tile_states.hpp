@@ -86,6 +86,9 @@ std::vector<std::uint32_t> start_states(const TileStates& states, std::size_t st
 /// Returns the frame of a tile of a level that is not mirrored.
 TileFrame frame_of(const TileStates& states, const PlacedTile& tile);
 
+/// Returns the frame of a part of a tile after the division, from the part's frame in its tile.
+TileFrame frame_of_part(const TileStates& states, const TileFrame& whole, const TileFrame& part);
+
 /// Returns the number of a start that covers the plane: the one named "plane", or the first one.
 std::size_t plane_start(const PolygonTiling& tiling);
 

@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view magic = "PTILES\r\n";
 /// Each version is written for what those before it cannot say; the last one has classes.
 constexpr std::uint32_t first_version = 1, second_version = 2, last_version = 3;
+constexpr std::uint32_t monotile_version = 4; ///< of files that monotile_points_file.hpp reads
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
 constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 116; ///< of either version
@@ -61,14 +62,6 @@ public:
 private:
     std::string_view bytes_;
 };
-
-std::uint64_t checksum(std::string_view file)
-{
-    Xxh64 hash;
-    hash.add(file.substr(0, checksum_offset));
-    hash.add(file.substr(header_size));
-    return hash.value();
-}
 
 std::size_t coordinate_count(const PoissonTileParameters& p)
 {
@@ -132,6 +125,8 @@ Header decode_fields(std::string_view bytes)
     PoissonTileParameters& p = header.parameters;
     HeaderReader reader(bytes.substr(magic.size()));
     header.version = reader.next<std::uint32_t>();
+    if (header.version == monotile_version)
+        throw InputError("has the points of an aperiodic monotile: must be a set of square tiles here");
     if (header.version < first_version || header.version > last_version)
         throw InputError(
             fmt::format("version of the format {}: must be {} to {}", header.version, first_version, last_version));
@@ -222,7 +217,7 @@ PoissonTileSet decode_binary(std::string_view bytes)
 {
     const Header header = decode_header(bytes);
     check_size(header, bytes.size());
-    const std::uint64_t found = checksum(bytes);
+    const std::uint64_t found = tile_file_checksum(bytes);
     if (found != header.checksum)
         throw InputError(fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
     PoissonTileSet set{header.parameters, header.squared_min_distance, {}};
@@ -282,6 +277,14 @@ void encode_classes(HeaderWriter& writer, const PoissonTileSet& set)
 
 }
 
+std::uint64_t tile_file_checksum(std::string_view file)
+{
+    Xxh64 hash;
+    hash.add(file.substr(0, checksum_offset));
+    hash.add(file.substr(header_size));
+    return hash.value();
+}
+
 void check_stored(const PoissonTileParameters& p, std::uint64_t squared_min_distance)
 {
     check(p);
@@ -335,7 +338,7 @@ std::string encode_tile_set(const PoissonTileSet& set)
     for (const std::uint16_t rank : set.ranks) writer << rank;
     encode_classes(writer, set);
     std::string sum;
-    HeaderWriter(sum) << checksum(bytes);
+    HeaderWriter(sum) << tile_file_checksum(bytes);
     bytes.replace(checksum_offset, sum.size(), sum);
     return bytes;
 }

@@ -3,6 +3,7 @@
 
 #include "tiles/poisson/poisson_tile_set.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ std::string encode_tile_set(const PoissonTileSet& set);
 
 /// The tile set of the bytes of a file, binary or JSON. `name` is what messages call it.
 PoissonTileSet decode_tile_set(std::string_view bytes, const std::string& name);
+
+/// Returns the checksum that the bytes of a binary file, which has a whole header, must have.
+std::uint64_t tile_file_checksum(std::string_view file);
 
 /// Checks a stored tile set of any format: check(parameters) passes, the factor is a number even if none is used,
 /// and the minimum distance is not above that of the densest packing. Throws InputError, a sentence without the

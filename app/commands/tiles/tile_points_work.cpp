@@ -48,34 +48,6 @@ TileBlock checked_block(const TilesPointsOptions& options, int dimension)
     return options.torus > 0 ? torus_block(options.torus, dimension) : checked_window(options.window, dimension);
 }
 
-/// Checks what belongs to a region.
-void check_region_options(const TilesPointsOptions& options, int dimension)
-{
-    if (options.region.empty()) {
-        for (const auto& [name, is_given] : {std::pair("--planar", options.reading.is_planar),
-                                             {"--crs", !options.reading.crs.empty()},
-                                             {"--overlap", !options.overlap.empty()},
-                                             {"--buffer", options.reading.buffer != 0},
-                                             {"--min-distance", options.min_distance != 0},
-                                             {"--points", options.points != 0}})
-            if (is_given) throw InputError(fmt::format("tiles points: {}: needs --region", name));
-        return;
-    }
-    if (dimension != 2) throw InputError("tiles points: --region: tiles in space have no plane region");
-    if ((options.min_distance == 0) == (options.points == 0))
-        throw InputError("tiles points: --region: needs --min-distance or --points, and not both");
-    if (options.min_distance != 0 && !(options.min_distance >= 1e-12 && options.min_distance <= 1e12))
-        throw InputError(
-            fmt::format("tiles points: --min-distance {}: must be from 1e-12 to 1e12", options.min_distance));
-    if (options.reading.is_planar && !options.reading.crs.empty())
-        throw InputError("tiles points: --crs: cannot be combined with --planar");
-    if (!(options.reading.buffer >= 0 && options.reading.buffer <= 1e12))
-        throw InputError(fmt::format("tiles points: --buffer {}: must be from 0 to 1e12", options.reading.buffer));
-    if (!options.overlap.empty() && !polygon_overlap_names.find(options.overlap))
-        throw InputError(
-            fmt::format("tiles points: --overlap {}: must be union or refuse", printable(options.overlap)));
-}
-
 /// Throws InputError that names --crs where it is wrong, which is no fault of the region.
 void check_crs(const std::string& crs)
 {
@@ -135,6 +107,33 @@ std::string comment_of(const TilesPointsOptions& options, const TiledRegion* reg
                                                 options.torus > 0 ? "torus" : "window"));
 }
 
+}
+
+void check_region_options(const TilesPointsOptions& options, int dimension)
+{
+    if (options.region.empty()) {
+        for (const auto& [name, is_given] : {std::pair("--planar", options.reading.is_planar),
+                                             {"--crs", !options.reading.crs.empty()},
+                                             {"--overlap", !options.overlap.empty()},
+                                             {"--buffer", options.reading.buffer != 0},
+                                             {"--min-distance", options.min_distance != 0},
+                                             {"--points", options.points != 0}})
+            if (is_given) throw InputError(fmt::format("tiles points: {}: needs --region", name));
+        return;
+    }
+    if (dimension != 2) throw InputError("tiles points: --region: tiles in space have no plane region");
+    if ((options.min_distance == 0) == (options.points == 0))
+        throw InputError("tiles points: --region: needs --min-distance or --points, and not both");
+    if (options.min_distance != 0 && !(options.min_distance >= 1e-12 && options.min_distance <= 1e12))
+        throw InputError(
+            fmt::format("tiles points: --min-distance {}: must be from 1e-12 to 1e12", options.min_distance));
+    if (options.reading.is_planar && !options.reading.crs.empty())
+        throw InputError("tiles points: --crs: cannot be combined with --planar");
+    if (!(options.reading.buffer >= 0 && options.reading.buffer <= 1e12))
+        throw InputError(fmt::format("tiles points: --buffer {}: must be from 0 to 1e12", options.reading.buffer));
+    if (!options.overlap.empty() && !polygon_overlap_names.find(options.overlap))
+        throw InputError(
+            fmt::format("tiles points: --overlap {}: must be union or refuse", printable(options.overlap)));
 }
 
 TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(options)

@@ -34,6 +34,10 @@ struct TilesPointsOptions
     WorkOptions work;
 };
 
+/// Checks the options that belong to a region of a set of this dimension. Throws InputError, a line that begins with
+/// the command.
+void check_region_options(const TilesPointsOptions& options, int dimension);
+
 /// Reads the tile set and checks the options. With --points it looks for the width of tiles.
 class TilePointsWork
 {

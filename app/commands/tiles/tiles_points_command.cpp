@@ -1,4 +1,5 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
+#include "app/commands/tiles/monotile_work.hpp"
 #include "app/commands/tiles/tile_points_work.hpp"
 #include "app/commands/tiles/window_points.hpp"
 #include "base/crew/crew.hpp"
@@ -27,7 +28,7 @@ namespace {
 void nothing_more(const Job& /*job*/, bool /*here*/) {}
 
 /// The number of points before each piece, and of all. Nothing where a process failed.
-std::optional<std::vector<std::uint64_t>> count_pieces(WindowPoints& points, Crew& crew)
+std::optional<std::vector<std::uint64_t>> count_pieces(PiecedPoints& points, Crew& crew)
 {
     std::vector<std::uint64_t> counts(points.pieces());
     const auto count = [&](const Job& job) { counts[job.first] = points.count(job.first); };
@@ -43,7 +44,7 @@ std::optional<std::vector<std::uint64_t>> count_pieces(WindowPoints& points, Cre
     return before;
 }
 
-std::uint64_t write_placed_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points,
+std::uint64_t write_placed_window(const std::filesystem::path& path, PointFileHead head, PiecedPoints& points,
                                   Crew& crew)
 {
     head.points = points.least_points();
@@ -79,7 +80,7 @@ void write_streamed(const std::filesystem::path& path, int dimension, std::uint6
 /// before any point is made where the disk has no room for them, StorageError. Returns their number, in the process
 /// that leads.
 /// Names of columns and the system of coordinates are those of the region, if there is one.
-std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew,
+std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, PiecedPoints& points, Crew& crew,
                            const PlaneRegion* region)
 {
     if (has_known_places(path)) return write_placed_window(path, head, points, crew);
@@ -101,7 +102,7 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
 }
 
 /// Writes all points, which have classes, in one of the formats of class files. The process that leads writes the file.
-std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, WindowPoints& points,
+std::uint64_t write_class_window(const std::filesystem::path& path, const PointFileHead& head, PiecedPoints& points,
                                  Crew& crew, const PlaneRegion* region)
 {
     std::uint64_t all = 0;
@@ -140,6 +141,8 @@ coordinates: regions beside each other, of one seed and distance, fit together.
 Of tiles whose points have classes (tiles build --class-points) each point's class is written as well, as distribute
 classes does: .csv (columns x, y, class), .ply (vertices with a class), .npy (records x, y, class) or .geojson
 (features with the property class).
+Of sets of one tile that never repeats (tiles build hat, spectre) --window is in edges: X and Y are integers up to 2^40,
+Y in steps of sqrt 3 for hats, and W and H are up to 2^20. The seed chooses which points --density leaves.
   poissonlab tiles points corner.ptiles --region park.geojson --min-distance 4 --out trees.csv
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
   poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5
@@ -159,12 +162,28 @@ void print_json(const TilesPointsOptions& options, const TilePointsWork& work, s
     fmt::print("{}\n", json.dump(2));
 }
 
+/// Writes the window of a tiling with an aperiodic monotile. To be called by all processes.
+void write_monotile_window(const TilesPointsOptions& options, Crew& crew)
+{
+    std::optional<MonotileWindow> window;
+    if (!crew.together([&] { window.emplace(options); })) return;
+    const std::uint64_t count = write_window(window->out, window->head, *window, crew, nullptr);
+    if (!crew.leads() || !options.as_json) return;
+    const nlohmann::ordered_json json{{"file", printable(options.out.string())},
+                                      {"points", count},
+                                      {"dimension", 2},
+                                      {"domain", {0.0, window->head.side}},
+                                      {"min_distance", window->min_distance()}};
+    fmt::print("{}\n", json.dump(2));
+}
+
 void write_tile_points(const TilesPointsOptions& options)
 {
     options.work.engine("tiles points"); // throws for one that there is not
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
     if (!crew->leads()) say_nothing_when_interrupted();
+    if (is_monotile_points_file(options.file)) return write_monotile_window(options, *crew);
     std::optional<TilePointsWork> work;
     if (!crew->together([&] { work.emplace(options); })) return;
     if (crew->leads() && !options.work.is_quiet())

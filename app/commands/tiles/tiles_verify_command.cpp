@@ -6,6 +6,7 @@
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "app/commands/command.hpp"
+#include "app/commands/tiles/monotile_work.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/tile_points/point_levels.hpp"
@@ -97,6 +98,7 @@ Moments: sums over the points of a tile of their coordinates, of squares and pro
 Where all tiles have the same up to order m, spectra of tilings fall off as frequency^(2 m + 2): see docs/chain-tiles.md.
 Density: points in the regions over those of as many points spread evenly. Ranked sets: the power at low frequencies
 that parts of their points have, over what parts by chance would have; 0.5 and less is good.
+Sets of one tile that never repeats (tiles build hat, spectre): all tables but that of points are made again and compared.
 Sets whose points have classes: the distance of each pair of classes is proven as well, and where it occurs.)";
 
 struct TilesVerifyOptions
@@ -306,6 +308,7 @@ void print_json(const Verification& v)
 
 void verify_tiles(const TilesVerifyOptions& options)
 {
+    if (is_monotile_points_file(options.file)) return verify_monotile(options.file, options.json);
     const Verification verification = verify(options.file);
     if (options.json)
         print_json(verification);

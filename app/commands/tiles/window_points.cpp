@@ -98,10 +98,10 @@ std::uint64_t WindowPoints::least_points() const
     return std::uint64_t{b.size[0] - 2} * (b.size[1] - 2) * tiles_.parameters.points_per_tile; // of tiles well inside
 }
 
-std::uint64_t WindowPoints::count_all()
+std::uint64_t PiecedPoints::count_all()
 {
     std::uint64_t all = 0;
-    for (std::uint32_t piece = 0; piece < pieces_; ++piece) all += count(piece);
+    for (std::uint32_t piece = 0; piece < pieces(); ++piece) all += count(piece);
     return all;
 }
 

@@ -61,34 +61,50 @@ struct WindowOfTiling
     std::shared_ptr<const PlaneMap> map{}; ///< by which its points become longitudes and latitudes; null: they stay
 };
 
+/// Points that are made in pieces, in an order that does not depend on the process that makes a piece.
+class PiecedPoints
+{
+public:
+    virtual ~PiecedPoints() = default;
+
+    virtual std::uint32_t pieces() const = 0;
+
+    /// True if the number of points follows without making them.
+    virtual bool has_known_counts() const = 0;
+
+    /// A lower bound of the number of all points.
+    virtual std::uint64_t least_points() const = 0;
+
+    /// The number of a piece's points, which are made where it is not known.
+    virtual std::uint64_t count(std::uint32_t piece) = 0;
+
+    /// Makes the points of a piece, instead of what is in `coordinates`; and, where it is asked for, the class of each.
+    virtual void make(std::uint32_t piece, std::vector<double>& coordinates,
+                      std::vector<std::uint32_t>* classes = nullptr) = 0;
+
+    /// The number of all points.
+    std::uint64_t count_all();
+};
+
 /// Makes the coordinates, in tiles from the window's lowest corner, or in a region's units. Pieces do not depend on the
 /// device: together, one after another, they have the points in their order.
-class WindowPoints
+class WindowPoints final : public PiecedPoints
 {
 public:
     /// `tiles` and `density` must outlive this. Throws InputError for windows that are too large.
     WindowPoints(UnitStream units, const PoissonTileSet& tiles, const WindowOfTiling& window,
                  const WindowDensity& density);
 
-    std::uint32_t pieces() const { return pieces_; }
-
-    /// True if the number of points follows from that of the tiles.
-    bool has_known_counts() const
+    std::uint32_t pieces() const override { return pieces_; }
+    bool has_known_counts() const override
     {
         return (!has_overhang_ || window_.period > 0) && density_.is_full() && !window_.region;
     }
 
-    /// A lower bound of the number of points in the window.
-    std::uint64_t least_points() const;
-
-    /// The number of all points, each of which is made where it is not known.
-    std::uint64_t count_all();
-
-    /// The number of a piece's points, which are made where it is not known.
-    std::uint64_t count(std::uint32_t piece);
-
-    /// Makes the points of a piece, instead of what is in `coordinates`; and, where it is asked for, the class of each.
-    void make(std::uint32_t piece, std::vector<double>& coordinates, std::vector<std::uint32_t>* classes = nullptr);
+    std::uint64_t least_points() const override;
+    std::uint64_t count(std::uint32_t piece) override;
+    void make(std::uint32_t piece, std::vector<double>& coordinates,
+              std::vector<std::uint32_t>* classes = nullptr) override;
 
 private:
     /// Makes them in the plane that tiles lie in.

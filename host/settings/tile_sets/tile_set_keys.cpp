@@ -18,12 +18,22 @@ const ParameterSpec* find_spec(const std::vector<ParameterSpec>& specs, const st
     return found == specs.end() ? nullptr : &*found;
 }
 
-/// The families whose sets have a parameter: "corner and template tiles".
+/// The kinds of sets by their words, and the parameters of each.
+std::vector<std::pair<std::string, std::vector<ParameterSpec>>> parameters_of_all()
+{
+    std::vector<std::pair<std::string, std::vector<ParameterSpec>>> all;
+    for (const auto& [family, word] : poisson_tile_families.entries)
+        all.emplace_back(word, tile_set_parameters(family));
+    for (const char* word : {"hat", "spectre"}) all.emplace_back(word, monotile_parameters());
+    return all;
+}
+
+/// The kinds whose sets have a parameter: "corner and template tiles".
 std::string owners_of(const std::string& key)
 {
     std::vector<std::string> owners;
-    for (const auto& [family, word] : poisson_tile_families.entries)
-        if (find_spec(tile_set_parameters(family), key)) owners.emplace_back(word);
+    for (const auto& [word, specs] : parameters_of_all())
+        if (find_spec(specs, key)) owners.emplace_back(word);
     const std::string last = owners.back();
     owners.pop_back();
     return owners.empty() ? last + " tiles" : fmt::format("{} and {} tiles", fmt::join(owners, ", "), last);
@@ -36,16 +46,17 @@ void call_by_short_name(Keys::Said said, const std::string& key)
     if (key == "lloyd_iterations") said.called("lloyd");
 }
 
-/// Parameters of other families, which are known in order to be refused by name.
+/// Parameters of other kinds, which are known in order to be refused by name.
 void name_foreign_keys(Keys& keys, const std::vector<ParameterSpec>& own)
 {
     std::set<std::string> named;
-    for (const auto& [family, word] : poisson_tile_families.entries)
-        for (const ParameterSpec& spec : tile_set_parameters(family)) {
+    for (const auto& [word, specs] : parameters_of_all())
+        for (const ParameterSpec& spec : specs) {
             if (find_spec(own, spec.key) || !named.insert(spec.key).second) continue;
             Parameters unused;
             const auto said = keys.parameter(spec, unused);
-            Keys::Said(said).only_if(false, owners_of(spec.key)).otherwise("needed by tiles that have it");
+            Keys::Said foreign = Keys::Said(said).only_if(false, owners_of(spec.key));
+            if (!spec.otherwise && spec.unless_given.empty()) foreign.otherwise("needed by tiles that have it");
         }
 }
 
@@ -65,7 +76,10 @@ TileClasses asked_classes(const AskedTileSet& set)
     return {points, distances};
 }
 
-bool have_classes(const PoissonTileFamily& family) { return family == PoissonTileFamily{PoissonTileKind::corner, 2}; }
+bool have_classes(const AskedTileSet& set)
+{
+    return set.monotile.empty() && set.family == PoissonTileFamily{PoissonTileKind::corner, 2};
+}
 
 /// Throws InputError for keys that do not go together.
 void check_class_keys(const Keys& keys, const AskedTileSet& set)
@@ -75,7 +89,7 @@ void check_class_keys(const Keys& keys, const AskedTileSet& set)
         if (has_distances) throw keys.problem("needs " + keys.name_of("class_points"));
         if (!keys.is_given("points_per_tile"))
             throw keys.problem("needs " + keys.name_of("points_per_tile") +
-                               (have_classes(set.family) ? " or " + keys.name_of("class_points") : ""));
+                               (have_classes(set) ? " or " + keys.name_of("class_points") : ""));
         return;
     }
     for (const char* key : {"points_per_tile", "lloyd_iterations", "repulsion"})
@@ -91,7 +105,7 @@ void check_class_keys(const Keys& keys, const AskedTileSet& set)
 
 void class_tile_keys(Keys& keys, AskedTileSet& set)
 {
-    const bool applies = have_classes(set.family);
+    const bool applies = have_classes(set);
     constexpr Interval tile_sides{0.001, 1};
     class_counts(keys, "class_points", set.class_points, max_points_per_tile, "how many points a tile has")
         .only_if(applies, "corner tiles")
@@ -110,6 +124,24 @@ void class_tile_keys(Keys& keys, AskedTileSet& set)
 
 }
 
+std::vector<ParameterSpec> monotile_parameters()
+{
+    using Kind = ParameterSpec::Kind;
+    return {{.key = "points_per_tile",
+             .kind = Kind::integer,
+             .help = "number of points in each tile",
+             .minimum = 1,
+             .maximum = 16,
+             .symbol = "n",
+             .otherwise = std::int64_t{4}},
+            {.key = "levels",
+             .kind = Kind::integer,
+             .help = "number of ancestors that decide a tile's points, beside its neighbours",
+             .minimum = 0,
+             .maximum = 2,
+             .otherwise = std::int64_t{1}}};
+}
+
 PoissonTileParameters AskedTileSet::parameters(std::uint64_t seed) const
 {
     PoissonTileParameters p = tile_set_parameters_of(family, values, seed);
@@ -119,7 +151,8 @@ PoissonTileParameters AskedTileSet::parameters(std::uint64_t seed) const
 
 void tile_set_keys(Keys& keys, AskedTileSet& set, const TileSetDefaults& defaults, bool has_all)
 {
-    std::vector<ParameterSpec> specs = tile_set_parameters(set.family);
+    const bool is_monotile = !set.monotile.empty();
+    std::vector<ParameterSpec> specs = is_monotile ? monotile_parameters() : tile_set_parameters(set.family);
     for (ParameterSpec& spec : specs)
         if (const auto other = defaults.find(spec.key); other != defaults.end()) spec.otherwise = other->second;
     set.values = Parameters(specs);
@@ -134,6 +167,7 @@ void tile_set_keys(Keys& keys, AskedTileSet& set, const TileSetDefaults& default
         if (has_all && spec.key == "points_per_tile") said.otherwise("needed where there are no class_points");
     }
     if (has_all) class_tile_keys(keys, set);
+    if (is_monotile) return;
     if (has_all && keys.is_read()) check_class_keys(keys, set);
     if (keys.is_read()) keys.check([&] { check(set.parameters(1)); });
 }

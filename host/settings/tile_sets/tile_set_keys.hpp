@@ -14,10 +14,14 @@ namespace poissonlab {
 /// The relative radius of classes that is reached in a second.
 inline constexpr double usual_class_radius = 0.62;
 
+/// The parameters of the points in an aperiodic monotile: how many a tile has, and what they depend on.
+std::vector<ParameterSpec> monotile_parameters();
+
 /// A tile set as it is asked for.
 struct AskedTileSet
 {
     PoissonTileFamily family;
+    std::string monotile = {}; ///< "hat" or "spectre", instead of the family; empty: none
     Parameters values;
     std::vector<std::size_t> class_points; ///< of each class in a tile; empty: points have no classes
     std::vector<double> class_distances =

@@ -7,6 +7,7 @@
 #include "base/random/random.hpp"
 #include "code_hashes.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
+#include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
 #include "tiles/polyominoes/polyomino_table.hpp"
 
@@ -125,27 +126,16 @@ private:
 SamplerSpec monotile_sampler(const std::string& tiling, const std::string& title, const std::string& summary)
 {
     using Kind = ParameterSpec::Kind;
-    SamplerSpec spec = plain_spec(tiling + "-tiles", title, summary, {2},
-                                  {{.key = points_key,
-                                    .kind = Kind::integer,
-                                    .help = "number of points in each tile",
-                                    .minimum = 1,
-                                    .maximum = 16,
-                                    .symbol = "n",
-                                    .otherwise = std::int64_t{4}},
-                                   {.key = kept_key,
-                                    .kind = Kind::integer,
-                                    .help = "number of points kept in each tile; their distance is proven as well",
-                                    .minimum = 1,
-                                    .maximum = 16,
-                                    .symbol = "k",
-                                    .unless_given = "all"},
-                                   {.key = levels_key,
-                                    .kind = Kind::integer,
-                                    .help = "number of ancestors that decide a tile's points, beside its neighbours",
-                                    .minimum = 0,
-                                    .maximum = 2,
-                                    .otherwise = std::int64_t{1}}});
+    std::vector<ParameterSpec> parameters = monotile_parameters();
+    parameters.insert(parameters.begin() + 1,
+                      {.key = kept_key,
+                       .kind = Kind::integer,
+                       .help = "number of points kept in each tile; their distance is proven as well",
+                       .minimum = 1,
+                       .maximum = 16,
+                       .symbol = "k",
+                       .unless_given = "all"});
+    SamplerSpec spec = plain_spec(tiling + "-tiles", title, summary, {2}, std::move(parameters));
     spec.check = [](const Parameters& given, const SampleRequest&, const SourceLocation&) {
         if (given.is_given(kept_key) && given.integer(kept_key) > given.integer(points_key))
             throw given.error(kept_key,
