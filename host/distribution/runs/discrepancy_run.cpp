@@ -29,7 +29,7 @@ void discrepancy_keys(Keys& keys, DiscrepancySettings& s)
     keys.words("methods", s.methods,
                {"random", "sobol", "halton", "best-candidate", "relaxation-dart-throwing", "sample-elimination",
                 "dodecagonal"},
-               "methods whose first points are a set of their own, with their default parameters")
+               "methods whose first points are sets of their own, with their default parameters")
         .required();
     keys.integer("points", s.points, fewest, 32'768, "the number of points of the largest set");
     keys.integer("sets", s.sets, 2, 256, "the number of sets of each method");
@@ -122,9 +122,8 @@ CurveChart chart_of(const std::vector<MethodDiscrepancies>& all, const std::vect
         }
         curves.push_back(std::move(curve));
     }
-    const std::string name = of_star ? "star discrepancy" : "L2 star discrepancy";
     return {{"binary logarithm of the number of points", first, last, 1},
-            {"decimal logarithm of the " + name, lowest, 0, 0.5},
+            {"decimal logarithm", lowest, 0, 1},
             lowest,
             std::move(curves)};
 }
@@ -169,8 +168,9 @@ DistributionResult make_discrepancies(const DiscrepancySettings& s, std::uint64_
         files.add_curves(of_star ? "star" : "l2-star", chart_of(all, counts, of_star),
                          of_star ? "Star discrepancy of the first points of sets: the largest difference between the "
                                    "part of the points in a box at the origin and the box's area."
-                                 : "L2 star discrepancy of the first points of sets: the root of the mean square of "
-                                   "that difference over all boxes.",
+                                 : "L2 star discrepancy of the first points of sets: the root of the mean square, over "
+                                   "all boxes at the origin, of the difference between the part of the points in a "
+                                   "box and the box's area.",
                          result);
         result.tables.push_back(table_of(all, counts, of_star));
     }
@@ -182,8 +182,7 @@ DistributionResult make_discrepancies(const DiscrepancySettings& s, std::uint64_
 Kind discrepancy_kind()
 {
     return make_kind<DiscrepancySettings>(
-        {"distribution", "discrepancy", "", "Discrepancy", "Measure the discrepancy of the first points of sets",
-         false},
+        {"distribution", "discrepancy", "", "Discrepancy", "Measure the discrepancy of the first points of sets"},
         discrepancy_keys, [](const DiscrepancySettings&) { return std::string("Discrepancy of first points"); },
         make_discrepancies);
 }

@@ -1,6 +1,11 @@
 // Discrepancies are held against SciPy, closed forms of single points and grids, and boxes one by one.
 #include "host/distribution/discrepancy.hpp"
 
+#include "host/settings/toml_reader.hpp"
+#include "results/pictures/distribution_files.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,6 +92,44 @@ TEST(Discrepancies, OfRandomPointsHaveTheirMean)
         squares += found * found / 400;
     }
     EXPECT_NEAR(sum, 5.0 / 36 / 50, 4 * std::sqrt((squares - sum * sum) / 400));
+}
+
+DistributionResult result_of(const std::string& toml)
+{
+    const TemporaryFolder folder;
+    DistributionFiles files([&](const std::string& name) { return folder.path() / name; });
+    const Kind kind = discrepancy_kind();
+    const KindSettings settings = read_kind(kind, read_toml(toml, "c.toml"), {"c.toml", 1}, "[[distribution]]");
+    return std::get<DistributionResult>(kind.make(settings, 1, {Engine::reference, {}}, files));
+}
+
+TEST(DiscrepancyKind, MeasuresTheFirstPointsOfAllSets)
+{
+    const DistributionResult result = result_of("methods = [\"random\", \"sobol\"]\npoints = 100\nsets = 200");
+    ASSERT_EQ(result.numbers.size(), 4U);
+    // The root of the mean square of random points, within four standard errors; the exponent is -1/2.
+    EXPECT_NEAR(result.numbers[0].value, std::sqrt(5.0 / 36 / 100), 4 * *result.numbers[0].standard_error);
+    EXPECT_LT(*result.numbers[0].standard_error, 0.1 * result.numbers[0].value);
+    EXPECT_NEAR(result.numbers[1].value, -0.5, 0.05);
+    EXPECT_LT(result.numbers[2].value, result.numbers[0].value / 4);
+    EXPECT_LT(result.numbers[3].value, -0.8);
+    ASSERT_EQ(result.tables.size(), 2U);
+    std::vector<std::string> points;
+    for (const auto& row : result.tables[0].rows) points.push_back(row.front());
+    EXPECT_EQ(points, (std::vector<std::string>{"16", "32", "64", "100"}));
+}
+
+TEST(DiscrepancyKind, TakesTheSmallestSets)
+{
+    const DistributionResult result = result_of("methods = [\"halton\"]\npoints = 16\nsets = 2");
+    EXPECT_EQ(result.numbers.size(), 1U);
+    EXPECT_EQ(result.tables[0].rows.size(), 1U);
+}
+
+TEST(DiscrepancyKind, RefusesAMethodTwice)
+{
+    EXPECT_EQ(message_of([] { result_of("methods = [\"halton\", \"halton\"]"); }),
+              "c.toml:1: methods = [\"halton\", \"halton\"]: must have each method once");
 }
 
 }
