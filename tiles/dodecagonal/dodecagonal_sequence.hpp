@@ -9,7 +9,7 @@
 // degrees. Therefore all vertices are vertices of the divided tiling again, 2 + sqrt(3) times as many.
 //
 // The Voronoi polygon of a vertex is divided among the vertex and its new ones. Each new vertex is one edge away from
-// the nearest old vertices, on the border of their polygons; the first one by direction gets it. Polygons therefore
+// the nearest old vertices, mostly on the border of polygons; the first one by direction gets it. Polygons therefore
 // have 1 to 5 parts. The new vertices of polygons come in turns, like digits of van der Corput's sequence: in the first
 // of n turns each polygon with n new vertices gets one of them, in the order of the polygons' own vertices, and so on.
 #pragma once

@@ -66,7 +66,7 @@ SamplerSpec dodecagonal_sampler()
         try {
             check_dodecagonal_density(request.points, DensityBounds(*density));
         } catch (const InputError& error) {
-            throw error.moved_to(given.location("density"));
+            throw given.error("density", error.what());
         }
     };
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
