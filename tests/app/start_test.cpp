@@ -132,7 +132,7 @@ TEST(Start, IsCheckedLikeAMethod)
               "\"target-spectrum\", \"equal-areas\", "
               "\"corner-tiles\", \"edge-tiles\", "
               "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", "
-              "\"penrose\", \"recursive-wang-tiles\", \"polyominoes\", \"isohedral-tiles\", "
+              "\"penrose\", \"dodecagonal\", \"recursive-wang-tiles\", \"polyominoes\", \"isohedral-tiles\", "
               "\"hat-tiles\", \"spectre-tiles\", \"file\", "
               "\"command\", \"relax\"; "
               "did you mean \"random\"?");

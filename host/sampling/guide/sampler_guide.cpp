@@ -121,6 +121,10 @@ std::vector<SamplerGuide> guides_to_tiles()
         {"penrose", "Ostromoukhov, Donohue and Jodoin, Fast Hierarchical Importance Sampling, 2004.",
          "For points that follow a density at the cost of a look-up.",
          "For a constant density: its spectrum has peaks of the tiling in it."},
+        {"dodecagonal", "Ostromoukhov, SIGGRAPH 2008 class notes, part IV; Gähler 1988 for the tiling.",
+         "For sequences that go on, of any density, whose first parts keep their points apart.",
+         "For integration alone: the discrepancy of Sobol's sequence is lower. The spectrum has the peaks of a "
+         "tiling."},
         {"recursive-wang-tiles", "Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang Tiles, 2006.",
          "For zooming without end, into a density that varies.",
          "Its relative radius is near 0.5, more or less by the tile set. Ranked corner tiles keep a proven distance."},

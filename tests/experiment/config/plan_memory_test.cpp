@@ -171,6 +171,9 @@ sampler = "spectre-tiles"
 points = [5, 10000]
 levels = 0
 [[method]]
+sampler = "dodecagonal"
+points = [1000, 100000]
+[[method]]
 sampler = "penrose"
 points = [1000, 100000]
 [[method]]

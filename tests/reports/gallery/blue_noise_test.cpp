@@ -63,6 +63,7 @@ std::string expected(const GalleryMethod& method)
         {"isohedral-tiles", "no"},                // a tile repeats
         {"hat-tiles", "no"},                      // long-range order, whose peaks grow with the window
         {"spectre-tiles", "no"},                  //
+        {"dodecagonal", "no"},                    //
         {"template-tiles-T-64-sets-10", "no"},    // spikes of 92 times the power around
         {"shade-tiles-sets-10", "no"},            //
         {"averaged-tiles-sets-10", "no"},         //
