@@ -6,7 +6,7 @@
 
 #include "runtime/object_distribution_gpu.h"
 
-#include "kernels/common/fields/object_looks.h"
+#include "kernels/common/fields/object_views.h"
 
 /// A place in tiles: a whole tile and what is beyond its lowest corner.
 struct TilePlace
@@ -58,12 +58,14 @@ kernel void draw_objects(struct ObjectScene scene, struct ObjectTiles tiles, glo
         }
         const struct pobjects_object object = pobjects_at(words, t, scene.radius, place.tile, place.f);
         if (sample == 0) ids[id] = object.id;
-        const uint behind = background_color(&scene, (float)place.tile.x + place.f.x, (float)place.tile.y + place.f.y,
-                                             (float)place.tile.z + place.f.z);
+        const float3 there = (float3)((float)place.tile.x + place.f.x, (float)place.tile.y + place.f.y,
+                                      (float)place.tile.z + place.f.z);
+        const uint behind = background_color(&scene, there.x, there.y, there.z);
         const float3 at = part - object.offset / scene.extent;
         uint inside;
         uint color = object_color(&scene, shapes, object.id, object.offset.x, object.offset.y, object.offset.z,
                                   (struct ObjectCoordinates){at.x, at.y, at.z}, behind, &inside);
+        if (color != behind) color = modulated(&scene, color, there.x, there.y, there.z);
         color = mixed(0, color, light);
         sums[0] += color >> 16 & 255;
         sums[1] += color >> 8 & 255;

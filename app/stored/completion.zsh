@@ -40,7 +40,7 @@ _poissonlab()
         'distribute instances --engine' 'opencl reference'
         'distribute mri-mask' '--shape --acceleration --samples --calibration --corners --power --density --density-from --seed --engine --device --quiet --json --out --help'
         'distribute mri-mask --engine' 'opencl reference'
-        'distribute objects' '--quads --polycube --cube-side --smooth --refine --points --object --texels --size --orientation --aspect --seed --engine --device --quiet --json --out --pixels --help'
+        'distribute objects' '--quads --polycube --cube-side --smooth --refine --dimension --tiles --points --object --texels --size --orientation --aspect --seed --engine --device --quiet --json --out --pixels --help'
         'distribute objects --engine' 'opencl reference'
         'distribute objects --object' 'dots stars flowers hearts daisies mondriaan squares triangles starfish granite frames inside coordinates number distance cells'
         'distribute objects --quads' 'faces polycube cube'

@@ -126,6 +126,7 @@ struct Look
     std::vector<Layer> layers;
     std::vector<std::uint32_t> palette; ///< the background, what its noise fades it into, and colours from 2 on
     float noise_cells = 0;
+    float modulation = 0;
 };
 
 const std::vector<Look>& plane_looks()
@@ -156,9 +157,10 @@ const std::vector<Look>& plane_looks()
          {0xe6cf9c, 0xd2b375, 0xd1495b, 0xc8553d, 0xe07a5f, 0xf2b8a0},
          14},
         {"granite",
-         {{hexagon_shapes, hexagons, 1, 2, 6}},
+         {{hexagon_shapes, hexagons, 1, 2, 1}, {hexagon_shapes, hexagons, 0.87f, 3, 5}},
          {0x5b5550, 0x938b84, 0x2b2a2c, 0xb9aca0, 0xd8cec4, 0x8d7468, 0xc49a84, 0x6f6a6a},
-         5},
+         5,
+         0.7f},
         {"frames", {}, {0xffffff, 0xffffff}},
         {"inside", {}, {0xffffff, 0xffffff}},
         {"coordinates", {}, {0xffffff, 0xffffff}},
@@ -180,9 +182,10 @@ const std::vector<Look>& space_looks()
          {{1, 1, 1, 2, 1}, {1, 1, 0.84f, 3, 4}},
          {0xf4f0e4, 0xf4f0e4, 0x101010, 0xd40920, 0x1356a2, 0xf7d842, 0xfafafa}},
         {"granite",
-         {{8, 1, 1, 2, 6}},
+         {{8, 1, 1, 2, 1}, {8, 1, 0.87f, 3, 5}},
          {0x5b5550, 0x938b84, 0x2b2a2c, 0xb9aca0, 0xd8cec4, 0x8d7468, 0xc49a84, 0x6f6a6a},
-         5},
+         5,
+         0.7f},
         {"frames", {}, {0xffffff, 0xffffff}},
         {"inside", {}, {0xffffff, 0xffffff}},
         {"coordinates", {}, {0xffffff, 0xffffff}},
@@ -243,6 +246,7 @@ void set_look(ObjectScene& scene, const std::string& name, int dimension)
     scene.background = look->palette[0];
     scene.ripples = look->palette[1];
     scene.noise_cells = look->noise_cells;
+    scene.modulation = look->modulation;
     static const std::array<std::string, 7> shown{"", "cells", "frames", "inside", "coordinates", "number", "distance"};
     const auto place = std::ranges::find(shown, name);
     scene.shows =

@@ -75,6 +75,13 @@ struct SearchedStarts
 
 }
 
+double balanced_share(std::uint32_t bits)
+{
+    double share = 1;
+    for (std::uint32_t k = 2; k <= bits; k += 2) share *= (k - 1.0) / k;
+    return share;
+}
+
 std::vector<std::uint32_t> balanced_words(std::uint32_t bits)
 {
     std::vector<std::uint32_t> words;

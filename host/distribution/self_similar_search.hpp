@@ -46,6 +46,10 @@ DeviceMemory self_similar_memory(std::uint32_t points);
 /// sorts.
 std::vector<FoundStarts> sorted_starts(std::vector<SelfSimilarStarts> found, std::uint32_t points, double least_radius);
 
+/// The share of starts whose sequence is balanced, of all of so many bits: the share of words of which half are ones,
+/// 1/2 3/4 5/6 ... for an even number.
+double balanced_share(std::uint32_t bits);
+
 /// All words of this many bits of which half are ones.
 std::vector<std::uint32_t> balanced_words(std::uint32_t bits);
 

@@ -5,6 +5,7 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/classics/open_darts.hpp"
 #include "host/sampling/dart_sampler.hpp"
 
 #include <algorithm>
@@ -275,14 +276,16 @@ DeviceMemory VoronoiDarts::memory(const DartThrowingRequest& request, const Devi
 
 SamplerSpec voronoi_dart_sampler()
 {
-    return dart_sampler({.name = "voronoi-darts",
-                         .title = "Voronoi darts",
-                         .summary = "dart throwing into what disks leave of Voronoi cells, by area (Jones)",
-                         .dimensions = {2},
-                         .purpose = Purpose::voronoi_darts,
-                         .kernels = {"voronoi_darts.cl"},
-                         .memory = VoronoiDarts::memory,
-                         .thrower = thrower_by<VoronoiDarts, reference::throw_voronoi_darts>});
+    return with_open_border(
+        dart_sampler({.name = "voronoi-darts",
+                      .title = "Voronoi darts",
+                      .summary = "dart throwing into what disks leave of Voronoi cells, by area (Jones)",
+                      .dimensions = {2},
+                      .purpose = Purpose::voronoi_darts,
+                      .kernels = {"voronoi_darts.cl"},
+                      .memory = VoronoiDarts::memory,
+                      .thrower = thrower_by<VoronoiDarts, reference::throw_voronoi_darts>}),
+        Purpose::voronoi_darts);
 }
 
 }

@@ -272,9 +272,9 @@ void window_keys_of_tiling(Keys& keys, ShownTiling& s)
     const auto first = [&](std::size_t axis) { return axis < axes ? w[axis] : 0; };
     const auto size = [&](std::size_t axis) { return axis < axes ? static_cast<std::uint64_t>(w[axes + axis]) : 1; };
     s.window = {first(0), first(1), first(2), size(0), size(1), size(2)};
-    if (s.request.is_scanline() && (s.window.x != 0 || s.window.y != 0))
-        throw keys.invalid("window",
-                           fmt::format("with {}, X and Y must be 0", keys.shown("algorithm", s.request.algorithm)));
+    if (s.request.is_scanline() && (s.window.x != 0 || s.window.y != 0 || s.window.z != 0))
+        throw keys.invalid("window", fmt::format("with {}, {} must be 0", keys.shown("algorithm", s.request.algorithm),
+                                                 axes == 3 ? "X, Y and Z" : "X and Y"));
 }
 
 /// Tilings with aperiodic sets have no hash function and never close, nor do scanlines; given tiles have nothing but

@@ -7,27 +7,50 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
-MarkPicture tiling_picture(const IsohedralTile& tile, const TileColoring& coloring, double columns, double rows)
+using OutlineAndColor = std::pair<std::vector<PlanePoint>, std::string>;
+
+/// The picture of a window; `parts_of(place)` has the parts of the tile at a place.
+template <class PartsOf>
+MarkPicture tiling_picture(const IsohedralTile& tile, const IsohedralSettings& settings, const PartsOf& parts_of)
 {
     constexpr double pixels_a_tile = 48;
     const double side = std::sqrt(area_of(tile.outline()));
-    MarkCanvas canvas(columns, rows, pixels_a_tile);
-    const double x = columns / 2 * side, y = rows / 2 * side;
+    MarkCanvas canvas(settings.columns, settings.rows, pixels_a_tile);
+    const double x = settings.columns / 2 * side, y = settings.rows / 2 * side;
     for (const TilePlace& place : tile.tiles_near({-x, -y}, {x, y})) {
         const PlaneMotion motion = tile.motion(place);
-        std::vector<MarkPoint> corners;
-        for (const PlanePoint& point : tile.outline()) {
-            const PlanePoint moved = motion(point);
-            corners.push_back({moved[0] / side + columns / 2, moved[1] / side + rows / 2});
+        for (const auto& [outline, color] : parts_of(place)) {
+            std::vector<MarkPoint> corners;
+            for (const PlanePoint& point : outline) {
+                const PlanePoint moved = motion(point);
+                corners.push_back({moved[0] / side + settings.columns / 2, moved[1] / side + settings.rows / 2});
+            }
+            canvas.polygon(color, corners);
+            canvas.outline("#000000", corners, 0.04);
         }
-        canvas.polygon(tile_color(coloring.of(place)), corners);
-        canvas.outline("#000000", corners, 0.04);
     }
     return canvas.picture();
+}
+
+/// Tiles that a path divides: of light and dark parts.
+MarkPicture split_picture(const IsohedralTile& tile, const IsohedralSettings& settings, DistributionResult& result)
+{
+    const SplitTile split = split_tile(tile, *settings.split);
+    const double whole = area_of(tile.outline());
+    result.numbers.push_back({"edges_alike", "Edges between tiles of one shape", static_cast<double>(split.alike),
+                              "of all aspects, from both sides; 0: a Heaven and Hell pattern"});
+    result.numbers.push_back({"light_share", "Share of light tiles", area_of(split.parts[0]) / whole, "of the plane"});
+    result.facts.emplace_back(split.alike == 0
+                                  ? "a Heaven and Hell pattern: only tiles of different shapes have edges in common"
+                                  : "some tiles of one shape have an edge in common");
+    const std::vector<OutlineAndColor> parts{{split.parts[0], "#f6efdc"}, {split.parts[1], "#2f4a6d"}};
+    return tiling_picture(
+        tile, settings, [&](const TilePlace&) -> const auto& { return parts; });
 }
 
 }
@@ -52,7 +75,12 @@ DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64
                       {"unit_over_tiles", "Area of a translational unit over its tiles",
                        unit / (static_cast<double>(tile.aspects().size()) * area_of(tile.outline())),
                        "1: tiles fill the plane once"}};
-    files.add_marks("tiling.json", tiling_picture(tile, coloring, settings.columns, settings.rows),
+    const MarkPicture picture =
+        settings.split ? split_picture(tile, settings, result)
+                       : tiling_picture(tile, settings, [&](const TilePlace& place) {
+                             return std::array{OutlineAndColor{tile.outline(), tile_color(coloring.of(place))}};
+                         });
+    files.add_marks("tiling.json", picture,
                     fmt::format("{} x {} sides of a square as large as the tile.", settings.columns, settings.rows),
                     result);
     return result;

@@ -4,7 +4,7 @@
 
 #include "host/settings/tilings/tiling_request.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
-#include "tiles/isohedral/isohedral_tile.hpp"
+#include "tiles/isohedral/split_tile.hpp"
 
 #include <array>
 #include <cstddef>
@@ -81,6 +81,7 @@ struct IsohedralSettings
     IsohedralParameters parameters;
     bool is_random = false;
     std::optional<TileColoring> coloring; ///< none: the fewest colours
+    std::optional<TileSplit> split;
     double columns = 10, rows = 10;       ///< of the window, in sides of a square as large as the tile
 };
 

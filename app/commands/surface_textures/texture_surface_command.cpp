@@ -17,7 +17,8 @@ tiles as its texture, which any viewer shows).
 
 constexpr auto surface_objects_notes =
     R"help(MESH is a closed surface of quads; --quads cube or polycube makes quads of other meshes. Objects lie at the points of a
-Poisson disk tiling on the quads, in disks that do not overlap.
+Poisson disk tiling on the quads, in disks that do not overlap; with --dimension 3 at those of Poisson sphere tiles in
+space, and the surface shows where it cuts them.
 --out, as often as you like: .png (from the front and from behind, --pixels wide; z is up) and .glb (binary glTF).
   poissonlab distribute objects torus.obj --object stars --points 500 --out stars.png --out stars.glb)help";
 
@@ -35,7 +36,7 @@ void dress_in_texture(const KindOptions& o)
 
 void dress_in_objects(const KindOptions& o)
 {
-    write_outputs(o, surface_of_objects(o.read<SurfaceObjectSettings>(), o.seed()));
+    write_outputs(o, surface_of_objects(o.read<SurfaceObjectSettings>(), o.seed(), o.place()));
 }
 
 Command dressing_command(const char* word, const char* notes, void (*work)(const KindOptions&))

@@ -15,7 +15,7 @@ then at the bottom (cube); N E S W top bottom (wang-cube); E W (domino).
   corner  direct; scanline, scanline-compact; culik-diagonal and the like
   wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact; culik, kari, ammann
   cube, domino  direct
-  wang-cube     face-hash
+  wang-cube     face-hash; scanline, scanline-compact (with 2 colours 32 cubes)
 Names of aperiodic sets are those of `poissonlab aperiodic`; --colors must be theirs.
 Scanline tilings start at their north-west tile; the window must be at 0 0.
 --hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats),

@@ -1,6 +1,8 @@
 // The plain C++ twin of kernels/objects.cl: a loop over pixels and samples, and of each all points of all tiles around.
 #include "host/distribution/objects.hpp"
 
+#include "kernels/common/fields/object_views.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -129,11 +131,11 @@ ObjectPicture draw_objects(const ObjectTileSet& tiles, const PoissonTiling& tili
                 const ObjectCoordinates point{place.part[0] - object.offset[0] / scene.extent,
                                               place.part[1] - object.offset[1] / scene.extent,
                                               place.part[2] - object.offset[2] / scene.extent};
-                color =
-                    mixed(0,
-                          object_color(&scene, shapes.radii.data(), object.id, object.offset[0], object.offset[1],
-                                       object.offset[2], point, background_color(&scene, at[0], at[1], at[2]), &inside),
-                          place.light);
+                const std::uint32_t behind = background_color(&scene, at[0], at[1], at[2]);
+                color = object_color(&scene, shapes.radii.data(), object.id, object.offset[0], object.offset[1],
+                                     object.offset[2], point, behind, &inside);
+                if (color != behind) color = modulated(&scene, color, at[0], at[1], at[2]);
+                color = mixed(0, color, place.light);
             }
             for (std::size_t c = 0; c < 3; ++c) sums[c] += color >> (16 - 8 * c) & 255;
             sums[3] += inside;

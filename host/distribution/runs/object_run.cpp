@@ -116,7 +116,9 @@ void object_keys(Keys& keys, ObjectSettings& s)
     keys.number("objects", s.objects, {1e-6, 1e6}, "objects in a unit square or cube, on average");
     keys.number("window", s.window, {1e-6, 1e3}, "the side of the picture").unit("units");
     keys.numbers("origin", s.origin, {{-1e6, 1e6}}, {"x", "y"}, "the lowest corner of the picture").unit("units");
-    keys.word("view", s.view, {"plane", "sphere", "torus"}, "what objects in space are seen on");
+    keys.word("view", s.view, {"plane", "sphere", "torus", "table"},
+              "what objects in space are seen on; those in the plane on the cloth of a table 1.2 units wide, on a "
+              "floor of granite");
     keys.integer("pixels", s.pixels, 16, 8192, "the width of the picture");
     keys.integer("samples", s.samples, 1, 15, "samples of a pixel along each axis");
     keys.integer("period", s.period, 0, 1 << 20, "after which everything repeats; 0: never").unit("tiles");
@@ -124,8 +126,9 @@ void object_keys(Keys& keys, ObjectSettings& s)
     keys.spread("size", s.size, {0, 1}, "the size of objects, in parts of their disks");
     keys.spread("orientation", s.orientation, {-1e4, 1e4}, "how objects are turned").unit("radians");
     keys.spread("aspect", s.aspect, {0.01, 100}, "how much wider than high objects are");
-    if (s.view != "plane" && s.dimension == 2)
-        throw keys.invalid("view", "is for dimension = 3, whose objects fill space");
+    if (s.view != "plane" && (s.view == "table") != (s.dimension == 2))
+        throw keys.invalid("view", s.dimension == 2 ? "is for dimension = 3, whose objects fill space"
+                                                    : "is for dimension = 2, whose objects lie in the plane");
 }
 
 std::string object_label(const ObjectSettings& s)
@@ -147,7 +150,10 @@ ObjectScene scene_of(const ObjectSettings& settings, const ObjectTileSet& tiles)
     constexpr double place_units = 4294967296.0;
     scene.width = scene.height = settings.pixels;
     scene.samples = settings.samples;
-    scene.view = settings.view == "sphere" ? VIEW_SPHERE : settings.view == "torus" ? VIEW_TORUS : VIEW_PLANE;
+    scene.view = settings.view == "sphere"  ? VIEW_SPHERE
+                 : settings.view == "torus" ? VIEW_TORUS
+                 : settings.view == "table" ? VIEW_CLOTH
+                                            : VIEW_PLANE;
     scene.step = std::max<std::int64_t>(
         1, std::llround(settings.window * scale / settings.pixels / settings.samples * place_units));
     scene.left = std::llround(settings.origin[0] * scale * place_units) + scene.step / 2;
@@ -227,8 +233,8 @@ void add_costs(const ObjectSettings& settings, const ObjectTileSet& tiles, Distr
     for (std::size_t i = first_time; i < result.numbers.size(); ++i) result.numbers[i].is_time = true;
 }
 
-ObjectPicture painted(const ObjectTileSet& tiles, const PoissonTiling& tiling, const ObjectScene& scene,
-                      const DistributionPlace& place)
+ObjectPicture painted_part(const ObjectTileSet& tiles, const PoissonTiling& tiling, const ObjectScene& scene,
+                           const DistributionPlace& place)
 {
     if (place.engine == Engine::reference) return reference::draw_objects(tiles, tiling, scene, object_shapes());
     Device& device = place.device();
@@ -237,14 +243,33 @@ ObjectPicture painted(const ObjectTileSet& tiles, const PoissonTiling& tiling, c
     return ObjectPainter(device, tiles, object_shapes()).draw(tiling, scene);
 }
 
+/// The picture; of a table its cloth and its floor, each of which leaves white what the other shows.
+ObjectPicture painted(const ObjectSettings& settings, const ObjectTileSet& tiles, const PoissonTiling& tiling,
+                      const DistributionPlace& place)
+{
+    ObjectPicture picture = painted_part(tiles, tiling, scene_of(settings, tiles), place);
+    if (settings.view != "table") return picture;
+    ObjectSettings floor = settings;
+    floor.object = "granite";
+    floor.objects = 4 * settings.objects;
+    floor.size = {SpreadChoice::Kind::uniform, 0.7, 1};
+    floor.orientation = {SpreadChoice::Kind::uniform, 0, 2 * std::numbers::pi};
+    floor.aspect = {SpreadChoice::Kind::uniform, 0.7, 1.4};
+    ObjectScene scene = scene_of(floor, tiles);
+    scene.view = VIEW_FLOOR;
+    const ObjectPicture under = painted_part(tiles, tiling, scene, place);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        picture.pixels[i] = static_cast<std::uint8_t>(std::clamp(picture.pixels[i] + under.pixels[i] - 255, 0, 255));
+    return picture;
+}
+
 DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files)
 {
     const ObjectTileSet tiles(object_tile_set(settings.tiles, settings.dimension, place));
     const PoissonTileParameters& p = tiles.tiles().parameters;
     const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0], settings.period};
-    const ObjectScene scene = scene_of(settings, tiles);
-    const ObjectPicture picture = painted(tiles, tiling, scene, place);
+    const ObjectPicture picture = painted(settings, tiles, tiling, place);
 
     DistributionResult result;
     result.facts = {fmt::format("{} objects a unit {}", settings.objects, settings.dimension == 3 ? "cube" : "square"),
@@ -253,8 +278,8 @@ DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t se
     std::vector<std::uint8_t> colors;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
         if (i % 4 != 3) colors.push_back(picture.pixels[i]);
-    write_png(files.add("objects.png"), {static_cast<int>(scene.width), static_cast<int>(scene.height), 3},
-              [&](int first, int) { return &colors[static_cast<std::size_t>(first) * scene.width * 3]; });
+    write_png(files.add("objects.png"), {static_cast<int>(settings.pixels), static_cast<int>(settings.pixels), 3},
+              [&](int first, int) { return &colors[static_cast<std::size_t>(first) * settings.pixels * 3]; });
     result.pictures.push_back(
         {"objects.png", fmt::format("Each pixel is the mean of {0} x {0} places.", settings.samples)});
     add_numbers(settings, tiles, picture, result);

@@ -215,11 +215,13 @@ void show_search(const SelfSimilarSettings& settings, const DistributionPlace& p
         result.numbers.push_back({fmt::format("radius_{}", different), fmt::format("Radius {}", different), radius,
                                   fmt::format("starts {} and {}", tile.starts.x, tile.starts.y)});
     }
-    // D 4.7.2.2 has 19.64, 17.62 and 16.12 % for 16, 20 and 24 points.
-    const double sequences = std::ldexp(1.0, static_cast<int>(points));
-    result.numbers.push_back({"balanced_share", "Balanced sequences",
-                              static_cast<double>(balanced_words(points).size()) / sequences,
+    // D 4.7.2.2 has 19.64, 17.62, 16.12 and 14.00 % for 16, 20, 24 and 32 points.
+    result.numbers.push_back({"balanced_share", "Balanced sequences", balanced_share(points),
                               "of all starts: half of the sequence of each lies below 1/2"});
+    for (const std::uint32_t others : {16u, 20u, 24u, 32u})
+        if (others != points)
+            result.numbers.push_back({fmt::format("balanced_share_{}", others), "Balanced sequences",
+                                      balanced_share(others), fmt::format("of {} points", others)});
     write_whole_file(files.add("starts.csv", result), text);
     result.facts = {fmt::format("{} points", points),
                     fmt::format("{} tiles of a relative radius of {} or more, {} different radii", found.size(),

@@ -29,6 +29,8 @@ struct SurfaceTextureSettings
 struct SurfaceObjectSettings
 {
     QuadSettings quads;
+    int dimension = 2;           ///< 3: the surface is cut out of a solid that objects fill
+    std::filesystem::path tiles; ///< of a solid; empty: sphere tiles of 2 colours, 128 points
     std::size_t points = 2000;
     std::string object = "dots";
     int texels = 32; ///< along a side of a quad
@@ -46,7 +48,8 @@ struct DressedSurface
 
 DressedSurface textured_surface(const SurfaceTextureSettings& settings, std::uint64_t seed,
                                 const DistributionPlace& place);
-DressedSurface surface_of_objects(const SurfaceObjectSettings& settings, std::uint64_t seed);
+DressedSurface surface_of_objects(const SurfaceObjectSettings& settings, std::uint64_t seed,
+                                  const DistributionPlace& place);
 
 /// Writes the picture of a surface, or its file of glTF, by the end of the name.
 void write_dressed(const std::filesystem::path& file, const DressedSurface& dressed, int pixels);

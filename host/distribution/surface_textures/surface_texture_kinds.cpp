@@ -41,14 +41,17 @@ void texture_keys(Keys& keys, SurfaceTextureSettings& s)
 void object_keys(Keys& keys, SurfaceObjectSettings& s)
 {
     mesh_keys(keys, s.quads);
-    keys.integer("points", s.points, 1, 1 << 22, "the number of objects on the surface, about");
-    keys.word("object", s.object, object_looks(2), "the look of objects");
+    keys.integer("dimension", s.dimension, 2, 3, "objects on the surface, or in a solid that it is cut out of");
+    keys.tiles(s.tiles).otherwise("sphere tiles of 2 colours, 128 points").only_if(s.dimension == 3, "dimension = 3");
+    keys.integer("points", s.points, 1, 1 << 22,
+                 "the number of objects on the surface, about; of a solid in the cube as wide as the mesh");
+    keys.word("object", s.object, object_looks(s.dimension), "the look of objects");
     keys.integer("texels", s.texels, 2, 256, "the pixels along a side of a quad in the atlas");
     keys.spread("size", s.size, {0, 1}, "the size of objects, in parts of their disks");
     keys.spread("orientation", s.orientation, {-1e4, 1e4}, "how objects are turned").unit("radians");
     keys.spread("aspect", s.aspect, {0.01, 100}, "how much wider than high objects are");
     if (!keys.is_read()) return;
-    keys.check("points", [&] { check_quad_points(s.points, s.quads.read->mesh.quads.size()); });
+    if (s.dimension == 2) keys.check("points", [&] { check_quad_points(s.points, s.quads.read->mesh.quads.size()); });
     if (const std::size_t wide = static_cast<std::size_t>(s.texels) + 4;
         s.quads.read->mesh.quads.size() * wide * wide > std::size_t{1} << 26)
         throw keys.problem(fmt::format("{} quads of {} x {} pixels are more than 2^26: fewer {} help",
@@ -86,9 +89,9 @@ DistributionResult make_texture_result(const SurfaceTextureSettings& settings, s
 }
 
 DistributionResult make_object_result(const SurfaceObjectSettings& settings, std::uint64_t seed,
-                                      DistributionFiles& files)
+                                      const DistributionPlace& place, DistributionFiles& files)
 {
-    return result_of(surface_of_objects(settings, seed), files);
+    return result_of(surface_of_objects(settings, seed, place), files);
 }
 
 }

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/settings/tilings/aperiodic_tiles.hpp"
 #include "tiles/packing/tile_packing.hpp"
+#include "tiles/tilings/scanline_cubes.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ const std::vector<std::string>& tiling_algorithms(TileKind kind)
     static const std::vector<std::string> wang =
         joined({"edge-hash", "two-hashes", "one-hash", "scanline", "scanline-compact"},
                aperiodic_tiling_words(TileKind::wang));
-    static const std::vector<std::string> wang_cube{"face-hash"};
+    static const std::vector<std::string> wang_cube{"face-hash", "scanline", "scanline-compact"};
     static const std::vector<std::string> others{"direct"};
     return kind == TileKind::corner      ? corner
            : kind == TileKind::wang      ? wang
@@ -67,8 +68,12 @@ const std::vector<std::string>& tile_set_names(TileKind kind)
         joined({"complete", "compact"}, aperiodic_set_words(TileKind::corner));
     static const std::vector<std::string> wang =
         joined({"complete", "compact", "one-hash", "corner"}, aperiodic_set_words(TileKind::wang));
+    static const std::vector<std::string> wang_cube{"complete", "compact"};
     static const std::vector<std::string> others{"complete"};
-    return kind == TileKind::corner ? corner : kind == TileKind::wang ? wang : others;
+    return kind == TileKind::corner      ? corner
+           : kind == TileKind::wang      ? wang
+           : kind == TileKind::wang_cube ? wang_cube
+                                         : others;
 }
 
 bool TilingRequest::is_aperiodic() const { return is_aperiodic_word(kind, algorithm); }
@@ -91,6 +96,7 @@ TileSet make_tile_set(TileKind kind, WangColors colors, const std::string& name)
     if (name == "one-hash") return one_hash_wang_set(horizontal);
     if (name == "corner") return equivalent_wang_set(TileSet::complete(TileKind::corner, horizontal));
     if (name != "compact") return TileSet::complete(kind, colors);
+    if (kind == TileKind::wang_cube) return compact_wang_cube_set(horizontal);
     return kind == TileKind::corner ? compact_corner_set(horizontal) : compact_wang_set(colors);
 }
 
@@ -147,7 +153,14 @@ void stream_tiles(const TilingRequest& request, const CubeWindow& window, const 
     const auto in_plane = [&](std::int64_t x, std::int64_t y, std::span<const TileIndex> tiles) {
         sink(x, y, window.z, tiles);
     };
-    if (axes_of(request.kind) == 3) {
+    if (request.is_scanline() && (window.x != 0 || window.y != 0 || window.z != 0))
+        throw InputError(fmt::format("a window at {} {}: with the algorithm {}, {} must be 0", window.x, window.y,
+                                     request.algorithm, axes_of(request.kind) == 3 ? "X, Y and Z" : "X and Y"));
+    if (request.kind == TileKind::wang_cube && request.is_scanline()) {
+        const TileSet set = tile_set_of(request); // whose colours are checked
+        stream_scanline_cubes(request.colors, !set.is_complete(), request.seed, window.width, window.height,
+                              window.depth, sink);
+    } else if (axes_of(request.kind) == 3) {
         CubeTiling(request.colors, request.hash_choice(), request.seed, request.period, request.kind)
             .stream(window, sink);
     } else if (request.kind == TileKind::domino && request.is_direct()) {
@@ -162,9 +175,6 @@ void stream_tiles(const TilingRequest& request, const CubeWindow& window, const 
             in_plane(window.x, window.y + static_cast<std::int64_t>(window.height - 1 - row),
                      std::span(tiles).subspan(row * window.width, window.width));
     } else if (request.is_scanline()) {
-        if (window.x != 0 || window.y != 0)
-            throw InputError(fmt::format("a window at {} {}: with the algorithm {}, X and Y must be 0", window.x,
-                                         window.y, request.algorithm));
         ScanlineTiling(tile_set_of(request), window.width, request.seed).stream(window.height, in_plane);
     } else {
         make_direct_tiling(request).stream({window.x, window.y, window.width, window.height}, in_plane);

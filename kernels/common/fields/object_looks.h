@@ -32,6 +32,8 @@ enum
     VIEW_PLANE = 0,      ///< x to the right, y upwards; in space, a slice
     VIEW_SPHERE = 1,
     VIEW_TORUS = 2,
+    VIEW_CLOTH = 3, ///< a cloth on a round table, and nothing else
+    VIEW_FLOOR = 4, ///< the floor around it
     SHOWS_LAYERS = 0,
     SHOWS_CELLS = 1,       ///< colours of the nearest objects around their disks
     SHOWS_FRAMES = 2,      ///< the local coordinates as colours
@@ -85,7 +87,8 @@ struct ObjectScene
     uint ripples;             ///< the colour into which noise fades the background; the same: none
     float noise_cells;        ///< of the noise, a tile
     uint shows;               ///< SHOWS_LAYERS, ...
-    uint has_bodies, unused;  ///< layers are faces of bodies in space; fills the record
+    uint has_bodies;          ///< layers are faces of bodies in space
+    float modulation;         ///< of the layers' colours by noise, from 0 to 1
     uint palette[MAX_COLORS]; ///< 0xrrggbb
 };
 
@@ -138,25 +141,29 @@ LOOKS_FUNCTION float shape_radius(LOOKS_TABLE shapes, uint shape, float x, float
     return shapes[row + step % SHAPE_STEPS] * (1 - part) + shapes[row + (step + 1) % SHAPE_STEPS] * part;
 }
 
-/// A number from 0 to 1 at a corner of the noise's lattice.
-LOOKS_FUNCTION float noise_corner(int x, int y, int z)
+/// The slope of Perlin's noise at a corner of its lattice, times the way from there: Perlin, Improving noise, 2002.
+LOOKS_FUNCTION float noise_corner(int ix, int iy, int iz, float x, float y, float z)
 {
-    return (float)(pobjects_bits(pobjects_bits((uint)x, (uint)y), (uint)z) >> 8) / 16777216.0f;
+    const uint slope = pobjects_bits(pobjects_bits((uint)ix, (uint)iy), (uint)iz) >> 28;
+    const float u = slope < 8 ? x : y, v = slope < 4 ? y : slope == 12 || slope == 14 ? x : z;
+    return (slope & 1 ? -u : u) + (slope & 2 ? -v : v);
 }
 
-/// Smooth noise from 0 to 1: random numbers on a lattice between which a cubic blends.
+/// Perlin's noise, moved to 0 to 1.
 LOOKS_FUNCTION float smooth_noise(float x, float y, float z)
 {
     const float fx = whole_part(x), fy = whole_part(y), fz = whole_part(z);
     const int ix = (int)fx, iy = (int)fy, iz = (int)fz;
     const float px = x - fx, py = y - fy, pz = z - fz;
-    const float u = px * px * (3 - 2 * px), v = py * py * (3 - 2 * py), w = pz * pz * (3 - 2 * pz);
+    const float u = px * px * px * (px * (px * 6 - 15) + 10), v = py * py * py * (py * (py * 6 - 15) + 10),
+                w = pz * pz * pz * (pz * (pz * 6 - 15) + 10);
     float sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        sum += noise_corner(ix + i, iy + j, iz + k) * (i ? u : 1 - u) * (j ? v : 1 - v) * (k ? w : 1 - w);
+        sum += noise_corner(ix + i, iy + j, iz + k, px - (float)i, py - (float)j, pz - (float)k) * (i ? u : 1 - u) *
+               (j ? v : 1 - v) * (k ? w : 1 - w);
     }
-    return sum;
+    return within((sum + 1) / 2, 0, 1);
 }
 
 /// A mixture of two colours; 0: the first.
@@ -253,48 +260,14 @@ LOOKS_FUNCTION uint background_color(const struct ObjectScene* scene, float x, f
     return mixed(scene->background, scene->ripples, 0.65f * coarse + 0.35f * fine);
 }
 
-/// A place of a body's surface and how much light it has; nothing where the ray misses it.
-struct SurfacePlace
+/// The colour of an object at a place in tiles, as noise darkens and lightens it.
+LOOKS_FUNCTION uint modulated(const struct ObjectScene* scene, uint color, float x, float y, float z)
 {
-    float x, y, z; ///< from -1 to 1
-    float light;
-    uint is_there;
-};
-
-/// The distance from the surface of a torus of the radii 0.66 and 0.3, tilted towards the eye, which looks along -z.
-LOOKS_FUNCTION float torus_distance(float x, float y, float z)
-{
-    const float up = 0.6f * y + 0.8f * z, along = 0.8f * y - 0.6f * z;
-    const float ring = root_of(x * x + along * along) - 0.66f;
-    return root_of(ring * ring + up * up) - 0.3f;
-}
-
-/// The place of a view's body that is seen at (x, y), -1 to 1 over the picture's height.
-LOOKS_FUNCTION struct SurfacePlace surface_place(uint view, float x, float y)
-{
-    struct SurfacePlace place = {x, y, 0, 1, 0};
-    float nx, ny, nz;
-    if (view == VIEW_SPHERE) {
-        const float left = 0.96f - x * x - y * y;
-        if (left < 0) return place;
-        nx = x, ny = y, nz = place.z = root_of(left);
-    } else {
-        place.z = 1.1f;
-        float away = 1;
-        for (int i = 0; i < 80 && away > 0.0005f && place.z > -1.1f; ++i) {
-            away = torus_distance(x, y, place.z);
-            place.z -= away;
-        }
-        if (place.z <= -1.1f) return place;
-        const float d = 0.002f, here = torus_distance(x, y, place.z);
-        nx = torus_distance(x + d, y, place.z) - here;
-        ny = torus_distance(x, y + d, place.z) - here;
-        nz = torus_distance(x, y, place.z + d) - here;
-    }
-    const float length = root_of(nx * nx + ny * ny + nz * nz);
-    const float facing = (-0.4f * nx + 0.6f * ny + 0.69f * nz) / (length > 0 ? length : 1);
-    place.light = 0.25f + 0.75f * (facing > 0 ? facing : 0), place.is_there = 1;
-    return place;
+    if (scene->modulation == 0) return color;
+    const float c = scene->noise_cells * 0.61f; // so that its lattice and the background's do not coincide
+    const float noise = smooth_noise(x * c + 0.31f, y * c + 0.17f, z * c + 0.43f);
+    return mixed(color, noise < 0.5f ? 0 : 0xffffff,
+                 scene->modulation * (noise < 0.5f ? 1 - 2 * noise : 2 * noise - 1));
 }
 
 END_CONTRACT

@@ -3,6 +3,7 @@
 #include "base/images/png_file.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/command_test.hpp"
+#include "tests/support/places.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -200,6 +201,21 @@ TEST_F(TextureDesignPage, GoesOnFromSavedDrawings)
     json["colors"] = 3;
     EXPECT_EQ(opened(json.dump()), "the drawing has colors 3, and this page has 2");
     EXPECT_EQ(browser_->evaluate(pixels), drawn) << "what cannot be opened changes nothing";
+}
+
+/// The drawings in the spirit of figure 3 of Cohen and others: the page takes them, and their tiles fit.
+TEST_F(TextureDesignPage, TakesTheDrawingsOfTheConfigs)
+{
+    for (const std::string name : {"lines", "leaves"}) {
+        const Outcome drawn = run_in_shell(folder_.path(), "python3 " + source_folder() +
+                                                               "/configs/papers/cohen-2003/draw_tiles.py " + name);
+        ASSERT_EQ(drawn.status, 0) << drawn.error;
+        open("wang --colors 2 --size 64");
+        browser_->evaluate("openDrawing(" + nlohmann::json(drawn.out).dump() + "), 0");
+        EXPECT_GT(browser_->evaluate("drawing.strokes.length").get<int>(), 60) << name;
+        save();
+        EXPECT_EQ(nlohmann::json::parse(printed("verify drawn --json"))["tiles"], 16) << name;
+    }
 }
 
 TEST_F(TextureDesignPage, Mistakes)

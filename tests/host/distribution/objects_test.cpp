@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
+#include "kernels/common/fields/object_views.h"
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/places.hpp"
@@ -65,8 +66,9 @@ TEST_P(ObjectPictures, AreTheSameByKernelAndTwin)
     const int dimension = GetParam();
     for (const std::string& look : object_looks(dimension))
         for (const std::uint32_t view :
-             {std::uint32_t{VIEW_PLANE}, std::uint32_t{VIEW_SPHERE}, std::uint32_t{VIEW_TORUS}}) {
-            if (view != VIEW_PLANE && dimension == 2) continue;
+             {std::uint32_t{VIEW_PLANE}, std::uint32_t{VIEW_SPHERE}, std::uint32_t{VIEW_TORUS},
+              std::uint32_t{VIEW_CLOTH}, std::uint32_t{VIEW_FLOOR}}) {
+            if (view != VIEW_PLANE && (view >= VIEW_CLOTH) != (dimension == 2)) continue;
             ObjectScene scene = scene_of(look, dimension, 24, 1.3);
             scene.view = view;
             const PoissonTiling tiling{7, view == VIEW_SPHERE ? 2 : 0};

@@ -126,7 +126,7 @@ TEST(TexturedSurfaces, ShowObjectsInDisksThatDoNotOverlap)
     settings.quads = chair(1);
     settings.points = 600;
     settings.texels = 48;
-    const DressedSurface dressed = surface_of_objects(settings, 1);
+    const DressedSurface dressed = surface_of_objects(settings, 1, {});
     // Pixels of other colours than the background are those in disks.
     const QuadAtlas& atlas = dressed.atlas;
     std::size_t inside = 0, all = 0;
@@ -144,6 +144,44 @@ TEST(TexturedSurfaces, ShowObjectsInDisksThatDoNotOverlap)
     const double radius = number_of(dressed.numbers, "disk_radius") * atlas.side;
     EXPECT_GE(static_cast<double>(inside) / static_cast<double>(all), share * 0.99);
     EXPECT_LE(static_cast<double>(inside) / static_cast<double>(all), share * (1 + 2 / radius) * (1 + 2 / radius));
+}
+
+/// Balls fill the share N 4/3 pi R^3 of space, and of a surface, wherever it lies, on average the same share: here of a
+/// cube's six sides, which cut some 1,900 balls for each seed. The two-sided bound of five standard errors comes from
+/// the seeds themselves.
+TEST(TexturedSurfaces, AreCutOutOfASolid)
+{
+    SurfaceObjectSettings settings;
+    settings.quads = chair(1);
+    settings.dimension = 3;
+    settings.tiles = source / "runtime" / "tile_sets" / "sphere-c2-n128-r075.ptiles";
+    settings.points = 4000;
+    settings.object = "inside";
+    settings.texels = 24;
+    std::vector<double> shares;
+    double expected = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        const DressedSurface dressed = surface_of_objects(settings, seed, {.engine = Engine::reference, .device = {}});
+        const QuadAtlas& atlas = dressed.atlas;
+        double dark = 0, all = 0;
+        for (std::uint32_t q = 0; q < dressed.surface->mesh.quads.size(); ++q)
+            for (int i = 0; i < atlas.side * atlas.side; ++i, ++all) {
+                const auto [left, top] = atlas.corner_of(q);
+                dark += 1 - atlas.color.values[atlas.color.at(left + atlas.gutter + i % atlas.side,
+                                                              top + atlas.gutter + i / atlas.side, 0)] /
+                                255.0;
+            }
+        shares.push_back(dark / all);
+        expected = number_of(dressed.numbers, "share_of_balls");
+    }
+    double mean = 0, squares = 0;
+    for (const double share : shares) mean += share / 12;
+    for (const double share : shares) squares += (share - mean) * (share - mean);
+    const double error = std::sqrt(squares / 11 / 12);
+    EXPECT_LT(error, 0.01);
+    EXPECT_NEAR(mean, expected, 5 * error);
+    const double radius = 0.75 / 2 * std::cbrt(std::sqrt(2.0) / 128); // by the file's name
+    EXPECT_NEAR(expected, 128 * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3), 0.02);
 }
 
 TEST(TiledQuads, KeepTheirDistanceAlongTheSurface)

@@ -1,10 +1,12 @@
 // Corner cubes and dominoes: neighbours match.
-#include "tiles/tilings/cube_tiling.hpp"
+#include "tiles/tilings/scanline_cubes.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tests/tiles/tilings/tile_colors.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -213,6 +215,58 @@ TEST(DominoTiling, ClosesAfterItsPeriod)
         differ += line.tile(x) != line.tile(x + 7);
     }
     EXPECT_GT(differ, 0);
+}
+
+/// Cohen and others, 2003, section 5: 32 cubes of two colours. Faces that meet agree, cubes are of the set, and, as all
+/// faces but one of a cube are independent, all cubes are as frequent: by a chi-squared test of C^5 - 1 degrees of
+/// freedom, whose mean is that number and whose standard deviation is the square root of twice it.
+TEST(ScanlineCubes, FitAndAreAsFrequent)
+{
+    for (const Color colors : {2u, 3u})
+        for (const bool is_compact : {true, false}) {
+            const TileSet set =
+                is_compact ? compact_wang_cube_set(colors) : TileSet::complete(TileKind::wang_cube, colors);
+            const double exponent = is_compact ? 5 : 6;
+            EXPECT_EQ(set.size(), static_cast<std::uint64_t>(std::pow(colors, exponent)));
+            constexpr std::uint64_t width = 40, height = 30, depth = 25;
+            std::vector<WangCube> cubes(width * height * depth);
+            std::vector<double> counts(set.size());
+            std::size_t next = 0;
+            stream_scanline_cubes(colors, is_compact, 7, width, height, depth,
+                                  [&](std::int64_t x, std::int64_t y, std::int64_t z, std::span<const TileIndex> row) {
+                                      EXPECT_EQ(x, 0);
+                                      EXPECT_EQ(y, static_cast<std::int64_t>(height - 1 - next / width % height));
+                                      EXPECT_EQ(z, static_cast<std::int64_t>(next / width / height));
+                                      for (const TileIndex tile : row) {
+                                          ++counts.at(set.position(tile).value());
+                                          cubes.at(next++) = wang_cube(tile, colors);
+                                      }
+                                  });
+            ASSERT_EQ(next, cubes.size());
+            for (std::size_t i = 0; i < cubes.size(); ++i) {
+                if (i % width > 0) {
+                    ASSERT_EQ(cubes[i].west, cubes[i - 1].east);
+                }
+                if (i / width % height > 0) {
+                    ASSERT_EQ(cubes[i].north, cubes[i - width].south);
+                }
+                if (i >= width * height) {
+                    ASSERT_EQ(cubes[i].bottom, cubes[i - width * height].top);
+                }
+            }
+            const double expected = static_cast<double>(cubes.size()) / static_cast<double>(set.size());
+            double squares = 0;
+            for (const double count : counts) squares += (count - expected) * (count - expected) / expected;
+            const double freedom = static_cast<double>(set.size()) - 1;
+            EXPECT_NEAR(squares, freedom, 5 * std::sqrt(2 * freedom)) << colors << is_compact;
+        }
+    int calls = 0;
+    const auto count = [&](auto, auto, auto, std::span<const TileIndex> row) { calls += row.empty() ? 100 : 1; };
+    stream_scanline_cubes(2, true, 1, 1, 1, 1, count);
+    stream_scanline_cubes(2, true, 1, 3, 2, 0, count);
+    EXPECT_EQ(calls, 1);
+    EXPECT_THROW(stream_scanline_cubes(2, true, 1, 1 << 20, 1 << 20, 1, count), InputError);
+    EXPECT_THROW(compact_wang_cube_set(17), InputError);
 }
 
 }

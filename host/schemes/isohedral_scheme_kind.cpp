@@ -1,0 +1,178 @@
+// kind = "isohedral": the keys of a scheme that draws an isohedral tiling, its colours, and the path that divides
+// tiles.
+//
+// Kaplan, Introductory Tiling Theory for Computer Graphics, 2009 (SIGGRAPH 2008 class notes, II, section 7).
+#include "host/kinds/kinds.hpp"
+#include "host/schemes/scheme_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto curves_allowed = "a list of curves, each a list of points [x, y] from -100 to 100";
+
+/// curves = [[[0.3, 0.1], [0.7, -0.1]], ...]: the points of each between (0, 0) and (1, 0).
+std::vector<PlaneCurve> curves_of(const Keys& keys, const ConfigNode& node)
+{
+    const auto refused = [&] { return keys.invalid("curves", std::string("must be ") + curves_allowed); };
+    const auto* curves = node.get_if<ConfigList>();
+    if (!curves) throw refused();
+    std::vector<PlaneCurve> all;
+    for (const ConfigNode& curve : *curves) {
+        const auto read = curve_of_node(curve);
+        if (!read) throw refused();
+        all.push_back(*read);
+    }
+    return all;
+}
+
+/// A list of `count` colours, each below `colors`; where it is not given, they are 0.
+std::vector<std::uint32_t> read_colors_of(const ConfigTable& entries, const char* key, std::size_t count,
+                                          std::uint32_t colors)
+{
+    const ConfigNode* node = find(entries, key);
+    if (!node) return std::vector<std::uint32_t>(count);
+    const auto numbers = numbers_of_list(*node);
+    const auto is_color = [&](double number) { return number == std::floor(number) && number >= 0 && number < colors; };
+    if (!numbers || numbers->size() != count || !std::ranges::all_of(*numbers, is_color))
+        throw invalid_node(key, *node, fmt::format("must be a list of {} colours from 0 to {}", count, colors - 1));
+    return {numbers->begin(), numbers->end()};
+}
+
+/// Two permutations of the colours, each a list of the colours that follow 0, 1, ...
+std::array<std::vector<std::uint32_t>, 2> read_permutations(const ConfigTable& entries, std::uint32_t colors)
+{
+    const ConfigNode& node = *find(entries, "permutations");
+    const auto refused = [&] {
+        return invalid_node("permutations", node,
+                            fmt::format("must be two lists of all colours from 0 to {}", colors - 1));
+    };
+    const auto* lists = node.get_if<ConfigList>();
+    if (!lists || lists->size() != 2) throw refused();
+    std::array<std::vector<std::uint32_t>, 2> permutations;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto numbers = numbers_of_list((*lists)[i]);
+        if (!numbers || numbers->size() != colors) throw refused();
+        for (std::uint32_t color = 0; color < colors; ++color)
+            if (std::ranges::count(*numbers, static_cast<double>(color)) != 1) throw refused();
+        permutations[i].assign(numbers->begin(), numbers->end());
+    }
+    return permutations;
+}
+
+/// coloring = { colors = 3, aspects = [0, 1, 2], steps = [1, 2] }, or with permutations = [[1, 2, 0], [2, 0, 1]] in
+/// place of steps: see TileColoring.
+TileColoring coloring_of(const Keys& keys, const ConfigNode& node, std::size_t aspects)
+{
+    const auto* entries = node.get_if<ConfigTable>();
+    if (!entries) throw keys.invalid("coloring", "must be a table { colors, aspects, steps or permutations }");
+    check_keys(*entries, {"colors", "aspects", "steps", "permutations"});
+    TileColoring coloring;
+    Keys(*entries, node.location, "").integer("colors", coloring.colors, 1, 8, "how many there are");
+    coloring.aspects = read_colors_of(*entries, "aspects", aspects, coloring.colors);
+    if (find(*entries, "permutations")) {
+        if (find(*entries, "steps")) throw keys.invalid("coloring", "must have steps or permutations, not both");
+        coloring.permutations = read_permutations(*entries, coloring.colors);
+        return coloring;
+    }
+    const auto steps = read_colors_of(*entries, "steps", 2, coloring.colors);
+    coloring.steps = {steps[0], steps[1]};
+    return coloring;
+}
+
+/// Parameters and curves of a tile, which are random or given.
+void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
+{
+    constexpr auto numbers_allowed = "a list of numbers from -100 to 100";
+    keys.flag("random", s.is_random, "whether parameters and curves are random");
+    keys.value("parameters", numbers_allowed, "where the corners are",
+               [&](const ConfigNode& node) {
+                   const auto numbers = numbers_of_list(node);
+                   if (!numbers) throw keys.invalid("parameters", std::string("must be ") + numbers_allowed);
+                   s.parameters.deformations = *numbers;
+               })
+        .otherwise("those of the Laves tiling");
+    keys.value("curves", curves_allowed, "the points of curves between (0, 0) and (1, 0)",
+               [&](const ConfigNode& node) { s.parameters.curves = curves_of(keys, node); })
+        .otherwise("straight");
+    for (const char* const key : {"parameters", "curves"})
+        if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "cannot be combined with random = true");
+    const std::size_t given = s.parameters.deformations.size(), needed = type.shape.parameters();
+    if (given > 0 && given != needed)
+        throw keys.invalid("parameters", fmt::format("must be as many as IH{} has: {}", type.number, needed));
+    if (s.parameters.curves.size() > type.shape.curve_shapes.size())
+        throw keys.invalid("curves",
+                           fmt::format("must be at most {} for IH{}", type.shape.curve_shapes.size(), type.number));
+}
+
+/// The path that divides a tile.
+void split_keys(Keys& keys, IsohedralSettings& s)
+{
+    constexpr auto allowed = "two corners of the tile, [0, 2]";
+    keys.value("split", allowed, "the corners that a path joins, which divides the tile in two",
+               [&](const ConfigNode& node) {
+                   const auto corners = numbers_of_list(node);
+                   const auto is_corner = [](double x) { return x == std::floor(x) && x >= 0 && x < 6; };
+                   if (!corners || corners->size() != 2 || !std::ranges::all_of(*corners, is_corner))
+                       throw keys.invalid("split", std::string("must be ") + allowed);
+                   s.split.emplace();
+                   s.split->from = static_cast<std::size_t>((*corners)[0]);
+                   s.split->to = static_cast<std::size_t>((*corners)[1]);
+               })
+        .otherwise("tiles are whole")
+        .excludes("random");
+    keys.value("split_curve", "[[0.3, 0.1], [0.7, -0.1]]", "the points of the path between (0, 0) and (1, 0)",
+               [&](const ConfigNode& node) {
+                   const auto path = curve_of_node(node);
+                   if (!path) throw keys.invalid("split_curve", "must be a list of points, such as [[0.3, 0.1]]");
+                   if (s.split) s.split->path = *path;
+               })
+        .otherwise("straight")
+        .only_if(s.split.has_value(), "split");
+}
+
+void isohedral_keys(Keys& keys, IsohedralSettings& s)
+{
+    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
+    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
+    shape_keys(keys, s, type);
+    keys.value("coloring", "a table { colors, aspects, steps or permutations }", "the colours of tiles",
+               [&](const ConfigNode& node) { s.coloring = coloring_of(keys, node, type.shape.aspects.size()); })
+        .otherwise("the fewest colours");
+    keys.value("window", "[width, height], each from 1 to 100", "in sides of a square as large as the tile",
+               [&](const ConfigNode& node) {
+                   const auto size = numbers_of_list(node);
+                   if (!size || size->size() != 2 || !(std::ranges::min(*size) >= 1 && std::ranges::max(*size) <= 100))
+                       throw keys.invalid("window", "must be [width, height], each from 1 to 100");
+                   s.columns = (*size)[0];
+                   s.rows = (*size)[1];
+               })
+        .otherwise("[10, 10]");
+    split_keys(keys, s);
+    if (keys.is_read()) keys.check([&] { tile_of(s, 1); });
+    if (keys.is_read() && s.split) keys.check("split", [&] { split_tile(tile_of(s, 1), *s.split); });
+}
+
+}
+
+Kind isohedral_kind()
+{
+    return make_kind<IsohedralSettings>(
+        {"scheme", "isohedral", "", "Isohedral tiling", "Draw a tiling of a type with parameters, curves and colours",
+         false},
+        isohedral_keys, [](const IsohedralSettings& s) { return fmt::format("Isohedral tiling of type IH{}", s.type); },
+        make_isohedral);
+}
+
+IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed)
+{
+    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
+    if (settings.is_random) return random_tile(type, seed, drawn_deformation, drawn_amplitude);
+    return {type, settings.parameters};
+}
+
+}
