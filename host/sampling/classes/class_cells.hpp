@@ -92,6 +92,15 @@ struct ClassGrids
 
 ClassGrids class_grids(const ClassDartRequest& request);
 
+/// The cells whose bits say that single points cover them, and the number of words of bits.
+struct CoveredGrids
+{
+    std::vector<contract::class_darts::CoveredCells> grids;
+    std::size_t words = 0;
+};
+
+CoveredGrids covered_grids(const ClassDartRequest& request);
+
 /// An upper bound of the number of points.
 std::size_t most_class_points(const ClassDartRequest& request);
 

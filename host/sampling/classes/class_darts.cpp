@@ -17,6 +17,7 @@ using contract::class_darts::ClassCells;
 using contract::class_darts::ClassGrid;
 using contract::class_darts::ClassPair;
 using contract::class_darts::ClassSlot;
+using contract::class_darts::CoveredCells;
 using contract::class_darts::SlotBatch;
 
 struct ClassDartBuffers
@@ -29,6 +30,8 @@ struct ClassDartBuffers
     Words cells, starts, kept; ///< those of all lists; bits of the list that is refined
     Buffer<ClassSlot> slots;   ///< those of the batch
     Words candidates, heads, points, counters;
+    Buffer<CoveredCells> covered_cells;
+    Words covered;
     RegionBuffers region;
 };
 
@@ -44,6 +47,7 @@ NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request
 {
     const std::size_t classes = request.distances.classes(), points = most_class_points(request);
     const auto axes = static_cast<std::size_t>(request.dimension);
+    const CoveredGrids covered = covered_grids(request);
     NeededBuffers needed{{b.pairs, classes * classes},
                          {b.grids, classes},
                          {b.lists, classes},
@@ -51,9 +55,11 @@ NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request
                          {b.starts, std::max(classes, cells_a_point * points)},
                          {b.kept, cells_a_point * points},
                          {b.slots, most_slots},
-                         {b.candidates, most_slots},
+                         {b.candidates, most_slots * contract::class_darts::CANDIDATE_WORDS(axes)},
                          {b.heads, class_grids(request).cells},
                          {b.points, points * contract::class_darts::POINT_WORDS(axes)},
+                         {b.covered_cells, classes},
+                         {b.covered, covered.words},
                          {b.counters, contract::class_darts::COUNTERS}};
     if (request.region) std::ranges::copy(b.region.needed(*request.region), std::back_inserter(needed));
     return needed;
@@ -71,12 +77,17 @@ public:
             kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}, {"REGION", request.region != nullptr}});
         find_ = device.kernel(program, "find_darts");
         settle_ = device.kernel(program, "settle_class_darts");
+        mark_ = device.kernel(program, "mark_cells");
         cover_ = device.kernel(program, "cover_cells");
         reserve(device, class_buffers(buffers, request));
+        for (const ClassDartBuffers::Words* words : {&buffers.heads, &buffers.points, &buffers.cells, &buffers.covered})
+            ask_for_large_pages(words->impl());
         const ClassGrids grids = class_grids(request);
         buffers.pairs.write(class_pairs(distances_, request.shares));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
+        buffers.covered_cells.write(covered_grids(request).grids);
+        mark_all();
     }
 
     ClassedPoints run()
@@ -106,6 +117,7 @@ private:
                 order_.add(slots[i].own);
                 classes_.push_back(slots[i].own);
             }
+            if (settled > 0) mark_points(settled);
             skipped = settled > 0 ? 0 : skipped;
             const bool has_stalled = settled < slots.size();
             if (has_stalled) skipped = refine(slots[settled].own, skipped) ? skipped + contract::class_darts::TRIES : 0;
@@ -166,9 +178,9 @@ private:
         b.slots.write(slots);
         with_region([&](const auto&... region) {
             find_.run(slots.size(), group_size_, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads,
-                      b.points, b.candidates, region...);
+                      b.points, b.covered_cells, b.covered, b.candidates, region...);
             settle_.run(1, 1, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads, b.points,
-                        b.candidates, b.counters, region...);
+                        b.covered_cells, b.covered, b.candidates, b.counters, region...);
         });
         std::array<std::uint32_t, contract::class_darts::COUNTERS> counters{};
         b.counters.read(counters);
@@ -191,7 +203,7 @@ private:
         reserve(device_, b.kept, count);
         with_region([&](const auto&... region) {
             cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], *level, b.pairs, b.grids, b.cells, b.heads,
-                       b.points, b.kept, region...);
+                       b.points, b.covered_cells, b.covered, b.kept, region...);
         });
         open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension, *level);
         open_[own].covered_at = points;
@@ -208,8 +220,24 @@ private:
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         buffers_.pairs.write(class_pairs(distances_, request_.shares));
+        mark_all();
         start_anywhere();
         return true;
+    }
+
+    /// Marks the cells that the last points cover.
+    void mark_points(std::size_t count)
+    {
+        SlotBatch batch = batch_of(count, 0);
+        batch.first -= batch.slots;
+        mark_.run(count, group_size_, batch, buffers_.pairs, buffers_.points, buffers_.covered_cells, buffers_.covered);
+    }
+
+    /// Marks the cells that all points cover at the present distances.
+    void mark_all()
+    {
+        buffers_.covered.write(std::vector<std::uint32_t>(buffers_.covered.size()));
+        if (!classes_.empty()) mark_points(classes_.size());
     }
 
     void write_lists()
@@ -262,7 +290,7 @@ private:
     std::vector<ClassCells> lists_;      ///< where those are on the device
     std::vector<std::uint32_t> classes_; ///< of the points so far
     std::vector<bool> is_full_;          ///< of each class, in a part
-    Kernel find_, settle_, cover_;
+    Kernel find_, settle_, mark_, cover_;
 };
 
 }
