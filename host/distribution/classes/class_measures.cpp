@@ -139,23 +139,31 @@ std::string spectra_csv(const ClassSpectra& spectra)
     return text;
 }
 
+std::vector<double> density_errors(const ClassPart& part, const ClassedPoints& points)
+{
+    std::vector<double> errors;
+    for (std::uint32_t i = 0; i < part.densities.size(); ++i)
+        errors.push_back(density_error(part.densities[i], points.of_class(i)));
+    return errors;
+}
+
 double density_error(const ClassSet& set, std::size_t of)
 {
-    const std::vector<ClassPart>& parts = set.work.request.parts;
-    if (parts.size() != 1 || parts[0].densities.empty()) return -1;
-    return density_error(parts[0].densities[of], set.points.of_class(static_cast<std::uint32_t>(of)));
+    return set.density_errors.size() == 1 && set.work.request.parts == 1 ? set.density_errors[0][of] : -1;
 }
 
 namespace {
 
-/// Returns the points of a class in one part of a set.
-PointSet points_in_part(const ClassedPoints& points, std::size_t part, std::size_t of)
+/// Returns the numbers of points of a class in the parts of a set.
+std::vector<double> counts_in_parts(const ClassedPoints& points, std::size_t of)
 {
-    PointSet found{2, {}};
-    for (std::size_t i = part == 0 ? 0 : points.part_ends[part - 1]; i < points.part_ends[part]; ++i)
-        if (points.classes[i] == of)
-            found.coordinates.insert(found.coordinates.end(), points.points[i].begin(), points.points[i].end());
-    return found;
+    std::vector<double> counts;
+    std::size_t at = 0;
+    for (const std::size_t end : points.part_ends) {
+        counts.push_back(0);
+        for (; at < end; ++at) counts.back() += points.classes[at] == of;
+    }
+    return counts;
 }
 
 }
@@ -163,17 +171,15 @@ PointSet points_in_part(const ClassedPoints& points, std::size_t part, std::size
 std::vector<std::string> density_notes(const ClassSet& set)
 {
     constexpr double told = 0.01;
-    const std::vector<ClassPart>& parts = set.work.request.parts;
+    const std::size_t parts = set.density_errors.size();
     std::vector<std::string> notes;
     for (std::size_t i = 0; i < set.points.is_full.size(); ++i) {
         double largest = 0;
         std::size_t worst = 0;
-        for (std::size_t part = 0; part < parts.size(); ++part) {
-            if (parts[part].densities.empty()) continue;
-            const PointSet points = points_in_part(set.points, part, i);
-            const double error = density_error(parts[part].densities[i], points);
-            if (points.size() == 0 || error <= std::max({told, 2.0 / static_cast<double>(points.size()), largest}))
-                continue;
+        const std::vector<double> counts = counts_in_parts(set.points, i);
+        for (std::size_t part = 0; part < parts; ++part) {
+            const double error = set.density_errors[part][i];
+            if (counts[part] == 0 || error <= std::max({told, 2 / counts[part], largest})) continue;
             largest = error;
             worst = part;
         }
@@ -181,8 +187,7 @@ std::vector<std::string> density_notes(const ClassSet& set)
         notes.push_back(fmt::format(
             "class {} does not follow its density everywhere, as its distance leaves no room where it is densest: a "
             "sixteenth of the density{} has {:.2g} % of the points more or less than it should have",
-            i, parts.size() > 1 ? fmt::format(" in features[{}]", set.work.features[worst].number) : "",
-            100 * largest));
+            i, parts > 1 ? fmt::format(" in features[{}]", (*set.work.features)[worst].number) : "", 100 * largest));
     }
     return notes;
 }

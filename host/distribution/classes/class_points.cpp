@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "base/regions/region_features.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/classes/class_density.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
@@ -63,7 +62,7 @@ double largest_of(const ClassDistances& distances)
 }
 
 /// The cells of densities in all features together, and in each of them at least.
-constexpr std::size_t density_cells = 1 << 18, least_density_cells = 1 << 12;
+constexpr std::size_t most_density_cells = 1 << 18, least_density_cells = 1 << 12;
 
 /// Reads the densities of all classes, if there are any.
 std::vector<DensityAt> densities_of(const ClassSettings& settings, const RegionLand& land)
@@ -80,23 +79,28 @@ std::vector<DensityAt> densities_of(const ClassSettings& settings, const RegionL
 /// Returns the densities of all classes with points in a part of the land; the others have none.
 std::vector<ClassDensity> densities_in(const ClassSettings& settings, const std::vector<DensityAt>& densities,
                                        const FixedRegion& region, const std::vector<std::size_t>& points,
-                                       const ClassWork& work)
+                                       std::size_t parts)
 {
-    const std::size_t cells =
-        std::max(least_density_cells, density_cells / std::max<std::size_t>(1, work.features.size()));
+    if (densities.empty()) return {};
+    const RegionCells cells = density_cells(region, std::max(least_density_cells, most_density_cells / parts));
     std::vector<ClassDensity> all;
     for (std::size_t i = 0; i < densities.size(); ++i)
-        all.push_back(points[i] > 0 ? class_density(region, densities[i], name_of_input(settings.densities[i]), cells)
+        all.push_back(points[i] > 0 ? class_density(region, cells, densities[i], name_of_input(settings.densities[i]))
                                     : ClassDensity{});
     return all;
 }
 
-/// Calls visit(region, points of classes) for each part of the land.
-template <typename Visit>
-void for_each_part(const ClassSettings& settings, const ClassWork& work, const Visit& visit)
+std::size_t parts_of(const ClassWork& work) { return std::max<std::size_t>(1, work.features->size()); }
+
+const PlaneRegion& region_of(const ClassWork& work, std::size_t part)
 {
-    if (work.features.empty()) return visit(work.land->rest, settings.points);
-    for (const FeaturePart& feature : work.features) visit(feature.region, feature.points);
+    return work.features->empty() ? work.land->rest : (*work.features)[part].region;
+}
+
+/// Returns the points of each class in a part of the land.
+const std::vector<std::size_t>& points_of(const ClassSettings& settings, const ClassWork& work, std::size_t part)
+{
+    return work.features->empty() ? settings.points : (*work.features)[part].points;
 }
 
 /// Returns the distance of the densest packing of each class where it is densest.
@@ -104,31 +108,43 @@ std::vector<double> packing_distances(const ClassSettings& settings, const std::
                                       const ClassWork& work)
 {
     std::vector<double> all(settings.classes(), box_of(work.land->whole).longest() / settings.relative_radius);
-    for_each_part(settings, work, [&](const PlaneRegion& part, const std::vector<std::size_t>& points) {
-        const FixedRegion region(part, 0, KeptAway{{}, {}, 0, 0, box_of(work.land->whole)});
-        const std::vector<ClassDensity> read = densities_in(settings, densities, region, points, work);
+    for (std::size_t part = 0; part < parts_of(work); ++part) {
+        const std::vector<std::size_t>& points = points_of(settings, work, part);
+        const FixedRegion region(region_of(work, part), 0, KeptAway{{}, {}, 0, 0, box_of(work.land->whole)});
+        const std::vector<ClassDensity> read = densities_in(settings, densities, region, points, parts_of(work));
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (points[i] == 0) continue;
             const double fullness = read.empty() ? 1 : read[i].fullness;
-            all[i] = std::min(all[i], max_min_distance(points[i], 2) * std::sqrt(area_of(part) * fullness));
+            all[i] =
+                std::min(all[i], max_min_distance(points[i], 2) * std::sqrt(area_of(region_of(work, part)) * fullness));
         }
-    });
+    }
     return all;
 }
 
-/// Divides the request into features, with densities of the classes.
+/// Divides the request into features, with densities of the classes. Each is made when its points are, because
+/// densities of thousands of features would take gigabytes.
 void add_parts(const ClassSettings& settings, const std::vector<DensityAt>& densities, const KeptAway& kept,
                ClassWork& work)
 {
     ClassDartRequest& request = work.request;
     request.points.assign(settings.classes(), 0);
-    for_each_part(settings, work, [&](const PlaneRegion& part, const std::vector<std::size_t>& points) {
-        ClassPart made{std::make_shared<const FixedRegion>(part, 0, kept), {points.begin(), points.end()}, points, {}};
-        for (ClassDensity& density : densities_in(settings, densities, *made.region, points, work))
-            made.densities.push_back(std::move(density.cells));
-        request.parts.push_back(std::move(made));
+    request.parts = parts_of(work);
+    for (std::size_t part = 0; part < request.parts; ++part) {
+        const std::vector<std::size_t>& points = points_of(settings, work, part);
         for (std::size_t i = 0; i < points.size(); ++i) request.points[i] += points[i];
-    });
+    }
+    ClassWork place{.request = {}, .asked = {}, .land = work.land, .features = work.features};
+    request.part_at = [settings, densities, kept, place](std::size_t part) {
+        const std::vector<std::size_t>& points = points_of(settings, place, part);
+        ClassPart made{std::make_shared<const FixedRegion>(region_of(place, part), 0, kept),
+                       {points.begin(), points.end()},
+                       points,
+                       {}};
+        for (ClassDensity& density : densities_in(settings, densities, *made.region, points, parts_of(place)))
+            made.densities.push_back(std::move(density.cells));
+        return made;
+    };
     request.shares.assign(request.points.begin(), request.points.end());
 }
 
@@ -139,8 +155,8 @@ void place_in_region(const ClassSettings& settings, ClassWork& work)
     work.land = region_land(settings.place);
     const RegionLand& land = *work.land;
     if (!settings.features.is_empty())
-        work.features =
-            feature_parts(settings.features, land.whole, land.obstacles.polygons, name_of_input(settings.place.region));
+        work.features = std::make_shared<const std::vector<FeaturePart>>(feature_parts(
+            settings.features, land.whole, land.obstacles.polygons, name_of_input(settings.place.region)));
     std::vector<DensityAt> densities;
     try {
         densities = densities_of(settings, land);
@@ -164,7 +180,7 @@ void place_in_region(const ClassSettings& settings, ClassWork& work)
             const double distance = work.asked.at(i, j);
             work.request.distances.set(i, j, std::min((distance + distance_rounding(distance, box)) / work.side, 0.5));
         }
-    if (!settings.densities.empty() || !work.features.empty()) add_parts(settings, densities, darts.kept, work);
+    if (!settings.densities.empty() || !work.features->empty()) add_parts(settings, densities, darts.kept, work);
 }
 
 /// Saturated sets in regions have at most this number of points, because the cells that they begin with take memory.
@@ -208,10 +224,10 @@ void check_numbers(const ClassSettings& settings, const std::vector<std::size_t>
 
 void check_numbers(const ClassSettings& settings, const ClassSet& set)
 {
-    if (set.work.features.empty()) return check_numbers(settings, settings.points, set.points.counts(), "");
+    if (set.work.features->empty()) return check_numbers(settings, settings.points, set.points.counts(), "");
     std::size_t at = 0;
-    for (std::size_t part = 0; part < set.work.features.size(); ++part) {
-        const FeaturePart& feature = set.work.features[part];
+    for (std::size_t part = 0; part < set.work.features->size(); ++part) {
+        const FeaturePart& feature = (*set.work.features)[part];
         std::vector<std::size_t> counts(feature.points.size());
         for (; at < set.points.part_ends[part]; ++at) ++counts[set.points.classes[at]];
         check_numbers(settings, feature.points, counts,
@@ -225,32 +241,6 @@ std::size_t ClassSettings::classes() const
 {
     if (!matrix.empty()) return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
     return std::max({points.size(), distances.size(), features.names().size()});
-}
-
-ClassedPoints ClassSet::in_units() const
-{
-    if (!work.request.region) return points;
-    ClassedPoints own = points;
-    own.points = in_units_of(*work.request.region, points.points);
-    return own;
-}
-
-std::vector<std::string> ClassSet::features() const
-{
-    if (!work.land || !work.land->whole.source) return {};
-    const std::vector<RegionFeature>& features = work.land->whole.source->features;
-    std::vector<std::string> ids;
-    for (std::size_t part = 0; part < work.features.size(); ++part)
-        ids.resize(points.part_ends[part], features[work.features[part].number].id);
-    if (ids.empty() && features.size() > 1) ids = ids_of_features(features, in_units().points);
-    return ids;
-}
-
-ClassedPoints ClassSet::as_in_files() const
-{
-    ClassedPoints own = in_units();
-    if (work.land) own.points = poissonlab::as_in_files(work.land->whole, std::move(own.points));
-    return own;
 }
 
 ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uint32_t number)
@@ -276,11 +266,19 @@ ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uin
     return work;
 }
 
+void check_densities(const ClassWork& work)
+{
+    for (std::size_t part = 0; part < work.request.parts; ++part) work.request.part_at(part);
+}
+
 ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                        std::uint32_t number)
 {
     if (settings.has_tiles()) return tiled_classes(settings, seed, place, number);
     ClassSet set{class_work(settings, seed, number), {}};
+    set.work.request.on_filled = [&](std::size_t, const ClassPart& part, const ClassedPoints& points) {
+        set.density_errors.push_back(density_errors(part, points));
+    };
     const ClassDartRequest& request = set.work.request;
     if (place.engine == Engine::reference) {
         set.points = reference::throw_class_darts(request);
@@ -289,6 +287,7 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
         check_fits("dart throwing", ClassDartThrower::memory(request), device.info());
         set.points = ClassDartThrower(device).throw_darts(request);
     }
+    set.work.request.on_filled = {};
     if (set.points.classes.empty())
         throw InputError(fmt::format("the region has no room for a point{}",
                                      settings.place.obstacles.empty() ? "" : " among the obstacles"));

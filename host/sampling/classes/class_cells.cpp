@@ -274,10 +274,11 @@ std::size_t most_class_points(const ClassDartRequest& request)
     return sum;
 }
 
-std::vector<ClassPart> parts_of(const ClassDartRequest& request)
+std::size_t part_count(const ClassDartRequest& request) { return std::max<std::size_t>(1, request.parts); }
+
+ClassPart part_of(const ClassDartRequest& request, std::size_t part)
 {
-    if (!request.parts.empty()) return request.parts;
-    return {{request.region, request.shares, request.points, {}}};
+    return request.parts > 0 ? request.part_at(part) : ClassPart{request.region, request.shares, request.points, {}};
 }
 
 }

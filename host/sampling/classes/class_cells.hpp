@@ -101,6 +101,10 @@ struct CoveredGrids
 
 CoveredGrids covered_grids(const ClassDartRequest& request);
 
+/// Returns the number of parts that are filled one after another, at least one, and makes one of them.
+std::size_t part_count(const ClassDartRequest& request);
+ClassPart part_of(const ClassDartRequest& request, std::size_t part);
+
 /// An upper bound of the number of points.
 std::size_t most_class_points(const ClassDartRequest& request);
 

@@ -2,75 +2,29 @@
 #include "host/sampling/classes/class_darts.hpp"
 
 #include "base/geometry/torus.hpp"
-#include "host/device/needed_buffers.hpp"
-#include "host/sampling/cells/region_buffers.hpp"
+#include "host/sampling/classes/class_buffers.hpp"
 #include "host/sampling/classes/class_cells.hpp"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 namespace poissonlab {
 
 using contract::class_darts::ClassCells;
-using contract::class_darts::ClassGrid;
-using contract::class_darts::ClassPair;
 using contract::class_darts::ClassSlot;
-using contract::class_darts::CoveredCells;
 using contract::class_darts::SlotBatch;
-
-struct ClassDartBuffers
-{
-    using Words = Buffer<std::uint32_t>;
-
-    Buffer<ClassPair> pairs;
-    Buffer<ClassGrid> grids;
-    Buffer<ClassCells> lists;
-    Words cells, starts, kept; ///< those of all lists; bits of the list that is refined
-    Buffer<ClassSlot> slots;   ///< those of the batch
-    Words candidates, heads, points, counters;
-    Buffer<CoveredCells> covered_cells;
-    Words covered;
-    RegionBuffers region;
-};
 
 namespace {
 
-constexpr std::size_t least_slots = 16, first_slots = 64, most_slots = 65'536;
-
-/// Cells of lists for each point, about: they are refined as room for points goes.
-constexpr std::size_t cells_a_point = 4;
-
-/// The buffers whose sizes are known beforehand, nearly.
-NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request)
-{
-    const std::size_t classes = request.distances.classes(), points = most_class_points(request);
-    const auto axes = static_cast<std::size_t>(request.dimension);
-    const CoveredGrids covered = covered_grids(request);
-    NeededBuffers needed{{b.pairs, classes * classes},
-                         {b.grids, classes},
-                         {b.lists, classes},
-                         {b.cells, std::max(classes, cells_a_point * points) * axes},
-                         {b.starts, std::max(classes, cells_a_point * points)},
-                         {b.kept, cells_a_point * points},
-                         {b.slots, most_slots},
-                         {b.candidates, most_slots * contract::class_darts::CANDIDATE_WORDS(axes)},
-                         {b.heads, class_grids(request).cells},
-                         {b.points, points * contract::class_darts::POINT_WORDS(axes)},
-                         {b.covered_cells, classes},
-                         {b.covered, covered.words},
-                         {b.counters, contract::class_darts::COUNTERS}};
-    if (request.region) std::ranges::copy(b.region.needed(*request.region), std::back_inserter(needed));
-    return needed;
-}
+constexpr std::size_t least_slots = 16, first_slots = 64;
 
 class ThrowingClasses
 {
 public:
     ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), parts_(parts_of(request)),
-          order_({}, {}), distances_(request.distances), open_(request.distances.classes()), lists_(open_.size()),
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), order_({}, {}),
+          distances_(request.distances), open_(request.distances.classes()), lists_(open_.size()),
           is_full_(open_.size())
     {
         const KernelProgram program =
@@ -93,11 +47,16 @@ public:
     ClassedPoints run()
     {
         std::vector<std::size_t> ends;
-        for (const ClassPart& part : parts_) {
+        for (std::size_t i = 0; i < part_count(request_); ++i) {
+            const ClassPart part = part_of(request_, i);
+            const std::size_t first = classes_.size();
             fill(part);
             ends.push_back(classes_.size());
+            if (request_.on_filled && !part.densities.empty()) request_.on_filled(i, part, points_since(first));
         }
-        return result(std::move(ends));
+        ClassedPoints result = points_since(0);
+        result.part_ends = std::move(ends);
+        return result;
     }
 
 private:
@@ -260,18 +219,18 @@ private:
         buffers_.lists.write(lists_);
     }
 
-    ClassedPoints result(std::vector<std::size_t> ends) const
+    ClassedPoints points_since(std::size_t first) const
     {
         const auto axes = static_cast<std::size_t>(request_.dimension);
         const std::size_t all = contract::class_darts::POINT_WORDS(axes);
-        const std::vector<std::uint32_t> points = buffers_.points.read(0, classes_.size() * all);
-        ClassedPoints result{{request_.dimension, {}}, classes_, {}};
-        result.points.coordinates.reserve(classes_.size() * axes);
-        for (std::size_t i = 0; i < classes_.size(); ++i)
+        const std::vector<std::uint32_t> points = buffers_.points.read(first * all, (classes_.size() - first) * all);
+        ClassedPoints result{
+            {request_.dimension, {}}, {classes_.begin() + static_cast<std::ptrdiff_t>(first), classes_.end()}, {}};
+        result.points.coordinates.reserve(result.classes.size() * axes);
+        for (std::size_t i = 0; i < result.classes.size(); ++i)
             for (std::size_t k = 0; k < axes; ++k) result.points.coordinates.push_back(points[i * all + k] * 0x1p-32);
         result.is_full = is_full_;
         result.scale = scale_;
-        result.part_ends = std::move(ends);
         return result;
     }
 
@@ -281,7 +240,6 @@ private:
     ClassDartBuffers& buffers_;
     const ClassDartRequest& request_;
     std::size_t group_size_;
-    std::vector<ClassPart> parts_;
     const ClassPart* part_ = nullptr; ///< the one that is filled
     FillOrder order_;
     double scale_ = 1;
