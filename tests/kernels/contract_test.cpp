@@ -67,6 +67,9 @@ TEST(Contract, OfClassDarts)
     const std::size_t cells[] = {LAYOUT_OF(ClassCells, spread)};
     EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "spread")),
                 ElementsAreArray(cells));
+    const std::size_t covered[] = {LAYOUT_OF(CoveredCells, count)};
+    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("CoveredCells", "count")),
+                ElementsAreArray(covered));
     const std::size_t slot[] = {LAYOUT_OF(ClassSlot, target)};
     EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassSlot", "target")),
                 ElementsAreArray(slot));

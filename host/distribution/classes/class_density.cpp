@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -87,11 +88,17 @@ std::uint64_t morton(std::uint32_t x, std::uint32_t y) { return spread_bits(x) |
 
 }
 
-ClassDensity class_density(const FixedRegion& region, const DensityAt& density, const std::string& name,
-                           std::size_t least_cells)
+RegionCells density_cells(const FixedRegion& region, std::size_t least)
 {
-    const OpenCells all = fine_cells(region, least_cells);
-    const std::vector<double> shares = shares_of(region, all);
+    OpenCells cells = fine_cells(region, least);
+    std::vector<double> shares = shares_of(region, cells);
+    return {std::move(cells), std::move(shares)};
+}
+
+ClassDensity class_density(const FixedRegion& region, const RegionCells& cells, const DensityAt& density,
+                           const std::string& name)
+{
+    const auto& [all, shares] = cells;
     std::vector<double> means;
     double most = 0;
     for (std::size_t i = 0; i < shares.size(); ++i) {

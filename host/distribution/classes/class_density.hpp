@@ -29,11 +29,20 @@ public:
 /// A number at each place of a region, in its units.
 using DensityAt = DistanceAt;
 
-/// Reads a density in cells that meet a region, `least_cells` of them or more, and a 512th of the longest side of its
-/// grid wide at most: each has the mean of four places. Throws InputError, a line that begins with `name`, where a
-/// density is negative or no number, and where it is 0 everywhere.
-ClassDensity class_density(const FixedRegion& region, const DensityAt& density, const std::string& name,
-                           std::size_t least_cells);
+/// Cells that meet a region, and the part of each that lies in it.
+struct RegionCells
+{
+    OpenCells cells;
+    std::vector<double> shares;
+};
+
+/// Returns `least` cells or more, a 512th of the longest side of the region's grid wide at most.
+RegionCells density_cells(const FixedRegion& region, std::size_t least);
+
+/// Reads a density in the cells of a region: each has the mean of four places. Throws InputError, a line that begins
+/// with `name`, where a density is negative or no number, and where it is 0 everywhere.
+ClassDensity class_density(const FixedRegion& region, const RegionCells& cells, const DensityAt& density,
+                           const std::string& name);
 
 /// Returns the largest difference between the share that a sixteenth of a density, in the order of its cells, has of
 /// some points, and a sixteenth.

@@ -62,7 +62,8 @@ struct ClassWork
     ClassDistances asked;                     ///< in sides of the torus or units of the region
     double side = 1;                          ///< of the torus, in these units
     std::shared_ptr<const RegionLand> land{}; ///< of a region
-    std::vector<FeaturePart> features{};      ///< whose points the parts of the request are; empty: the whole region
+    /// Features whose points the parts of the request are; empty: the whole region.
+    std::shared_ptr<const std::vector<FeaturePart>> features = std::make_shared<const std::vector<FeaturePart>>();
 };
 
 /// Prepares a set. Each `number` has random numbers of its own. Throws InputError if the torus, the region or the
@@ -74,6 +75,7 @@ struct ClassSet
     ClassWork work;
     ClassedPoints points;                          ///< in coordinates of the torus, in a corner of which a region lies
     std::shared_ptr<const PoissonTileSet> tiles{}; ///< of a tiling
+    std::vector<std::vector<double>> density_errors{}; ///< of parts with densities: of each class, see density_errors()
 
     /// The distances that classes keep, in sides of the torus or units of the region.
     ClassDistances kept() const { return work.asked.scaled(points.scale); }
@@ -98,6 +100,12 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
 
 /// The least distance that was found for each pair of classes, in units of the set; infinite where there is none.
 ClassDistances least_distances(const ClassSet& set);
+
+/// Throws DensityError, see class_density.hpp, if a class has no density in a part of the region.
+void check_densities(const ClassWork& work);
+
+/// Returns how far the points of each class are from its density in a part, see class_density.hpp.
+std::vector<double> density_errors(const ClassPart& part, const ClassedPoints& points);
 
 /// Returns how far the points of a class are from its density, see class_density.hpp; -1: it has none, or features
 /// have.

@@ -45,7 +45,7 @@ void check_darts(const Keys& keys, const std::string& key, const ClassSettings& 
     std::string wrong_density;
     keys.check(key, [&] {
         try {
-            class_work(s, 0);
+            check_densities(class_work(s, 0));
         } catch (const DensityError& error) {
             wrong_density = error.what();
         }

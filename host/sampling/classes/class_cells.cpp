@@ -76,6 +76,14 @@ double tori_for_region(const ClassDartRequest& request)
     return std::min(most, side * side / request.region->area());
 }
 
+/// The largest distance that a class keeps from another, or its own points from each other.
+double largest_of(const ClassDistances& distances, std::size_t own)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < distances.classes(); ++i) largest = std::max(largest, distances.at(own, i));
+    return largest;
+}
+
 OpenCells whole_torus(int dimension) { return {0, std::vector<std::uint32_t>(static_cast<std::size_t>(dimension))}; }
 
 }
@@ -122,9 +130,7 @@ std::uint32_t target_of(std::uint32_t own, std::size_t number, const StreamKey& 
 
 std::uint32_t first_level(const ClassDistances& distances, std::size_t own)
 {
-    double largest = 0;
-    for (std::size_t i = 0; i < distances.classes(); ++i) largest = std::max(largest, distances.at(own, i));
-    return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(2 / largest)), 1.0, 31.0));
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(2 / largest_of(distances, own))), 1.0, 31.0));
 }
 
 OpenCells all_cells(std::uint32_t level, int dimension)
@@ -212,6 +218,55 @@ ClassGrids class_grids(const ClassDartRequest& request)
     return all;
 }
 
+namespace {
+
+/// Returns the cells of a level in the box that all points lie in.
+contract::class_darts::CoveredCells cells_of_box(const ClassDartRequest& request, std::uint32_t level)
+{
+    contract::class_darts::CoveredCells grid{.level = level, .first = 0, .low = {}, .count = {}};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(request.dimension); ++k) {
+        const std::uint32_t high = request.region ? request.region->extent().high[k] : UINT32_MAX;
+        grid.low[k] = request.region ? request.region->extent().low[k] >> (32 - level) : 0;
+        grid.count[k] = (high >> (32 - level)) - grid.low[k] + 1;
+    }
+    return grid;
+}
+
+double words_of(const contract::class_darts::CoveredCells& grid, int dimension)
+{
+    double words = (grid.count[0] + 31) / 32;
+    for (int k = 1; k < dimension; ++k) words *= grid.count[k];
+    return words;
+}
+
+}
+
+CoveredGrids covered_grids(const ClassDartRequest& request)
+{
+    constexpr double words_a_point = 8, words_more = 64;
+    // Kernels guess roots in single precision, so that cells must be wider than its errors.
+    constexpr std::uint32_t most_level = 20;
+    CoveredGrids all;
+    for (std::size_t i = 0; i < request.distances.classes(); ++i) {
+        const double most_words = words_more + words_a_point * static_cast<double>(most_points_of(request, i));
+        // A point covers next to no cells that are wider than those of the first level. Disks of more than half a turn
+        // meet themselves around the torus, which the bits do not know.
+        const bool is_too_large = largest_of(request.distances, i) > 0.5;
+        const std::uint32_t least_level = first_level(request.distances, i);
+        contract::class_darts::CoveredCells grid{};
+        for (std::uint32_t level = std::min(most_level, least_level + 1); level >= least_level && !is_too_large;
+             --level) {
+            grid = cells_of_box(request, level);
+            if (words_of(grid, request.dimension) <= most_words) break;
+            grid = {};
+        }
+        grid.first = static_cast<std::uint32_t>(all.words);
+        if (grid.level > 0) all.words += static_cast<std::size_t>(words_of(grid, request.dimension));
+        all.grids.push_back(grid);
+    }
+    return all;
+}
+
 std::size_t most_class_points(const ClassDartRequest& request)
 {
     std::size_t sum = 0;
@@ -219,10 +274,11 @@ std::size_t most_class_points(const ClassDartRequest& request)
     return sum;
 }
 
-std::vector<ClassPart> parts_of(const ClassDartRequest& request)
+std::size_t part_count(const ClassDartRequest& request) { return std::max<std::size_t>(1, request.parts); }
+
+ClassPart part_of(const ClassDartRequest& request, std::size_t part)
 {
-    if (!request.parts.empty()) return request.parts;
-    return {{request.region, request.shares, request.points, {}}};
+    return request.parts > 0 ? request.part_at(part) : ClassPart{request.region, request.shares, request.points, {}};
 }
 
 }

@@ -92,6 +92,19 @@ struct ClassGrids
 
 ClassGrids class_grids(const ClassDartRequest& request);
 
+/// The cells whose bits say that single points cover them, and the number of words of bits.
+struct CoveredGrids
+{
+    std::vector<contract::class_darts::CoveredCells> grids;
+    std::size_t words = 0;
+};
+
+CoveredGrids covered_grids(const ClassDartRequest& request);
+
+/// Returns the number of parts that are filled one after another, at least one, and makes one of them.
+std::size_t part_count(const ClassDartRequest& request);
+ClassPart part_of(const ClassDartRequest& request, std::size_t part);
+
 /// An upper bound of the number of points.
 std::size_t most_class_points(const ClassDartRequest& request);
 

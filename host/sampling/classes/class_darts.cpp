@@ -2,91 +2,61 @@
 #include "host/sampling/classes/class_darts.hpp"
 
 #include "base/geometry/torus.hpp"
-#include "host/device/needed_buffers.hpp"
-#include "host/sampling/cells/region_buffers.hpp"
+#include "host/sampling/classes/class_buffers.hpp"
 #include "host/sampling/classes/class_cells.hpp"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 namespace poissonlab {
 
 using contract::class_darts::ClassCells;
-using contract::class_darts::ClassGrid;
-using contract::class_darts::ClassPair;
 using contract::class_darts::ClassSlot;
 using contract::class_darts::SlotBatch;
 
-struct ClassDartBuffers
-{
-    using Words = Buffer<std::uint32_t>;
-
-    Buffer<ClassPair> pairs;
-    Buffer<ClassGrid> grids;
-    Buffer<ClassCells> lists;
-    Words cells, starts, kept; ///< those of all lists; bits of the list that is refined
-    Buffer<ClassSlot> slots;   ///< those of the batch
-    Words candidates, heads, points, counters;
-    RegionBuffers region;
-};
-
 namespace {
 
-constexpr std::size_t least_slots = 16, first_slots = 64, most_slots = 65'536;
-
-/// Cells of lists for each point, about: they are refined as room for points goes.
-constexpr std::size_t cells_a_point = 4;
-
-/// The buffers whose sizes are known beforehand, nearly.
-NeededBuffers class_buffers(ClassDartBuffers& b, const ClassDartRequest& request)
-{
-    const std::size_t classes = request.distances.classes(), points = most_class_points(request);
-    const auto axes = static_cast<std::size_t>(request.dimension);
-    NeededBuffers needed{{b.pairs, classes * classes},
-                         {b.grids, classes},
-                         {b.lists, classes},
-                         {b.cells, std::max(classes, cells_a_point * points) * axes},
-                         {b.starts, std::max(classes, cells_a_point * points)},
-                         {b.kept, cells_a_point * points},
-                         {b.slots, most_slots},
-                         {b.candidates, most_slots},
-                         {b.heads, class_grids(request).cells},
-                         {b.points, points * contract::class_darts::POINT_WORDS(axes)},
-                         {b.counters, contract::class_darts::COUNTERS}};
-    if (request.region) std::ranges::copy(b.region.needed(*request.region), std::back_inserter(needed));
-    return needed;
-}
+constexpr std::size_t least_slots = 16, first_slots = 64;
 
 class ThrowingClasses
 {
 public:
     ThrowingClasses(Device& device, ClassDartBuffers& buffers, const ClassDartRequest& request, std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), parts_(parts_of(request)),
-          order_({}, {}), distances_(request.distances), open_(request.distances.classes()), lists_(open_.size()),
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size), order_({}, {}),
+          distances_(request.distances), open_(request.distances.classes()), lists_(open_.size()),
           is_full_(open_.size())
     {
         const KernelProgram program =
             kernel_program("class_darts.cl", {{"DIMENSION", request.dimension}, {"REGION", request.region != nullptr}});
         find_ = device.kernel(program, "find_darts");
         settle_ = device.kernel(program, "settle_class_darts");
+        mark_ = device.kernel(program, "mark_cells");
         cover_ = device.kernel(program, "cover_cells");
         reserve(device, class_buffers(buffers, request));
+        for (const ClassDartBuffers::Words* words : {&buffers.heads, &buffers.points, &buffers.cells, &buffers.covered})
+            ask_for_large_pages(words->impl());
         const ClassGrids grids = class_grids(request);
         buffers.pairs.write(class_pairs(distances_, request.shares));
         buffers.grids.write(grids.grids);
         buffers.heads.write(std::vector<std::uint32_t>(grids.cells));
+        buffers.covered_cells.write(covered_grids(request).grids);
+        mark_all();
     }
 
     ClassedPoints run()
     {
         std::vector<std::size_t> ends;
-        for (const ClassPart& part : parts_) {
+        for (std::size_t i = 0; i < part_count(request_); ++i) {
+            const ClassPart part = part_of(request_, i);
+            const std::size_t first = classes_.size();
             fill(part);
             ends.push_back(classes_.size());
+            if (request_.on_filled && !part.densities.empty()) request_.on_filled(i, part, points_since(first));
         }
-        return result(std::move(ends));
+        ClassedPoints result = points_since(0);
+        result.part_ends = std::move(ends);
+        return result;
     }
 
 private:
@@ -106,6 +76,7 @@ private:
                 order_.add(slots[i].own);
                 classes_.push_back(slots[i].own);
             }
+            if (settled > 0) mark_points(settled);
             skipped = settled > 0 ? 0 : skipped;
             const bool has_stalled = settled < slots.size();
             if (has_stalled) skipped = refine(slots[settled].own, skipped) ? skipped + contract::class_darts::TRIES : 0;
@@ -166,9 +137,9 @@ private:
         b.slots.write(slots);
         with_region([&](const auto&... region) {
             find_.run(slots.size(), group_size_, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads,
-                      b.points, b.candidates, region...);
+                      b.points, b.covered_cells, b.covered, b.candidates, region...);
             settle_.run(1, 1, batch, b.slots, b.pairs, b.grids, b.lists, b.cells, b.starts, b.heads, b.points,
-                        b.candidates, b.counters, region...);
+                        b.covered_cells, b.covered, b.candidates, b.counters, region...);
         });
         std::array<std::uint32_t, contract::class_darts::COUNTERS> counters{};
         b.counters.read(counters);
@@ -191,7 +162,7 @@ private:
         reserve(device_, b.kept, count);
         with_region([&](const auto&... region) {
             cover_.run(count, group_size_, batch_of(0, 0), own, lists_[own], *level, b.pairs, b.grids, b.cells, b.heads,
-                       b.points, b.kept, region...);
+                       b.points, b.covered_cells, b.covered, b.kept, region...);
         });
         open_[own] = refined(open_[own], b.kept.read(0, count), request_.dimension, *level);
         open_[own].covered_at = points;
@@ -208,8 +179,24 @@ private:
         scale_ *= request_.factor;
         distances_ = request_.distances.scaled(scale_);
         buffers_.pairs.write(class_pairs(distances_, request_.shares));
+        mark_all();
         start_anywhere();
         return true;
+    }
+
+    /// Marks the cells that the last points cover.
+    void mark_points(std::size_t count)
+    {
+        SlotBatch batch = batch_of(count, 0);
+        batch.first -= batch.slots;
+        mark_.run(count, group_size_, batch, buffers_.pairs, buffers_.points, buffers_.covered_cells, buffers_.covered);
+    }
+
+    /// Marks the cells that all points cover at the present distances.
+    void mark_all()
+    {
+        buffers_.covered.write(std::vector<std::uint32_t>(buffers_.covered.size()));
+        if (!classes_.empty()) mark_points(classes_.size());
     }
 
     void write_lists()
@@ -232,18 +219,18 @@ private:
         buffers_.lists.write(lists_);
     }
 
-    ClassedPoints result(std::vector<std::size_t> ends) const
+    ClassedPoints points_since(std::size_t first) const
     {
         const auto axes = static_cast<std::size_t>(request_.dimension);
         const std::size_t all = contract::class_darts::POINT_WORDS(axes);
-        const std::vector<std::uint32_t> points = buffers_.points.read(0, classes_.size() * all);
-        ClassedPoints result{{request_.dimension, {}}, classes_, {}};
-        result.points.coordinates.reserve(classes_.size() * axes);
-        for (std::size_t i = 0; i < classes_.size(); ++i)
+        const std::vector<std::uint32_t> points = buffers_.points.read(first * all, (classes_.size() - first) * all);
+        ClassedPoints result{
+            {request_.dimension, {}}, {classes_.begin() + static_cast<std::ptrdiff_t>(first), classes_.end()}, {}};
+        result.points.coordinates.reserve(result.classes.size() * axes);
+        for (std::size_t i = 0; i < result.classes.size(); ++i)
             for (std::size_t k = 0; k < axes; ++k) result.points.coordinates.push_back(points[i * all + k] * 0x1p-32);
         result.is_full = is_full_;
         result.scale = scale_;
-        result.part_ends = std::move(ends);
         return result;
     }
 
@@ -253,7 +240,6 @@ private:
     ClassDartBuffers& buffers_;
     const ClassDartRequest& request_;
     std::size_t group_size_;
-    std::vector<ClassPart> parts_;
     const ClassPart* part_ = nullptr; ///< the one that is filled
     FillOrder order_;
     double scale_ = 1;
@@ -262,7 +248,7 @@ private:
     std::vector<ClassCells> lists_;      ///< where those are on the device
     std::vector<std::uint32_t> classes_; ///< of the points so far
     std::vector<bool> is_full_;          ///< of each class, in a part
-    Kernel find_, settle_, cover_;
+    Kernel find_, settle_, mark_, cover_;
 };
 
 }

@@ -25,6 +25,7 @@
 #include "host/sampling/device_method.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -63,11 +64,12 @@ struct ClassDartRequest
     double factor = 1;               ///< all distances are multiplied by it where a class with an end is full
     StreamKey stream{};
     std::shared_ptr<const FixedRegion> region{}; ///< the plane region that all points lie in; none: the torus
-    std::vector<ClassPart> parts{};              ///< filled one after another; empty: one part with all of this
+    std::size_t parts = 0;                       ///< filled one after another; 0: one part with all of this
+    /// Makes a part when it is filled, so that memory holds one of them at a time.
+    std::function<ClassPart(std::size_t part)> part_at{};
+    /// Is told of each part with densities and of its points, in order. They are in the last argument alone.
+    std::function<void(std::size_t part, const ClassPart& made, const struct ClassedPoints& points)> on_filled{};
 };
-
-/// Returns the parts of a request, at least one.
-std::vector<ClassPart> parts_of(const ClassDartRequest& request);
 
 struct ClassedPoints
 {

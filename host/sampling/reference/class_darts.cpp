@@ -52,7 +52,16 @@ public:
     ClassedPoints run()
     {
         ClassedPoints result{{D, {}}, {}, std::vector<bool>(open_.size())};
-        for (const ClassPart& part : parts_of(request_)) fill(part, result);
+        for (std::size_t i = 0; i < part_count(request_); ++i) {
+            const ClassPart part = part_of(request_, i);
+            const std::size_t first = points_.size();
+            fill(part, result);
+            if (request_.on_filled && !part.densities.empty())
+                request_.on_filled(i, part,
+                                   {to_point_set<D>(std::span<const TorusPoint<D>>(points_).subspan(first)),
+                                    {result.classes.begin() + static_cast<std::ptrdiff_t>(first), result.classes.end()},
+                                    result.is_full});
+        }
         result.points = to_point_set<D>(std::span<const TorusPoint<D>>(points_));
         result.scale = scale_;
         return result;

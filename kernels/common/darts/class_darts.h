@@ -23,6 +23,9 @@ DERIVED(CLASS_WORD, (size_t DIMENSION), DIMENSION)
 DERIVED(NEXT_WORD, (size_t DIMENSION), DIMENSION + 1)
 DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 2)
 
+/// The number of a slot's dart among its darts, or TRIES if there is none, and then the dart's coordinates.
+DERIVED(CANDIDATE_WORDS, (size_t DIMENSION), DIMENSION + 1)
+
 /// The distance that a class keeps from another. The pairs of a class begin with those whose points cover most of the
 /// place, since these reject most darts.
 struct ClassPair
@@ -38,6 +41,16 @@ struct ClassGrid
 {
     uint bits;
     uint first; ///< its place among the heads of all classes
+};
+
+/// Cells of the box that all points lie in, each with a bit for one class: does a single point's disk cover it? Bits
+/// are in rows of whole words along the first axis.
+struct CoveredCells
+{
+    uint level;    ///< 2^level along each axis of the torus; 0: there are none
+    uint first;    ///< the place of its first word among those of all classes
+    uint low[3];   ///< the lowest cell along each axis
+    uint count[3]; ///< cells along each axis
 };
 
 /// Cells that may have room for one class, 2^level along each axis.
