@@ -4,6 +4,7 @@
 
 #include "analysis/surfaces/mesh_eigenfunctions.hpp"
 #include "analysis/surfaces/surface_rings.hpp"
+#include "host/distribution/surface_spectra/mesh_pairs.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/kinds/kind.hpp"
 #include "results/blue_noise.hpp"
@@ -64,6 +65,7 @@ struct MeshSetMeasures
     double relative_radius = 0;
     double nearest_ratio = 0; ///< mean nearest distance over that of the densest packing in the plane
     CountsOverParts counts;
+    MeshPairs pairs;
     std::optional<double> low_frequency_mean, effective_nyquist, above_chance;
     BlueNoiseVerdict verdict;
 };
