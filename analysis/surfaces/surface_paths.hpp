@@ -19,6 +19,10 @@
 
 namespace poissonlab {
 
+namespace paths {
+class PathSearch;
+}
+
 struct SurfacePath
 {
     std::uint32_t target = 0; ///< its number
@@ -39,7 +43,7 @@ public:
                    const std::function<void(std::size_t, std::span<const SurfacePath>)>& visit) const;
 
 private:
-    friend class PathSearch;
+    friend class paths::PathSearch;
 
     /// Returns the vertex at the beginning of a side; sides of a triangle are numbered 3 t, 3 t + 1, 3 t + 2.
     std::uint32_t start_of(std::uint32_t side) const { return mesh_.triangles[side / 3][side % 3]; }

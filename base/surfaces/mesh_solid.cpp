@@ -67,8 +67,8 @@ struct Crossing
     int out = 0;
 };
 
-/// How often a triangle's outline winds around a place of the plane of x and y. Both triangles at an edge compute its
-/// crossing from the same two ends.
+/// Returns how often a triangle's outline winds around a place of the plane of x and y. Both triangles at an edge
+/// compute its crossing from the same two ends.
 int winding_of(const std::array<MeshPoint, 3>& corners, double x, double y)
 {
     int winding = 0;

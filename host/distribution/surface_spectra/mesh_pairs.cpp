@@ -2,50 +2,39 @@
 
 #include "analysis/surfaces/surface_paths.hpp"
 #include "base/random/random_words.hpp"
+#include "host/distribution/surface_spectra/pair_counts.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 
-#include <fmt/format.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t rings = 16, sectors = 12;
-
-/// A ring has an anisotropy from that many pairs on, five for each sector.
-constexpr std::uint64_t least_in_ring = 5 * sectors;
-
 /// Paths of a set are followed through some so many windows, which takes a core some ten seconds; where there would be
 /// more, they are followed from a part of the points.
 constexpr double most_windows = 1e8;
 
-/// Pairs of points, [0], and of points and random points, [1].
-using Counts = std::array<std::vector<std::uint64_t>, 2>;
+PairCounts counts_of(std::size_t size) { return {std::vector<std::uint64_t>(size), std::vector<std::uint64_t>(size)}; }
 
-double distance_of(std::size_t bin) { return (static_cast<double>(bin) + 0.5) * farthest_pair / pair_bins; }
-
-Counts counts_of(std::size_t size) { return {std::vector<std::uint64_t>(size), std::vector<std::uint64_t>(size)}; }
-
-void add(Counts& sum, const Counts& counts)
+void add(PairCounts& sum, const PairCounts& counts)
 {
     for (std::size_t of = 0; of < 2; ++of)
         for (std::size_t i = 0; i < sum[of].size(); ++i) sum[of][i] += counts[of][i];
 }
 
-/// What is counted along the surface. Integers: their order does not matter.
+/// Counts along the surface. They are integers, whose order does not matter.
 struct PathCounts
 {
-    Counts bins;        ///< of all parts
-    Counts differences; ///< by squares
-    Counts sectors;     ///< of lines without a direction, each pair once
+    PairCounts bins;        ///< of all parts
+    PairCounts differences; ///< by squares
+    PairCounts sectors;     ///< of lines without a direction, each pair once
 };
 
 std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points)
@@ -53,22 +42,6 @@ std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points)
     std::vector<MeshPosition> positions;
     for (const SurfacePoint& p : points) positions.push_back({p.triangle, barycentrics_of(p)});
     return positions;
-}
-
-/// Returns g, its errors as those of independent pairs. `expected`: pairs for each pair of a point and a random one;
-/// `twice`: pairs of points are counted from both ends.
-std::vector<PairCorrelationBin> correlation(const Counts& counts, double expected, double twice)
-{
-    std::vector<PairCorrelationBin> bins;
-    for (std::size_t k = 0; k < counts[0].size(); ++k) {
-        const auto pairs = static_cast<double>(counts[0][k]), random = static_cast<double>(counts[1][k]);
-        if (random == 0) continue;
-        const double value = pairs / (random * expected), one = twice / (random * expected);
-        bins.push_back({distance_of(k), value,
-                        std::hypot(one * std::sqrt(std::max(pairs / twice, 1.0)), value / std::sqrt(random)),
-                        pairs / twice});
-    }
-    return bins;
 }
 
 /// The axis of space that is nearest to the tangent planes: ways are turned such that its projection points to the
@@ -98,27 +71,6 @@ struct TangentFrame
     }
 };
 
-/// Blurs counts with the binomial weights of a Gaussian whose standard deviation is 1.5 squares along both axes.
-std::vector<double> blurred(const std::vector<std::uint64_t>& counts)
-{
-    constexpr std::array<double, 10> weights{1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
-    constexpr auto n = static_cast<std::ptrdiff_t>(difference_squares);
-    std::vector<double> from(counts.begin(), counts.end()), to(counts.size());
-    // Twice a binomial of 9 steps is shifted by half a square to either side.
-    for (const std::ptrdiff_t shift : {-4, -5}) {
-        for (std::ptrdiff_t y = 0; y < n; ++y)
-            for (std::ptrdiff_t x = 0; x < n; ++x) {
-                double sum = 0;
-                for (std::ptrdiff_t i = 0; i < 10; ++i)
-                    if (const std::ptrdiff_t at = x + i + shift; at >= 0 && at < n)
-                        sum += weights[i] * from[y * n + at];
-                to[x * n + y] = sum; // rows become columns, so that the second time blurs along the other axis
-            }
-        from.swap(to);
-    }
-    return from;
-}
-
 class PairCount
 {
 public:
@@ -140,7 +92,7 @@ public:
         pairs.sources = sources_;
         pairs.reach = reach_;
         const double expected = static_cast<double>(points_.size() - 1) / static_cast<double>(ground_.random.size());
-        pairs.in_space = correlation(count_in_space(), expected, 2);
+        pairs.in_space = pair_correlation(count_in_space(), expected, 2);
         count_along(pairs, expected);
         return pairs;
     }
@@ -168,14 +120,14 @@ private:
     }
 
     /// All pairs that see each other, from both ends.
-    Counts count_in_space() const
+    PairCounts count_in_space() const
     {
         const FixedSurface& surface = ground_.surface;
         const double reach = surface.units_of(farthest_pair * unit_), scale = pair_bins / reach;
         const auto whole =
             static_cast<std::uint64_t>(std::min(reach + 1, std::ldexp(1.0, contract::surface::COORDINATE_BITS + 1)));
         const std::array<const std::vector<SurfacePoint>*, 2> sets{&points_, &ground_.random};
-        Counts sum = counts_of(pair_bins);
+        PairCounts sum = counts_of(pair_bins);
         for (std::size_t of = 0; of < 2; ++of) {
             const SurfaceNeighbours near(surface, *sets[of], whole);
             tbb::combinable<std::vector<std::uint64_t>> counts([&] { return std::vector<std::uint64_t>(pair_bins); });
@@ -209,7 +161,7 @@ private:
         const std::size_t axis = axis_of(ground_.surface), parts = std::max<std::size_t>(parts_.count, 1);
         tbb::combinable<PathCounts> counts([&] {
             return PathCounts{counts_of(parts * pair_bins), counts_of(difference_squares * difference_squares),
-                              counts_of(rings * sectors)};
+                              counts_of(difference_rings * difference_sectors)};
         });
         std::vector<double> nearest(sources_, INFINITY);
         paths.from_each(positions_of(from), reach_ * unit_, [&](std::size_t i, std::span<const SurfacePath> found) {
@@ -218,7 +170,7 @@ private:
                 if (path.target != order_[i]) count_path(counts.local(), i, path, frame, nearest[i]);
         });
         PathCounts sum{counts_of(parts * pair_bins), counts_of(difference_squares * difference_squares),
-                       counts_of(rings * sectors)};
+                       counts_of(difference_rings * difference_sectors)};
         counts.combine_each([&](const PathCounts& part) {
             add(sum.bins, part.bins);
             add(sum.differences, part.differences);
@@ -245,75 +197,25 @@ private:
         ++counts.differences[of][row * difference_squares + column];
         if (of == 0 && rank_[path.target] < source) return;      // the pair is counted from its other end
         const double turn = std::atan2(y, x) / std::numbers::pi; // in half turns, from -1 to 1
-        const auto sector = static_cast<std::size_t>((turn < 0 ? turn + 1 : turn) * sectors) % sectors;
-        ++counts.sectors[of][static_cast<std::size_t>(length * rings / farthest_pair) * sectors + sector];
+        const auto sector =
+            static_cast<std::size_t>((turn < 0 ? turn + 1 : turn) * difference_sectors) % difference_sectors;
+        ++counts.sectors[of][static_cast<std::size_t>(length * difference_rings / farthest_pair) * difference_sectors +
+                             sector];
     }
 
     void evaluate(MeshPairs& pairs, const PathCounts& counts, double expected) const
     {
         const double twice = sources_ == points_.size() ? 2 : 1;
-        Counts all = counts_of(pair_bins);
+        PairCounts all = counts_of(pair_bins);
         for (std::size_t of = 0; of < 2; ++of)
             for (std::size_t i = 0; i < counts.bins[of].size(); ++i) all[of][i % pair_bins] += counts.bins[of][i];
-        pairs.along = correlation(all, expected, twice);
-        if (parts_.count > 0) pairs.localised = localised(counts.bins);
-        pairs.anisotropy = anisotropy(counts.sectors);
-        const std::vector<double> found = blurred(counts.differences[0]), random = blurred(counts.differences[1]);
+        pairs.along = pair_correlation(all, expected, twice);
+        if (parts_.count > 0) pairs.localised = localised_correlation(counts.bins, parts_.count);
+        pairs.anisotropy = difference_anisotropy(counts.sectors);
+        const std::vector<double> found = blurred_differences(counts.differences[0]),
+                                  random = blurred_differences(counts.differences[1]);
         for (std::size_t i = 0; i < found.size(); ++i)
             pairs.differences.push_back(random[i] > 0 ? found[i] / (random[i] * expected) : 0);
-    }
-
-    /// The sum of pairs over the sum of what the densities around the points of each part let expect: those of points
-    /// within reach, the points themselves left out.
-    std::vector<PairCorrelationBin> localised(const Counts& bins) const
-    {
-        std::vector<PairCorrelationBin> local;
-        for (std::size_t k = 0; k < pair_bins; ++k) {
-            std::vector<double> pairs(parts_.count), expected(parts_.count);
-            for (std::size_t p = 0; p < parts_.count; ++p) {
-                const auto begin = static_cast<std::ptrdiff_t>(p * pair_bins);
-                const auto within = [&](std::size_t of) {
-                    return static_cast<double>(std::accumulate(bins[of].begin() + begin,
-                                                               bins[of].begin() + begin + pair_bins, std::uint64_t{0}));
-                };
-                pairs[p] = static_cast<double>(bins[0][p * pair_bins + k]);
-                if (within(1) > 0)
-                    expected[p] = static_cast<double>(bins[1][p * pair_bins + k]) * within(0) / within(1);
-            }
-            const double all = std::accumulate(pairs.begin(), pairs.end(), 0.0),
-                         sum = std::accumulate(expected.begin(), expected.end(), 0.0);
-            if (!(sum > 0)) continue;
-            double squares = 0;
-            for (std::size_t p = 0; p < parts_.count; ++p)
-                if (expected[p] > 0) squares += expected[p] * std::pow(pairs[p] / expected[p] - all / sum, 2);
-            local.push_back({distance_of(k), all / sum, std::sqrt(squares / sum), all});
-        }
-        return local;
-    }
-
-    /// The variance of the pairs in the sectors of a ring, over that of independent pairs.
-    static std::vector<std::array<double, 2>> anisotropy(const Counts& counts)
-    {
-        std::vector<std::array<double, 2>> found;
-        for (std::size_t ring = 0; ring < rings; ++ring) {
-            const auto begin = static_cast<std::ptrdiff_t>(ring * sectors);
-            std::array<std::uint64_t, 2> all{};
-            for (std::size_t of = 0; of < 2; ++of)
-                all[of] =
-                    std::accumulate(counts[of].begin() + begin, counts[of].begin() + begin + sectors, std::uint64_t{0});
-            if (all[0] < least_in_ring || all[1] == 0) continue;
-            const double ratio = static_cast<double>(all[0]) / static_cast<double>(all[1]);
-            double sum = 0;
-            for (std::size_t s = 0; s < sectors; ++s) {
-                const auto pairs = static_cast<double>(counts[0][ring * sectors + s]);
-                const double expected = ratio * static_cast<double>(counts[1][ring * sectors + s]);
-                if (expected > 0) sum += (pairs - expected) * (pairs - expected) / (expected * (1 + ratio));
-            }
-            if (sum > 0)
-                found.push_back(
-                    {(static_cast<double>(ring) + 0.5) * farthest_pair / rings, 10 * std::log10(sum / (sectors - 1))});
-        }
-        return found;
     }
 
     void set_nearest(MeshPairs& pairs, const std::vector<double>& nearest) const
@@ -340,22 +242,6 @@ MeshPairs pairs_on_mesh(const PairGround& ground, const std::vector<SurfacePoint
                         std::uint64_t seed)
 {
     return PairCount(ground, points, parts, seed).count();
-}
-
-std::string mesh_pairs_csv(const MeshPairs& pairs)
-{
-    std::string text = "distance,along,along_error,in_space,in_space_error,localised,localised_spread\n";
-    const auto cells = [](const std::vector<PairCorrelationBin>& bins, double distance) {
-        for (const PairCorrelationBin& bin : bins)
-            if (bin.distance == distance) return fmt::format(",{},{}", bin.value, bin.standard_error);
-        return std::string(",nan,nan");
-    };
-    for (std::size_t k = 0; k < pair_bins; ++k) {
-        const double distance = distance_of(k);
-        text += fmt::format("{}{}{}{}\n", distance, cells(pairs.along, distance), cells(pairs.in_space, distance),
-                            cells(pairs.localised, distance));
-    }
-    return text;
 }
 
 }
