@@ -47,25 +47,27 @@ public:
     CountsOverParts counts(std::size_t most)
     {
         CountsOverParts counts;
-        counts.chi_square = chi_square(order_, most, counts.parts);
+        counts.part_of.resize(order_.size());
+        counts.chi_square = chi_square(order_, most, counts);
         return counts;
     }
 
 private:
-    double chi_square(std::span<std::uint32_t> triangles, std::size_t most, std::size_t& parts)
+    double chi_square(std::span<std::uint32_t> triangles, std::size_t most, CountsOverParts& counts)
     {
         double area = 0, count = 0;
         for (const std::uint32_t t : triangles) area += areas_[t], count += static_cast<double>(counts_[t]);
         if (most == 1 || triangles.size() == 1) {
-            ++parts;
+            for (const std::uint32_t t : triangles) counts.part_of[t] = static_cast<std::uint32_t>(counts.parts);
+            ++counts.parts;
             return std::pow(count - expected_ * area, 2) / (expected_ * area);
         }
         sort_along_longest(triangles);
         double first = 0;
         std::size_t middle = 0;
         while (first < area / 2 && middle + 1 < triangles.size()) first += areas_[triangles[middle++]];
-        return chi_square(triangles.first(middle), most / 2, parts) +
-               chi_square(triangles.subspan(middle), most / 2, parts);
+        return chi_square(triangles.first(middle), most / 2, counts) +
+               chi_square(triangles.subspan(middle), most / 2, counts);
     }
 
     double middle_of(std::uint32_t triangle, std::size_t axis) const

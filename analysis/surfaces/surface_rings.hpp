@@ -25,9 +25,10 @@ std::vector<RadialBin> eigenfunction_rings(const std::vector<double>& eigenvalue
 /// Describes how evenly points are spread over the parts of a surface.
 struct CountsOverParts
 {
-    std::size_t parts = 0; ///< of nearly equal area, if triangles are small; 0: there are too few points
-    double chi_square = 0; ///< sum of (count - expected)^2 / expected
-    double p_value = 1;    ///< the probability that random points have at least as much
+    std::size_t parts = 0;              ///< of nearly equal area, if triangles are small; 0: there are too few points
+    double chi_square = 0;              ///< sum of (count - expected)^2 / expected
+    double p_value = 1;                 ///< the probability that random points have at least as much
+    std::vector<std::uint32_t> part_of; ///< the part of each triangle; empty: there are too few points
 };
 
 /// Halves the surface by area along the longest side of its box, and so on, as long as each part has `least` expected

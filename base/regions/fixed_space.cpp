@@ -97,12 +97,16 @@ FixedSpace::FixedSpace(const SpaceRegion& region, double margin)
 void FixedSpace::set_lattice(const SpaceRegion& region, double margin)
 {
     for (std::size_t k = 0; k < 3; ++k) cells_[k] = (extent_.high[k] >> lattice_shift) + 1;
-    SolidLattice solid = solid_of_formula(region.formula, box_.low, unit_ * lattice_cell, cells_);
+    const double cell = unit_ * lattice_cell;
+    SolidLattice solid = region.reading ? region.reading(box_.low, cell, cells_)
+                                        : solid_of_formula(region.formula, box_.low, cell, cells_);
     values_ = solid.values;
     volume_ = volume_of_lattice();
     if (margin > 0)
         values_ =
-            inset_solid(solid, margin / lattice_cell, fmt::format("formula \"{}\"", shortened(region.formula))).values;
+            inset_solid(solid, margin / lattice_cell,
+                        region.reading ? region.formula : fmt::format("formula \"{}\"", shortened(region.formula)))
+                .values;
     count_filled();
     shrink_extent();
 }

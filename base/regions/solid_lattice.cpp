@@ -45,7 +45,7 @@ bool has_neighbour(const SolidLattice& solid, const NodePlace& at, const Test& t
 }
 
 /// The values in whole numbers of one sign each: those beside the surface, the largest of which is most_solid_value,
-/// and no larger ones. Infinite ones are cut off as well.
+/// and no larger ones.
 void take_values(SolidLattice& solid, const std::vector<double>& exact)
 {
     double largest = 0;
@@ -107,21 +107,26 @@ double part_of_tetrahedron(std::array<double, 4> v)
 
 }
 
+SolidLattice solid_of_values(const std::array<std::uint32_t, 3>& cells, const std::vector<double>& exact)
+{
+    SolidLattice solid{cells};
+    take_values(solid, exact);
+    return solid;
+}
+
 SolidLattice solid_of_formula(const std::string& formula, const std::array<double, 3>& low, double step,
                               const std::array<std::uint32_t, 3>& cells)
 {
-    SolidLattice solid{cells};
     SpaceFormula space(formula);
     std::vector<double> exact;
-    exact.reserve(solid.nodes());
-    for_each_node(solid, [&](const NodePlace& at, std::size_t) {
+    exact.reserve(SolidLattice{cells}.nodes());
+    for_each_node(SolidLattice{cells}, [&](const NodePlace& at, std::size_t) {
         const double value = space.at(low[0] + step * at[0], low[1] + step * at[1], low[2] + step * at[2]);
         exact.push_back(std::isnan(value) ? -1 : value);
     });
     if (std::ranges::none_of(exact, [](double value) { return value > 0; }))
         throw InputError(fmt::format("{}: is nowhere above 0 in its box", space.name()));
-    take_values(solid, exact);
-    return solid;
+    return solid_of_values(cells, exact);
 }
 
 void for_each_surface_triangle(const SolidLattice& solid, const std::function<void(const SurfaceTriangle&)>& visit)

@@ -31,10 +31,12 @@ inline constexpr std::int32_t most_solid_value = 1 << 30;
 inline constexpr std::array<std::array<std::size_t, 3>, 6> axis_orders{
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-/// Reads a formula in x, y and z at nodes: node 0 lies at `low`, others by steps of `step` away. Values are the
-/// formula's times a factor, cut off where no node beside them has the other sign, so that those beside the surface
-/// have many digits. Places where the formula has no value are outside. Throws InputError where it is nowhere positive
-/// or cannot be understood.
+/// Makes a lattice of values of any unit: they are multiplied by a factor, and cut off where no node beside them has
+/// the other sign, so that those beside the surface have many digits. Infinite values are cut off as well.
+SolidLattice solid_of_values(const std::array<std::uint32_t, 3>& cells, const std::vector<double>& exact);
+
+/// Reads a formula in x, y and z at nodes: node 0 lies at `low`, others by steps of `step` away. Places where the
+/// formula has no value are outside. Throws InputError where it is nowhere positive or cannot be understood.
 SolidLattice solid_of_formula(const std::string& formula, const std::array<double, 3>& low, double step,
                               const std::array<std::uint32_t, 3>& cells);
 

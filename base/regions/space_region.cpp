@@ -79,6 +79,15 @@ double SpaceBox::longest() const { return std::max({extent(0), extent(1), extent
 
 bool is_space_region_text(std::string_view text) { return shape_word_of(text) != nullptr; }
 
+bool is_mesh_name(std::string_view name)
+{
+    std::string end(name.substr(std::min(name.rfind('.'), name.size())));
+    for (char& c : end)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    constexpr std::array<std::string_view, 6> ends{".obj", ".ply", ".off", ".stl", ".gltf", ".glb"};
+    return std::ranges::find(ends, end) != ends.end();
+}
+
 SpaceRegion read_space_region(const std::string& text)
 {
     const ShapeWord* shape = shape_word_of(text);

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +14,7 @@ enum class SpaceShape
 {
     box,
     ball,
-    solid ///< where a formula in x, y and z is above 0 in a box
+    solid ///< where a formula in x, y and z is above 0 in a box, or inside of a mesh
 };
 
 /// A box, from its lowest corner to its highest.
@@ -25,16 +27,26 @@ struct SpaceBox
     double longest() const;
 };
 
+struct SolidLattice;
+
+/// Reads a solid at the nodes of a lattice: node 0 lies at `low`, others by steps of `step` away.
+using SolidReading = std::function<SolidLattice(const std::array<double, 3>& low, double step,
+                                                const std::array<std::uint32_t, 3>& cells)>;
+
 struct SpaceRegion
 {
     SpaceShape shape = SpaceShape::box;
-    SpaceBox box;          ///< the least one around a ball; that of a solid as it was typed
-    std::string formula{}; ///< of a solid
+    SpaceBox box;           ///< the least one around a ball; that of a solid as it was typed
+    std::string formula{};  ///< of a solid
+    SolidReading reading{}; ///< of a solid that is no formula, whose file `formula` names then
 };
 
 /// Does the text begin as those of read_space_region() do, with a word and a number? Any other text is a region of the
 /// plane, or a file.
 bool is_space_region_text(std::string_view text);
+
+/// Does a name end as those of meshes do, whose inside is a region of space? See base/surfaces/mesh_solid.hpp.
+bool is_mesh_name(std::string_view name);
 
 /// The region that a text describes:
 ///   box X0 Y0 Z0 X1 Y1 Z1

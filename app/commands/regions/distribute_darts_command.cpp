@@ -24,7 +24,7 @@ writes the distance at each point. A region is
   "path M..."                  the data of a path of SVG; "path evenodd tolerance 0.1 M..." says how it is filled and
                                how far curves may be from their lines (1e-4 of the extent)
 or, of space, where points have x, y and z,
-  "box X0 Y0 Z0 X1 Y1 Z1", "ball X Y Z RADIUS",
+  "box X0 Y0 Z0 X1 Y1 Z1", "ball X Y Z RADIUS", a closed mesh (.obj, .ply, .off, .stl, .gltf, .glb),
   "solid X0 Y0 Z0 X1 Y1 Z1 EXPR"   where an expression in x, y and z is above 0 in a box
 Longitude and latitude, which GeoJSON without a crs has by its standard, are mapped to a plane of metres around the
 region, and points are written in them; --crs EPSG:4326 says so of other files, --planar that coordinates are lengths.

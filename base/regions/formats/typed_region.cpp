@@ -110,6 +110,8 @@ TypedRegion::TypedRegion(const std::string& text, bool is_along)
         (text.find('/') != text.npos && text.find_first_of("({<") == text.npos && printable(text) == text);
     const bool is_file = !is_region_text(text) && (may_be_name || std::filesystem::exists(text, unknown));
     name = is_file ? printable(text) : shortened(printable(text), 40);
+    if (is_file && is_mesh_name(text))
+        throw InputError(name + ": is a mesh, whose inside is a region of space; this takes regions of the plane");
     if (is_file && has_drawing_name(text)) {
         kind = TypedKind::shape;
         const std::string drawing = read_whole_file(text);

@@ -9,6 +9,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
+#include "base/surfaces/triangle_mesh.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
 #include "host/distribution/region_runs/region_results.hpp"
@@ -72,6 +73,8 @@ void read_land(Keys& keys, DartSettings& s)
         if (keys.is_given(key)) throw keys.invalid(key, plane_only);
     if (s.boundary == RegionBoundary::on) throw keys.invalid("boundary", plane_only);
     keys.check("region", [&] { s.space = whole_space(s); });
+    if (!is_mesh_name(s.region)) return;
+    for (const auto& file : files_beside_mesh(s.region)) keys.reads_too(file);
 }
 
 /// Refuses keys that only regions with an inside have.

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
+#include "base/surfaces/mesh_solid.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/regions/region_cells.hpp"
 #include "host/distribution/regions/region_elimination.hpp"
@@ -202,9 +203,18 @@ private:
 
 }
 
+namespace {
+
+SpaceRegion space_region_of(const std::string& text)
+{
+    return is_mesh_name(text) ? solid_of_mesh(text) : read_space_region(text);
+}
+
+}
+
 std::shared_ptr<const FixedSpace> whole_space(const DartSettings& settings)
 {
-    return settings.space ? settings.space : std::make_shared<const FixedSpace>(read_space_region(settings.region));
+    return settings.space ? settings.space : std::make_shared<const FixedSpace>(space_region_of(settings.region));
 }
 
 SpaceDartRequest space_distance_request(const DartSettings& settings, std::uint64_t seed)
@@ -236,7 +246,7 @@ SpaceDartRequest space_dart_request(const DartSettings& settings, std::uint64_t 
     SpaceDartRequest request = space_distance_request(settings, seed);
     if (settings.boundary == RegionBoundary::disks)
         request.space =
-            std::make_shared<const FixedSpace>(read_space_region(settings.region), request.darts.min_distance / 2);
+            std::make_shared<const FixedSpace>(space_region_of(settings.region), request.darts.min_distance / 2);
     request.darts.space = request.space;
     return request;
 }

@@ -24,6 +24,9 @@ constexpr double reach_of_lattices = 1.2;
 /// Curves have about this number of rings for each unit sqrt(N / area).
 constexpr double rings_of_curve = 40;
 
+/// Random points that pairs are compared with. Sixteen for each point add a 32nd to the variance of counts of pairs.
+constexpr std::size_t random_for_each = 16, least_random = 4096, most_random = 1 << 18;
+
 MeshPoint mesh_point(std::span<const double> place) { return {place[0], place[1], place[2]}; }
 
 /// Locates a set on the mesh whose triangles are small.
@@ -61,8 +64,8 @@ class MeshSetMeasurement
 {
 public:
     MeshSetMeasurement(const FixedSurface& surface, const TriangleMesh& mesh, const EigenfunctionPowers& found,
-                       double highest, double normal_angle)
-        : surface_(surface), mesh_(mesh), found_(found), highest_(highest), normal_angle_(normal_angle)
+                       double highest, const PairGround& ground, std::uint64_t seed)
+        : surface_(surface), mesh_(mesh), found_(found), highest_(highest), ground_(ground), seed_(seed)
     {}
 
     MeshSetMeasures measure(const std::vector<SurfacePoint>& points, const std::vector<MeshPosition>& positions,
@@ -70,21 +73,31 @@ public:
     {
         MeshSetMeasures set;
         set.rings = eigenfunction_rings(found_.eigenvalues, found_.powers[number], surface_.area, highest_);
-        const SurfaceDistances distances =
-            surface_distances(surface_, points, least_cosine(normal_angle_), surface_.area);
+        const SurfaceDistances distances = surface_distances(surface_, points, ground_.least_cosine, surface_.area);
         set.least = distances.least;
         set.mean_nearest = distances.mean_nearest;
         set.counts = counts_over_parts(mesh_, positions);
+        set.pairs = pairs_on_mesh(ground_, points, parts_of(set.counts, positions), seed_);
         complete_measures(set, points.size(), surface_.area,
                           frequency_of(highest_) * std::sqrt(surface_.area / static_cast<double>(points.size())));
         return set;
     }
 
 private:
+    static PartsOfPoints parts_of(const CountsOverParts& counts, const std::vector<MeshPosition>& positions)
+    {
+        PartsOfPoints parts{{}, counts.parts};
+        if (counts.parts == 0) return parts;
+        for (const MeshPosition& position : positions) parts.of_point.push_back(counts.part_of[position.triangle]);
+        return parts;
+    }
+
     const FixedSurface& surface_;
-    const TriangleMesh& mesh_;
+    const TriangleMesh& mesh_; ///< whose triangles are small
     const EigenfunctionPowers& found_;
-    double highest_, normal_angle_;
+    double highest_;
+    const PairGround& ground_;
+    std::uint64_t seed_;
 };
 
 }
@@ -186,12 +199,17 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
         if (on_step) on_step(fmt::format("{} of {} eigenfunctions of {} vertices", done, all, mesh.vertices.size()));
     });
     spectra.eigenfunctions = found.eigenvalues.size();
-    const MeshSetMeasurement measurement(surface, mesh, found, highest, settings.normal_angle);
+    const PairGround ground{surface, points.mesh,
+                            surface_candidates(surface, std::clamp(random_for_each * count, least_random, most_random),
+                                               stream_key(seed, Purpose::surface_candidates, 2)),
+                            least_cosine(settings.normal_angle)};
+    const MeshSetMeasurement measurement(surface, mesh, found, highest, ground, seed);
     const double width = curve_width(count);
     const auto curve = [&](std::size_t number) {
         return eigenfunction_rings(found.eigenvalues, found.powers[number], surface.area, highest, width);
     };
     const auto measures = [&](std::size_t number) {
+        if (on_step) on_step(fmt::format("pairs of points along the mesh, set {} of {}", number + 1, compared.size()));
         return measurement.measure(compared[number], sets[number], number);
     };
     spectra.set = measures(0);

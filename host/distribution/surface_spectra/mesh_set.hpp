@@ -4,10 +4,10 @@
 
 #include "analysis/surfaces/mesh_eigenfunctions.hpp"
 #include "analysis/surfaces/surface_rings.hpp"
+#include "host/distribution/surface_spectra/mesh_pairs.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/kinds/kind.hpp"
 #include "results/blue_noise.hpp"
-#include "results/pictures/curve_chart.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +65,7 @@ struct MeshSetMeasures
     double relative_radius = 0;
     double nearest_ratio = 0; ///< mean nearest distance over that of the densest packing in the plane
     CountsOverParts counts;
+    MeshPairs pairs;
     std::optional<double> low_frequency_mean, effective_nyquist, above_chance;
     BlueNoiseVerdict verdict;
 };
@@ -106,10 +107,6 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
 
 /// Compares the set, which is called `name`, with other methods, random points and darts; `where` ends the title.
 DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& name, const std::string& where);
-
-/// The curves of all sets of a spectrum: `value` of their rings.
-CurveChart spectrum_chart(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
-                          double level, double RadialBin::*value);
 
 /// Returns kind = "mesh-set", which measures a file of points.
 Kind mesh_set_kind();

@@ -3,6 +3,7 @@
 #include "base/images/png_file.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/surface_spectra/mesh_set.hpp"
+#include "host/distribution/surface_spectra/mesh_set_charts.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -81,6 +82,13 @@ std::vector<std::string> facts_of(const MeshWithPoints& points, const MeshSpectr
         facts.push_back(
             fmt::format("Triangles with edges longer than {} of the shortest wavelength were divided: there are {} now",
                         longest_edge_in_wavelengths, spectra.elements));
+    const MeshPairs& pairs = spectra.set.pairs;
+    if (pairs.sources < points.points.size())
+        facts.push_back(fmt::format("Paths along the surface were followed from {} of the points", pairs.sources));
+    if (pairs.reach < farthest_pair)
+        facts.push_back(fmt::format("Paths along the surface end at {:.3g} distances of the densest packing, because "
+                                    "{:.0f} triangles lie within",
+                                    pairs.reach, most_path_triangles));
     for (const std::string& note : points.surface->notes()) facts.push_back(note);
     const MeshShape& shape = spectra.shape;
     if (shape.open_edges > 0) facts.emplace_back("The surface is open: eigenfunctions have no slope across its border");
@@ -109,6 +117,12 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
         {"least_distance", "Least distance", set.least,
          "of two points whose normals are near enough, straight through space, in units of the mesh"},
         {"mean_nearest", "Mean nearest distance", set.mean_nearest, "straight through space, in units of the mesh"}};
+    if (set.pairs.least_along)
+        numbers.push_back({"least_along", "Least distance along the surface", *set.pairs.least_along * set.pairs.unit,
+                           "of any two points, in units of the mesh"});
+    if (std::isfinite(set.pairs.nearest_along))
+        numbers.push_back({"mean_nearest_along", "Mean nearest distance along the surface",
+                           set.pairs.nearest_along * set.pairs.unit, "in units of the mesh"});
     if (is_from_file)
         numbers.push_back(
             {"off_mesh", "Largest distance from the mesh", points.farthest,
@@ -154,6 +168,7 @@ DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_
                            surface.open_edges == 0};
     write_png(files.add("points.png"), surface_view(surface, points.points, dots));
     result.pictures.push_back({"points.png", "The points on the mesh, from the front above and from behind above."});
+    add_pairs(spectra, name, files, result);
     write_whole_file(files.add("radial.csv", result), radial_csv(spectra.set.rings));
     return result;
 }
@@ -183,6 +198,9 @@ DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& n
         [](const MeshSetMeasures& set) { return set.relative_radius; });
     add("Mean nearest distance, over that of the densest packing",
         [](const MeshSetMeasures& set) { return set.nearest_ratio; });
+    if (spectra.set.pairs.sources > 0)
+        add("Mean nearest distance along the surface, over that of the densest packing",
+            [](const MeshSetMeasures& set) { return set.pairs.nearest_along; });
     add("Mean power at frequencies up to √(N / area) / 4: random points have 1",
         [](const MeshSetMeasures& set) { return set.low_frequency_mean; });
     add("Effective Nyquist frequency, in units of √(N / area) / 2",
@@ -196,25 +214,6 @@ DistributionTable comparison_of(const MeshSpectra& spectra, const std::string& n
     std::vector<std::string>& row = table.rows.emplace_back(1, "Blue noise");
     for (const MeshSetMeasures* set : sets) row.push_back(set->verdict.answer);
     return table;
-}
-
-CurveChart spectrum_chart(const MeshSpectra& spectra, const std::string& name, std::size_t points, const ChartAxis& y,
-                          double level, double RadialBin::*value)
-{
-    const double unit = 1 / std::sqrt(static_cast<double>(points));
-    CurveChart chart{{"frequency / √(N / area)", 0, std::max(0.1, spectra.reach), 0.25}, y, level, {}};
-    const auto add = [&](const std::string& of, const std::string& color, const std::vector<RadialBin>& rings) {
-        ChartCurve& curve = chart.curves.emplace_back(ChartCurve{of, color, {}});
-        for (const RadialBin& ring : rings)
-            if (ring.*value > least_anisotropy_db) curve.places.push_back({ring.frequency * unit, ring.*value});
-    };
-    add("random points", "#8a8f98", spectra.random_curve);
-    add("dart throwing", "#c8553d", spectra.darts_curve);
-    const std::vector<std::string> colors{"#6a4c93", "#588157", "#e09f3e"};
-    for (std::size_t i = 0; i < spectra.methods.size(); ++i)
-        add(spectra.methods[i].name, colors[i % colors.size()], spectra.methods[i].curve);
-    add(name, "#2c728e", spectra.set_curve);
-    return chart;
 }
 
 Kind mesh_set_kind()

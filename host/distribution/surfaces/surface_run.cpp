@@ -37,6 +37,21 @@ void check_density_memory(const MeshPointSettings& s)
                                      *s.points, s.candidates, bytes / gibibyte, most / gibibyte));
 }
 
+/// Throws InputError if Lloyd's method has no room. Measured: 1.8 kB for each of 200,000 points, 0.5 kB for each of
+/// 800,000 triangles. Without a number of points they are as many as saturated sets have.
+void check_lloyd_memory(const MeshPointSettings& s)
+{
+    constexpr double gibibyte = 1 << 30, saturated = 0.7; // points on the square of the minimum distance
+    const FixedSurface& surface = s.read->surface;
+    const double points = s.points ? static_cast<double>(*s.points)
+                                   : saturated * surface.area / (*s.min_distance * *s.min_distance),
+                 bytes = 1800 * points + 500 * static_cast<double>(surface.triangles.size());
+    if (const auto most = static_cast<double>(memory_limit()); bytes > most)
+        throw InputError(fmt::format("{:.3g} points that Lloyd's method moves on {} triangles need {:.1f} GiB of "
+                                     "memory: must be at most {:.1f}",
+                                     points, surface.triangles.size(), bytes / gibibyte, most / gibibyte));
+}
+
 void check_tile_keys(Keys& keys, MeshPointSettings& s)
 {
     for (const char* key : {"relative_radius", "factor", "candidates"})
@@ -86,6 +101,8 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
                            fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
+    if (s.method == SurfaceMethod::lloyd)
+        keys.check(s.points ? "points" : "min_distance", [&] { check_lloyd_memory(s); });
     if (!s.density.empty()) {
         keys.check("points", [&] { check_density_memory(s); });
         keys.check("density", [&] {

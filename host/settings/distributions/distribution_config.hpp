@@ -204,7 +204,7 @@ struct DartSettings
     std::shared_ptr<const FixedSpace> space; ///< what a region of space was read as
 
     bool varies() const { return !varying.text.empty(); }
-    bool is_in_space() const { return is_space_region_text(region); }
+    bool is_in_space() const { return is_space_region_text(region) || is_mesh_name(region); }
 };
 
 /// The ways in which points are made in a region.

@@ -114,6 +114,11 @@ TEST_F(MeshSets, AreComparedWithMethods)
     EXPECT_LT(*spectra.set.low_frequency_mean, *spectra.darts.low_frequency_mean);
     EXPECT_EQ(spectra.set.verdict.answer, "yes") << spectra.set.verdict.because;
     EXPECT_GT(spectra.set.nearest_ratio, spectra.darts.nearest_ratio);
+    // 40 sets of 200 points of the plane's Lloyd relaxation have 0.912, 0.0122 and 0.939 after 50 iterations. The power
+    // is the mean of some 39 squares of deviates, and rings are one wide.
+    EXPECT_NEAR(spectra.set.nearest_ratio, 0.912, 0.03);
+    EXPECT_NEAR(*spectra.set.low_frequency_mean, 0.0122, 0.0122 * 4 * std::sqrt(2.0 / 39));
+    EXPECT_NEAR(*spectra.set.effective_nyquist, 0.939, 0.5 / (std::sqrt(200.0) / 2));
     EXPECT_LT(*spectra.methods[0].set.low_frequency_mean, *spectra.random.low_frequency_mean);
 }
 
