@@ -12,7 +12,7 @@ namespace {
 
 /// Pairs of tiles up to this distance, in units of lengths before they are divided, keep their parts' points apart:
 /// those that touch, and some more.
-constexpr double reach = 9;
+constexpr double least_reach = 9;
 
 /// Two undivided tiles of a tiling: the second one's parts as seen from the first one's.
 struct DividedPair
@@ -96,7 +96,7 @@ private:
     void list_pairs()
     {
         const PolygonTiling& tiling = *states_.tiling;
-        const StatePairs near = pairs_within(states_, reach);
+        const StatePairs near = pairs_within(states_, least_reach);
         const std::vector<double> shares = frequencies_of(states_);
         for (std::size_t i = 0; i < near.pairs.size(); ++i) {
             const auto& [first, second] = near.pairs[i];
