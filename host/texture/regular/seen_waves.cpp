@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace poissonlab {
@@ -91,20 +92,55 @@ LightMap smoothed(const LightMap& light)
 /// The part of the middle of a plane as it is from straight above; slopes are those over this part.
 LightMap from_above(const LightMap& light, const Slope& slope, double part)
 {
-    LightMap map{searched_side, searched_side, {}};
-    const auto place = [&](int i) { return ((i + 0.5) * 2 / searched_side - 1) * slope.reach(); };
+    LightMap map{searched_side, searched_side, std::vector<double>(std::size_t{searched_side} * searched_side)};
+    const auto place = [reach = slope.reach()](int i) { return ((i + 0.5) * 2 / searched_side - 1) * reach; };
+    auto value = map.values.begin();
     for (int y = 0; y < searched_side; ++y)
         for (int x = 0; x < searched_side; ++x) {
             const Place seen = slope.seen({place(x), place(y)});
-            map.values.push_back(linear_at(light, (part * seen.x + 1) / 2 * light.width - 0.5,
-                                           (part * seen.y + 1) / 2 * light.height - 0.5));
+            *value++ = linear_at(light, (part * seen.x + 1) / 2 * light.width - 0.5,
+                                 (part * seen.y + 1) / 2 * light.height - 0.5);
         }
     return map;
 }
 
+/// Spectra of a part of the middle as it is from above, for any slopes.
+class SlopedSpectra
+{
+public:
+    SlopedSpectra(const LightMap& light, double part) : light_(light), part_(part) {}
+
+    double part() const { return part_; }
+
+    /// Returns what `value` says of the spectrum at each slope. All searches begin with the same slopes, so that the
+    /// spectra at the first ones are kept.
+    std::vector<double> values(const std::vector<Slope>& slopes,
+                               const std::function<double(const WaveSpectrum&)>& value)
+    {
+        if (first_.empty()) {
+            first_ = slopes;
+            spectra_.resize(slopes.size());
+            tbb::parallel_for(std::size_t{0}, slopes.size(), [&](std::size_t i) { spectra_[i] = spectrum(slopes[i]); });
+        }
+        const bool is_kept = slopes == first_;
+        std::vector<double> values(slopes.size());
+        tbb::parallel_for(std::size_t{0}, slopes.size(),
+                          [&](std::size_t i) { values[i] = value(is_kept ? *spectra_[i] : spectrum(slopes[i])); });
+        return values;
+    }
+
+private:
+    WaveSpectrum spectrum(const Slope& slope) const { return WaveSpectrum(windowed(from_above(light_, slope, part_))); }
+
+    const LightMap& light_;
+    double part_;
+    std::vector<Slope> first_;
+    std::vector<std::optional<WaveSpectrum>> spectra_;
+};
+
 /// Finds the slope with which a picture has the largest `value`: on a grid, then around the best one in steps that
 /// halve. The picture keeps its slope unless another one has more than `least`.
-Slope found_slope(const LightMap& light, double part, double least, const std::function<double(const LightMap&)>& value)
+Slope found_slope(SlopedSpectra& spectra, double least, const std::function<double(const WaveSpectrum&)>& value)
 {
     Slope best;
     double most = least;
@@ -114,11 +150,10 @@ Slope found_slope(const LightMap& light, double part, double least, const std::f
         for (int i = -reach; i <= reach; ++i)
             for (int j = -reach; j <= reach; ++j) {
                 const Slope slope{best.east + i * step, best.south + j * step};
-                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * part) slopes.push_back(slope);
+                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * spectra.part())
+                    slopes.push_back(slope);
             }
-        std::vector<double> values(slopes.size());
-        tbb::parallel_for(std::size_t{0}, slopes.size(),
-                          [&](std::size_t i) { values[i] = value(from_above(light, slopes[i], part)); });
+        const std::vector<double> values = spectra.values(slopes, value);
         const auto largest = std::ranges::max_element(values);
         if (!(*largest > most)) continue;
         most = *largest;
@@ -127,9 +162,9 @@ Slope found_slope(const LightMap& light, double part, double least, const std::f
     return best;
 }
 
-double strongest_share(const LightMap& light) { return strongest_wave(light).share; }
+double strongest_share(const WaveSpectrum& spectrum) { return spectrum.strongest().share; }
 
-double comb_deviations(const LightMap& light) { return strongest_comb(WaveSpectrum(windowed(light))).deviations; }
+double comb_deviations(const WaveSpectrum& spectrum) { return strongest_comb(spectrum).deviations; }
 
 /// The waves that are regular in a part of the middle, in halves of the whole picture's sides.
 struct PartWaves
@@ -144,14 +179,14 @@ PartWaves waves_of_part(const LightMap& level, double part)
     const bool is_fine = std::max(level.width, level.height) * part > searched_side;
     const LightMap light = is_fine ? smoothed(level) : level;
     PartWaves found;
-    const LightMap straight = from_above(light, {}, part);
-    Slope slope = found_slope(light, part, straight_times * strongest_share(straight), strongest_share);
+    SlopedSpectra spectra(light, part);
+    const WaveSpectrum straight(windowed(from_above(light, {}, part)));
+    Slope slope = found_slope(spectra, straight_times * strongest_share(straight), strongest_share);
     const LightMap map = from_above(light, slope, part);
     found.regular = find_regular_waves(map);
     found.times = strongest_wave(map).times;
     if (found.regular.strongest.empty() || found.regular.is_comb) {
-        const Slope of_comb =
-            found_slope(light, part, comb_deviations(straight) + least_slope_deviations, comb_deviations);
+        const Slope of_comb = found_slope(spectra, comb_deviations(straight) + least_slope_deviations, comb_deviations);
         RegularWaves regular = find_regular_waves(from_above(light, of_comb, part));
         // Courses of bricks that are seen from the side stand out from there only: they keep the slope of their share.
         if (!regular.strongest.empty()) {

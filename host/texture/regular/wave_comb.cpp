@@ -38,7 +38,8 @@ class CombSearch
 {
 public:
     explicit CombSearch(const WaveSpectrum& spectrum)
-        : spectrum_(spectrum), right_(spectrum.width() / 2), bottom_(spectrum.height() / 2), means_(shares(), columns())
+        : spectrum_(spectrum), right_(spectrum.width() / 2), bottom_(spectrum.height() / 2),
+          means_(spectrum.shares(), right_ + 2 * margin + 1)
     {}
 
     std::vector<SpectrumPlace> places() const
@@ -58,13 +59,18 @@ public:
     }
 
     /// Returns the comb of a wave with x periods over the width and y over the height, with the number of harmonics
-    /// that stand out most.
+    /// that stand out most. Waves that are not looked at have none.
     WaveComb comb_of(double x, double y) const
     {
         WaveComb best, all;
+        all.wave.x = x / spectrum_.width();
+        all.wave.y = y / spectrum_.height();
+        if (!spectrum_.is_looked_at(all.wave)) return {};
+        const double length = std::hypot(x, y),
+                     away = std::clamp(length / 2, least_steps_away, most_steps_away) / length;
         double logarithms = 0, powers = 0, arounds = 0;
         for (int k = 1; k <= most_comb_harmonics && is_within(k * x, k * y); ++k) {
-            const auto [power, beside] = harmonic(x, y, k);
+            const auto [power, beside] = harmonic(x, y, k, away);
             logarithms += std::log((power + least_power) / (beside + least_power));
             powers += power;
             arounds += beside;
@@ -75,8 +81,6 @@ public:
             best = all;
             best.wave.times = powers / std::max(least_power, arounds);
         }
-        best.wave.x = x / spectrum_.width();
-        best.wave.y = y / spectrum_.height();
         return best;
     }
 
@@ -88,7 +92,7 @@ public:
             const double x = comb.wave.x * spectrum_.width(), y = comb.wave.y * spectrum_.height();
             for (const auto& [dx, dy] : {std::array{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
                 const WaveComb other = comb_of(x + dx, y + dy);
-                if (other.deviations > next.deviations && spectrum_.is_looked_at(other.wave)) next = other;
+                if (other.deviations > next.deviations) next = other;
             }
             if (next.deviations == comb.deviations) step /= 2;
             comb = next;
@@ -98,23 +102,13 @@ public:
 
 private:
     /// Squares of this reach are summed beyond the highest frequency as well.
-    static constexpr int margin = 16;
+    static constexpr int margin = WaveSpectrum::margin;
 
     struct HarmonicPower
     {
         double power = 0;
         double beside = 0;
     };
-
-    int columns() const { return right_ + 2 * margin + 1; }
-
-    std::vector<double> shares() const
-    {
-        std::vector<double> values;
-        for (int y = -bottom_ - margin; y <= bottom_ + margin; ++y)
-            for (int x = -margin; x <= right_ + margin; ++x) values.push_back(spectrum_.share(x, y));
-        return values;
-    }
 
     /// A wave to the south may lean to the west by a few periods.
     bool is_within(double x, double y) const { return x > -margin / 2.0 && x < right_ && std::abs(y) < bottom_; }
@@ -135,10 +129,9 @@ private:
         return std::max(0.0, square(x, y, outer) - square(x, y, inner)) * 9 / count;
     }
 
-    HarmonicPower harmonic(double x, double y, int k) const
+    /// Compares a harmonic with what is around it and with places so many waves before and after it.
+    HarmonicPower harmonic(double x, double y, int k, double away) const
     {
-        const double length = std::hypot(x, y),
-                     away = std::clamp(length / 2, least_steps_away, most_steps_away) / length;
         const auto at = [&](double times, const auto& of) {
             return of(static_cast<int>(std::lround(times * x)), static_cast<int>(std::lround(times * y)));
         };
@@ -183,7 +176,7 @@ WaveComb strongest_comb(const WaveSpectrum& spectrum)
     for (const SpectrumPlace& place : search.places())
         for (int k = 1; k <= most_comb_harmonics; ++k) {
             const WaveComb comb = search.comb_of(place.x / k, place.y / k);
-            if (comb.deviations > best.deviations && spectrum.is_looked_at(comb.wave)) best = comb;
+            if (comb.deviations > best.deviations) best = comb;
         }
     return best.harmonics > 0 ? search.refined(best) : best;
 }

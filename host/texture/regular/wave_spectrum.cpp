@@ -79,20 +79,33 @@ bool stands_out_between(const PartsBetween& parts)
            (others.share >= least_regular_share / 2 && others.share * others.times >= least_product);
 }
 
-WaveSpectrum::WaveSpectrum(const LightMap& windowed)
-    : width_(windowed.width), height_(windowed.height), columns_(windowed.width / 2 + 1)
+WaveSpectrum::WaveSpectrum(const LightMap& windowed) : width_(windowed.width), height_(windowed.height)
 {
+    const int columns = width_ / 2 + 1;
     std::vector<double> values = windowed.values;
-    std::vector<std::complex<double>> transform(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(height_));
+    std::vector<std::complex<double>> transform(static_cast<std::size_t>(columns) * static_cast<std::size_t>(height_));
     const FftwPlan plan = make_fftw_plan(fftw_plan_dft_r2c_2d, height_, width_, values.data(), fftw(transform.data()),
                                          FFTW_ESTIMATE | FFTW_UNALIGNED);
     fftw_execute(plan.get());
-    powers_.resize(transform.size());
-    std::ranges::transform(transform, powers_.begin(), [](const std::complex<double>& value) {
-        return value.real() * value.real() + value.imag() * value.imag();
-    });
     total_ = std::inner_product(windowed.values.begin(), windowed.values.end(), windowed.values.begin(), 0.0) * width_ *
              height_;
+    const auto share_at = [&](int x, int y) {
+        const std::complex<double>& value =
+            transform[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+        return (value.real() * value.real() + value.imag() * value.imag()) / total_;
+    };
+    const auto wrapped = [](int i, int count) { return (i % count + count) % count; };
+    const int right = width_ / 2, bottom = height_ / 2;
+    shares_.resize(stored(right + margin, bottom + margin) + 1);
+    auto share = shares_.begin();
+    for (int y = -bottom - margin; y <= bottom + margin; ++y) {
+        const int row = wrapped(y, height_), mirrored_row = wrapped(-y, height_);
+        for (int x = -margin; x <= right + margin; ++x) {
+            const bool is_held = x >= 0 && x < columns;
+            const int column = is_held ? x : wrapped(x, width_);
+            *share++ = column < columns ? share_at(column, row) : share_at(width_ - column, mirrored_row);
+        }
+    }
 }
 
 RegularWave WaveSpectrum::strongest(const RegularWave* other) const
@@ -262,16 +275,14 @@ RegularWave WaveSpectrum::wave(const Periods& p) const
     return wave;
 }
 
-double WaveSpectrum::share(int x, int y) const
+double WaveSpectrum::wrapped_share(int x, int y) const
 {
-    x = (x % width_ + width_) % width_;
-    if (x >= columns_) {
-        x = width_ - x;
-        y = -y;
-    }
-    y = (y % height_ + height_) % height_;
-    return powers_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] /
-           total_;
+    const auto nearest = [](int i, int count) {
+        return i - count * static_cast<int>(std::lround(static_cast<double>(i) / count));
+    };
+    x = nearest(x, width_);
+    y = nearest(y, height_);
+    return shares_[x < 0 ? stored(-x, -y) : stored(x, y)];
 }
 
 double WaveSpectrum::square_share(int x, int y, int reach) const

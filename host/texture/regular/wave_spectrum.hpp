@@ -3,6 +3,7 @@
 
 #include "host/texture/regular/regular_waves.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace poissonlab {
@@ -45,6 +46,9 @@ struct PartsBetween
 class WaveSpectrum
 {
 public:
+    /// Shares of a half of the spectrum are stored with so many places around it, which searches look at most.
+    static constexpr int margin = 16;
+
     explicit WaveSpectrum(const LightMap& windowed);
 
     /// The strongest wave that has at least eight periods over the picture, of those that are not parallel to another
@@ -64,7 +68,15 @@ public:
     int height() const { return height_; }
 
     /// Returns the share of the variance at a place, for any whole numbers of periods.
-    double share(int x, int y) const;
+    double share(int x, int y) const
+    {
+        const bool is_stored = x >= -margin && x <= width_ / 2 + margin && std::abs(y) <= height_ / 2 + margin;
+        return is_stored ? shares_[stored(x, y)] : wrapped_share(x, y);
+    }
+
+    /// Returns the shares from `margin` places before a half of the spectrum to `margin` after it: x from 0 to half of
+    /// the width, y from less than 0 to more by half of the height, row by row.
+    const std::vector<double>& shares() const { return shares_; }
 
     /// True if waves of this period are looked for.
     bool is_looked_at(const RegularWave& wave) const { return is_looked_at(periods_of(wave)); }
@@ -94,9 +106,17 @@ private:
     double surrounding_share(int x, int y) const;
     bool is_below_highest(int x, int y) const { return 2 * std::abs(x) < width_ && 2 * std::abs(y) < height_; }
 
-    int width_, height_, columns_;
-    std::vector<double> powers_;
+    double wrapped_share(int x, int y) const;
+    std::size_t stored(int x, int y) const
+    {
+        return static_cast<std::size_t>(y + height_ / 2 + margin) *
+                   static_cast<std::size_t>(width_ / 2 + 2 * margin + 1) +
+               static_cast<std::size_t>(x + margin);
+    }
+
+    int width_, height_;
     double total_ = 0;
+    std::vector<double> shares_; ///< see shares()
 };
 
 /// True of what regular waves have: a share of the variance that is many times what is around it.

@@ -28,6 +28,8 @@ struct Slope
     double east = 0;
     double south = 0;
 
+    bool operator==(const Slope&) const = default;
+
     /// Half of the side of the square around the middle that lies within the picture.
     double reach() const { return 1 - std::abs(east) - std::abs(south); }
     Place seen(const Place& place) const
