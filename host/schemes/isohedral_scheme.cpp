@@ -63,15 +63,18 @@ DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64
     DistributionResult result;
     result.facts = {fmt::format("IH{}: {}", type.number, type.symbol), fmt::format("topology {}", type.topology),
                     fmt::format("{} aspects, {} parameters, {} curves", type.shape.aspects.size(),
-                                type.shape.parameters(), type.shape.curve_shapes.size()),
-                    is_proper(tile, coloring) ? "neighbours differ in colour" : "some neighbours have the same colour",
-                    is_perfect(tile, coloring) ? "a perfect colouring: symmetries permute colours"
-                                               : "not a perfect colouring"};
+                                type.shape.parameters(), type.shape.curve_shapes.size())};
+    if (!settings.split) { // parts have colours of their own
+        result.facts.emplace_back(is_proper(tile, coloring) ? "neighbours differ in colour"
+                                                            : "some neighbours have the same colour");
+        result.facts.emplace_back(is_perfect(tile, coloring) ? "a perfect colouring: symmetries permute colours"
+                                                             : "not a perfect colouring");
+    }
     if (type.is_marked)
         result.facts.emplace_back("its tiles need markings: without them this is a tiling of another type");
     const auto& t = tile.translations();
     const double unit = std::abs(t[0][0] * t[1][1] - t[0][1] * t[1][0]);
-    result.numbers = {{"colors", "Colours", static_cast<double>(coloring.colors), ""},
+    result.numbers = {{"colors", "Colours", settings.split ? 2.0 : coloring.colors, ""},
                       {"unit_over_tiles", "Area of a translational unit over its tiles",
                        unit / (static_cast<double>(tile.aspects().size()) * area_of(tile.outline())),
                        "1: tiles fill the plane once"}};

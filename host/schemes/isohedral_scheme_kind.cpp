@@ -124,6 +124,7 @@ void split_keys(Keys& keys, IsohedralSettings& s)
                    s.split->to = static_cast<std::size_t>((*corners)[1]);
                })
         .otherwise("tiles are whole")
+        .excludes("coloring")
         .excludes("random");
     keys.value("split_curve", "[[0.3, 0.1], [0.7, -0.1]]", "the points of the path between (0, 0) and (1, 0)",
                [&](const ConfigNode& node) {

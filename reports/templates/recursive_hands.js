@@ -165,6 +165,7 @@ byId("full").addEventListener("click", () => newSheet(255));
 
 // Diving zooms in without end, and says how many frames a second the browser draws.
 let dive = null;
+let nextDive = 0;
 function diveOn(now) {
   if (!dive) return;
   dive.push(now);
@@ -174,12 +175,13 @@ function diveOn(now) {
   const passed = dive.length > 1 ? now - dive[dive.length - 2] : 0;
   zoomBy(2 ** (Math.min(100, passed) / 1000), 40 * Math.sin(now / 3000), 40 * Math.cos(now / 2000));
   drawNow();
-  requestAnimationFrame(diveOn);
+  nextDive = requestAnimationFrame(diveOn);
 }
 byId("dive").addEventListener("change", (event) => {
   dive = event.target.checked ? [] : null;
   byId("frames").textContent = "";
-  if (dive) requestAnimationFrame(diveOn);
+  cancelAnimationFrame(nextDive); // one frame is asked for at a time
+  if (dive) nextDive = requestAnimationFrame(diveOn);
 });
 
 function save(blob, name) {

@@ -189,8 +189,9 @@ class RecursivePlane {
           const scale = 4 ** (at - deepest);
           const place = 2 * (holder * n + point);
           const [u, v] = [(px + set.own[place] / wholeTurn) / scale, (py + set.own[place + 1] / wholeTurn) / scale];
-          const threshold = (rank + turn / wholeTurn) * 16 ** (level - deepest);
-          if (threshold > perTile * weightAt(u, v)) continue;
+          const threshold = (rank + turn / wholeTurn) * 16 ** (level - deepest); // 0 far above the window
+          const weight = weightAt(u, v);
+          if (weight === 0 || threshold > perTile * weight) continue;
           found.push({ x: u, y: v, threshold, bits: this.bits((lows[level][0] + x) >>> 0, (lows[level][1] + y) >>> 0, level, rank) });
         }
         if (most / 16 < n) continue;

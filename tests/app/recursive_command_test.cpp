@@ -182,7 +182,8 @@ TEST_F(RecursivePageOfCommand, KeepsPointsAndTheirNumberWhileOneZooms)
         })())js");
         EXPECT_EQ(said["lost"], 0);
         EXPECT_EQ(said["sudden"], 0); // a step adds 6.1 % to the density, and points come within 30 %
-        // N times the view in tiles of level l, which are 160 pixels wide at least, over 16^4: 0.05 a level, and 1 in all.
+        // N times the view in tiles of level l, which are 160 pixels wide at least, over 16^4: 0.05 a level, and 1 in
+        // all.
         EXPECT_LE(said["renamed"].get<int>(), 8);
         EXPECT_LT(said["worst"].get<double>(), 1e-3);
         EXPECT_GT(said["level"].get<int>(), 8);
@@ -266,6 +267,8 @@ TEST_F(RecursivePageOfCommand, PaintsWithTheMouse)
     EXPECT_GT(evaluate("(zoomBy(2 ** 61), drawNow(), seenInk())"), 1000);
     EXPECT_GT(evaluate("level()"), 29);
     EXPECT_EQ(evaluate("(goHome(), move(1e6, 0), drawNow(), seenInk())"), 0);
+    EXPECT_GT(evaluate("(goHome(), zoomBy(2 ** 700), newSheet(0), level())"), 300); // 16^-300 is 0 in doubles
+    EXPECT_EQ(evaluate("windowPoints(seenWindow()).length"), 0);
     // The space bar paints in the middle.
     evaluate("byId('brush').value = 0.5, canvas.focus()");
     open("zoom=200");
@@ -378,6 +381,10 @@ TEST_F(RecursivePageOfCommand, HasStampsAndCountsFrames)
         evaluate("new Promise((done) => setTimeout(() => done(byId('frames').textContent), 2500))");
     EXPECT_THAT(frames, HasSubstr(" frames a second"));
     RecordProperty("frames", frames);
+    // Diving that is ended and begun again within a frame counts each frame once.
+    EXPECT_EQ(evaluate("(byId('dive').click(), byId('dive').click(), new Promise((done) => setTimeout(() => "
+                       "done(dive.length > 1 && dive.every((at, i) => i === 0 || at > dive[i - 1])), 2000)))"),
+              true);
     RecordProperty("milliseconds", evaluate(R"js((() => {
         const pixel = new Uint8Array(4);
         byId("dive").click();

@@ -86,7 +86,10 @@ def leaves():
     return [232, 222, 198], strokes
 
 
-background, strokes = {"lines": lines, "leaves": leaves}[sys.argv[1]]()
+drawings = {"lines": lines, "leaves": leaves}
+if sys.argv[1:] not in [[name] for name in drawings]:
+    sys.exit(f"draw_tiles.py: needs the name of one drawing: {' or '.join(drawings)}")
+background, strokes = drawings[sys.argv[1]]()
 firsts, marks = [], []
 for stroke in strokes:
     firsts.append(len(marks))

@@ -17,18 +17,19 @@ struct Stamp
 {
     int width = 0, height = 0;
     std::vector<Paint> pixels; ///< row by row from the top
+    double wide = 0, high = 0; ///< what the picture takes of them, from the top left
 
     const Paint& at(int column, int row) const
     {
         return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(column)];
     }
-    int longest() const { return std::max(width, height); }
+    double longest() const { return std::max(wide, high); }
 };
 
 Stamp stamp_of(const LinearPicture& picture)
 {
-    Stamp stamp{picture.width, picture.height, {}};
+    Stamp stamp{picture.width, picture.height, {}, 1.0 * picture.width, 1.0 * picture.height};
     const std::size_t colors = picture.channels.size() - (picture.alpha ? 1 : 0);
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column) {
@@ -46,7 +47,7 @@ Stamp stamp_of(const LinearPicture& picture)
 Stamp dot_stamp()
 {
     constexpr int side = 64;
-    Stamp stamp{side, side, {}};
+    Stamp stamp{side, side, {}, side, side};
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             const double away = std::hypot(column - (side - 1) / 2.0, row - (side - 1) / 2.0);
@@ -58,7 +59,7 @@ Stamp dot_stamp()
 /// A stamp of half the size, for stamps that are drawn smaller than they are.
 Stamp halved(const Stamp& stamp)
 {
-    Stamp half{(stamp.width + 1) / 2, (stamp.height + 1) / 2, {}};
+    Stamp half{(stamp.width + 1) / 2, (stamp.height + 1) / 2, {}, stamp.wide / 2, stamp.high / 2};
     for (int row = 0; row < half.height; ++row)
         for (int column = 0; column < half.width; ++column) {
             Paint sum{};
@@ -108,13 +109,14 @@ public:
         const auto first = [](double v) { return std::max(0, static_cast<int>(std::floor(v))); };
         const int last_column = std::min(width_ - 1, static_cast<int>(std::floor(x + reach)));
         const int last_row = std::min(height_ - 1, static_cast<int>(std::floor(y + reach)));
-        for (int row = first(y - reach); row <= last_row; ++row)
+        for (int row = first(y - reach); row <= last_row; ++row) {
+            stop_if_interrupted();
             for (int column = first(x - reach); column <= last_column; ++column) {
                 Paint mean{};
                 for (int k = 0; k < 4; ++k) { // a quarter of a pixel each
                     const double dx = column + 0.25 + 0.5 * (k % 2) - x, up = y - (row + 0.25 + 0.5 * (k / 2));
                     const Paint paint =
-                        paint_at(stamp, stamp.width / 2.0 + c * dx + s * up, stamp.height / 2.0 - (c * up - s * dx));
+                        paint_at(stamp, stamp.wide / 2 + c * dx + s * up, stamp.high / 2 - (c * up - s * dx));
                     for (std::size_t channel = 0; channel < 4; ++channel) mean[channel] += paint[channel] / 4;
                 }
                 auto& light = light_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
@@ -122,6 +124,7 @@ public:
                 for (std::size_t channel = 0; channel < 3; ++channel)
                     light[channel] = light[channel] * (1 - mean[3]) + mean[channel];
             }
+        }
     }
 
     PngPixels pixels() const
@@ -155,7 +158,6 @@ PngPixels painting(const RecursiveTileSettings& settings, const StampedWindow& w
     const double tile = static_cast<double>(pixels) / size[0];
     Paper paper(pixels, painting_height(settings.window, pixels));
     for (const StampedPoint& point : window.points) {
-        stop_if_interrupted();
         paper.lay(stamps[point.stamp], point.place[0] * tile, (size[1] - point.place[1]) * tile,
                   settings.stamp_size * window.spacing * tile * point.size, point.turn);
     }

@@ -116,9 +116,10 @@ void object_keys(Keys& keys, ObjectSettings& s)
     keys.number("objects", s.objects, {1e-6, 1e6}, "objects in a unit square or cube, on average");
     keys.number("window", s.window, {1e-6, 1e3}, "the side of the picture").unit("units");
     keys.numbers("origin", s.origin, {{-1e6, 1e6}}, {"x", "y"}, "the lowest corner of the picture").unit("units");
-    keys.word("view", s.view, {"plane", "sphere", "torus", "table"},
-              "what objects in space are seen on; those in the plane on the cloth of a table 1.2 units wide, on a "
-              "floor of granite");
+    keys.word(
+        "view", s.view, {"plane", "sphere", "torus", "table"},
+        "what objects in space are seen on; those in the plane on the cloth of a table that is 0.6 windows wide, on a "
+        "floor of granite");
     keys.integer("pixels", s.pixels, 16, 8192, "the width of the picture");
     keys.integer("samples", s.samples, 1, 15, "samples of a pixel along each axis");
     keys.integer("period", s.period, 0, 1 << 20, "after which everything repeats; 0: never").unit("tiles");

@@ -45,8 +45,9 @@ RecursiveAddress read_recursive_address(const std::string& text)
     RecursiveAddress address;
     const std::size_t colon = std::min(text.find(':'), text.size());
     const auto [end, error] = std::from_chars(text.data(), text.data() + colon, address.base);
-    if (error != std::errc() || end != text.data() + colon || std::abs(address.base) > farthest_recursive_tile ||
-        colon + 1 == text.size() || text.size() - colon > deepest_recursive_level + 1)
+    if (error != std::errc() || end != text.data() + colon || address.base < -farthest_recursive_tile ||
+        address.base > farthest_recursive_tile || colon + 1 == text.size() ||
+        text.size() - colon > deepest_recursive_level + 1)
         throw refused();
     for (std::size_t i = colon + 1; i < text.size(); ++i) {
         if (text[i] < '0' || text[i] > '3') throw refused();

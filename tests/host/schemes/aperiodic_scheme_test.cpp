@@ -109,6 +109,12 @@ TEST_F(AperiodicSchemes, IsohedralTilesFillThePlane)
         settings.coloring = TileColoring{1, std::vector<std::uint32_t>(12), {0, 0}};
         EXPECT_THAT(made(settings).facts, testing::Contains("some neighbours have the same colour")) << type;
     }
+    IsohedralSettings divided;
+    divided.type = 41;
+    divided.split.emplace();
+    const DistributionResult result = made(divided);
+    EXPECT_EQ(number_of(result, "colors"), 2);
+    EXPECT_THAT(result.facts, testing::Not(testing::Contains(testing::HasSubstr("colour"))));
 }
 
 }

@@ -341,7 +341,7 @@ TEST(RecursiveAddresses, AreReadAndMoved)
     EXPECT_EQ(sum("7:12", 64), "11:12");
     EXPECT_EQ(sum("7:12", -7), "6:33");
     for (const std::string text : {"", ":", "1:", "1:4", "x", "1:0 ", "+1", "1.5", "4503599627370497", "1e3",
-                                   "99999999999999999999", "--1", "1:-1"})
+                                   "99999999999999999999", "-9223372036854775808", "--1", "1:-1"})
         EXPECT_THAT(refusal_of([&] { static_cast<void>(read_recursive_address(text)); }), HasSubstr("must be a tile"))
             << text;
     EXPECT_EQ(read_recursive_address("1:" + std::string(1000, '2')).digits.size(), 1000u);
