@@ -4,13 +4,13 @@
 #include "host/sampling/classics/candidate_darts.hpp"
 #include "host/sampling/classics/dense_packing.hpp"
 #include "host/sampling/classics/low_discrepancy.hpp"
+#include "host/sampling/classics/voronoi_darts.hpp"
 #include "host/sampling/optimized/equal_areas.hpp"
 #include "host/sampling/optimized/farthest_point.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/optimized/target_spectrum.hpp"
 #include "host/sampling/sectors/sector_darts.hpp"
-#include "host/sampling/voronoi_darts.hpp"
 
 namespace poissonlab {
 

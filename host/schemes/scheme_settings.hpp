@@ -82,7 +82,7 @@ struct IsohedralSettings
     bool is_random = false;
     std::optional<TileColoring> coloring; ///< none: the fewest colours
     std::optional<TileSplit> split;
-    double columns = 10, rows = 10;       ///< of the window, in sides of a square as large as the tile
+    double columns = 10, rows = 10; ///< of the window, in sides of a square as large as the tile
 };
 
 /// A tiling by polygons that the program brings, or one of a user.

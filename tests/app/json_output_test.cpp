@@ -70,6 +70,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"distribute hatch", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
         {"distribute icons", {"--u=-y --v x --points 16 --method random --out a.csv", "disk_radius"}},
         {"distribute instances", {"forest --window 0 0 0.1 0.1 --out a.csv", "expected", "20"}},
+        {"distribute recursive", {"--points 20 --quiet --out a.csv", "points", "20"}},
         {"aperiodic sets", {"", ""}},
         {"aperiodic convert", {"ammann --construction rotation", ""}},
         {"aperiodic verify", {"ammann --width 2", "periodic", "false"}},

@@ -182,7 +182,8 @@ TEST_F(RecursivePageOfCommand, KeepsPointsAndTheirNumberWhileOneZooms)
         })())js");
         EXPECT_EQ(said["lost"], 0);
         EXPECT_EQ(said["sudden"], 0); // a step adds 6.1 % to the density, and points come within 30 %
-        // N times the view in tiles of level l, which are 160 pixels wide at least, over 16^4: 0.05 a level, and 1 in all.
+        // N times the view in tiles of level l, which are 160 pixels wide at least, over 16^4: 0.05 a level, and 1 in
+        // all.
         EXPECT_LE(said["renamed"].get<int>(), 8);
         EXPECT_LT(said["worst"].get<double>(), 1e-3);
         EXPECT_GT(said["level"].get<int>(), 8);

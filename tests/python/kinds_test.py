@@ -212,7 +212,7 @@ class Kinds(unittest.TestCase):
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
                           "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set",
                           "mesh_set", "class_set", "cells", "textured_surface", "surface_objects", "geometry_tiles",
-                          "recursive", "sphere", "discrepancy"})
+                          "recursive_tiles", "sphere", "discrepancy"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 

@@ -1,8 +1,8 @@
 // The aperiodic sets of Wang tiles that the laboratory knows, as data.
 //
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 8.3, with figures 8.1 to 8.5. The figures are
-// pictures of numbers: Kari's and Culik's sets are made by their rules, the others are lists. The sets of figures 8.1 and
-// 8.2 were printed as pictures only (Gruenbaum and Shephard, Tilings and Patterns, 1986, p. 593): the second one is
+// pictures of numbers: Kari's and Culik's sets are made by their rules, the others are lists. The sets of figures 8.1
+// and 8.2 were printed as pictures only (Gruenbaum and Shephard, Tilings and Patterns, 1986, p. 593): the second one is
 // derived anew, and the first one is not here.
 #pragma once
 
@@ -28,8 +28,8 @@ WangList culik_tiles();
 WangList ammann_tiles();
 
 /// Robinson's 24 tiles, 1977, of Ammann's two L-shaped tiles A2: a Wang tile is a tile of A2 in its surroundings.
-/// tests/tiles/aperiodic/robinson_tiles.py derives this list from a tiling with A2. All numbers of tables 8.1 to 8.7 are
-/// those printed of the set 24/24; which of the figure's colours is which is not known.
+/// tests/tiles/aperiodic/robinson_tiles.py derives this list from a tiling with A2. All numbers of tables 8.1 to 8.7
+/// are those printed of the set 24/24; which of the figure's colours is which is not known.
 WangList robinson_tiles();
 
 /// Jeandel and Rao, An aperiodic set of 11 Wang tiles, 2015 (arXiv 1506.06492): no aperiodic set of Wang tiles has

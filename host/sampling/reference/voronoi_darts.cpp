@@ -1,5 +1,5 @@
 // Dart throwing by Voronoi cells, plain and sequential: what the kernels must reproduce.
-#include "host/sampling/voronoi_darts.hpp"
+#include "host/sampling/classics/voronoi_darts.hpp"
 
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"

@@ -1,6 +1,6 @@
 // Darts by Voronoi cells: both engines give the same bytes, the distance holds, and nothing fits into full sets. The
 // law is that of dart throwing.
-#include "host/sampling/voronoi_darts.hpp"
+#include "host/sampling/classics/voronoi_darts.hpp"
 
 #include "analysis/measures/largest_empty_ball.hpp"
 #include "base/geometry/relative_radius.hpp"

@@ -1,5 +1,5 @@
 // Runs kernels/voronoi_darts.cl: one batch of darts after the other, until there are points enough or no room for more.
-#include "host/sampling/voronoi_darts.hpp"
+#include "host/sampling/classics/voronoi_darts.hpp"
 
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
