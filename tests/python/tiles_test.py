@@ -18,8 +18,8 @@ class TileSets(FolderTest):
         return numpy.load(out)
 
     def test_have_the_points_of_the_program_bit_for_bit(self):
-        files = sorted(FOLDER.glob("*.ptiles"))
-        self.assertEqual(len(files), 11)
+        files = sorted(set(FOLDER.glob("*.ptiles")) - set(FOLDER.glob("hat-*")) - set(FOLDER.glob("spectre-*")))
+        self.assertEqual(len(files), 11) # those of square tiles, which TileSet reads
         self.assertEqual([file.name for file in files if pl.TileSet(file).class_points],
                          ["corner-classes-c3-n8-16-40-r070.ptiles"])
         for file in files:

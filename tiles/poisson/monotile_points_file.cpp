@@ -45,6 +45,11 @@ MonotilePointsFile::MonotilePointsFile(std::string bytes, std::string name)
     levels_ = load<std::uint32_t>(std::string_view(*bytes_).substr(levels_at), std::endian::little);
     if (levels_ > most_ancestors)
         throw refused(fmt::format("ancestors = {}: must be at most {}", levels_, most_ancestors));
+    if (const double largest = max_min_distance(1, 2) * 65536, squared = largest * largest / density();
+        static_cast<double>(set_.squared_min_distance) > squared)
+        throw refused(
+            fmt::format("guaranteed squared minimum distance {}: must be at most {:.0f} with {} points per tile",
+                        set_.squared_min_distance, std::floor(squared), set_.points_per_tile));
     if (bytes_->substr(first_unused, checksum_at - first_unused).find_first_not_of('\0') != std::string::npos)
         throw refused(fmt::format("reserved bytes {} to {}: must be 0", first_unused, checksum_at - 1));
 }

@@ -52,7 +52,7 @@ repeats 2 × 1 tiles, moved by one tile from row to row, which
 
 **32 tiles.** The dissertation says that they come of cutting up a tiling with Penrose's kites and darts, and no more. The
 table lists what was tried, with colours as above. None has the printed 32 tiles, 28 colours of both kinds of edges, 114
-squares of 2 × 2 tiles, and 58 black tiles.
+squares of 2 × 2 tiles, and 58 black tiles. These tries are not kept as programs: nothing here computes the table again.
 
 | grid | Wang tiles | colours of horizontal, vertical edges | squares of 2 × 2 tiles | black tiles |
 | --- | --- | --- | --- | --- |

@@ -4,6 +4,9 @@
 #include "base/files/json_file.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/polygon_sets.hpp"
+#include "base/regions/region_features.hpp"
+#include "base/regions/region_source.hpp"
+#include "host/distribution/classes/class_points.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -96,6 +99,32 @@ std::vector<FeaturePart> feature_parts(const FeatureNumbers& asked, const PlaneR
                                          shortened(printable(asked.names()[i])),
                                          asked.points.empty() ? ", or times the area less than half a point" : ""));
     return parts;
+}
+
+ClassedPoints ClassSet::in_units() const
+{
+    if (!work.request.region) return points;
+    ClassedPoints own = points;
+    own.points = in_units_of(*work.request.region, points.points);
+    return own;
+}
+
+std::vector<std::string> ClassSet::features() const
+{
+    if (!work.land || !work.land->whole.source) return {};
+    const std::vector<RegionFeature>& features = work.land->whole.source->features;
+    std::vector<std::string> ids;
+    for (std::size_t part = 0; part < work.features->size(); ++part)
+        ids.resize(points.part_ends[part], features[(*work.features)[part].number].id);
+    if (ids.empty() && features.size() > 1) ids = ids_of_features(features, in_units().points);
+    return ids;
+}
+
+ClassedPoints ClassSet::as_in_files() const
+{
+    ClassedPoints own = in_units();
+    if (work.land) own.points = poissonlab::as_in_files(work.land->whole, std::move(own.points));
+    return own;
 }
 
 }

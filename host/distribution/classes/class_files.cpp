@@ -3,42 +3,13 @@
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file_formats.hpp"
-#include "base/regions/region_features.hpp"
 #include "base/regions/region_source.hpp"
-#include "host/distribution/classes/class_points.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace poissonlab {
-
-ClassedPoints ClassSet::in_units() const
-{
-    if (!work.request.region) return points;
-    ClassedPoints own = points;
-    own.points = in_units_of(*work.request.region, points.points);
-    return own;
-}
-
-std::vector<std::string> ClassSet::features() const
-{
-    if (!work.land || !work.land->whole.source) return {};
-    const std::vector<RegionFeature>& features = work.land->whole.source->features;
-    std::vector<std::string> ids;
-    for (std::size_t part = 0; part < work.features->size(); ++part)
-        ids.resize(points.part_ends[part], features[(*work.features)[part].number].id);
-    if (ids.empty() && features.size() > 1) ids = ids_of_features(features, in_units().points);
-    return ids;
-}
-
-ClassedPoints ClassSet::as_in_files() const
-{
-    ClassedPoints own = in_units();
-    if (work.land) own.points = poissonlab::as_in_files(work.land->whole, std::move(own.points));
-    return own;
-}
-
 namespace {
 
 constexpr std::size_t points_a_piece = 4096;

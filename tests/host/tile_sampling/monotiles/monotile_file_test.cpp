@@ -244,6 +244,19 @@ TEST(MonotileFile, FilesThatLieAreRefused)
     ++larger[40];
     EXPECT_EQ(message_of([&] { proven_monotile_table(MonotilePointsFile(with_right_checksum(larger), "a"), tiling); }),
               "a: promises other distances than are proven");
+    // Commands that do not prove the distance believe no more than the densest packing has: 2 / sqrt(3) points per
+    // square of the distance, of 2 points in 8 sqrt(3).
+    const auto promising = [&](std::uint64_t promised) {
+        std::string bytes = good;
+        std::memcpy(bytes.data() + 40, &promised, sizeof(promised));
+        MonotilePointsFile(with_right_checksum(bytes), "a");
+    };
+    constexpr std::uint64_t densest = std::uint64_t{8} << 32; // squares of 2^-16
+    EXPECT_NO_THROW(promising(densest - 1));
+    for (const std::uint64_t promised : {densest + 1, ~std::uint64_t{0}})
+        EXPECT_TRUE(message_of([&] {
+                        promising(promised);
+                    }).starts_with(fmt::format("a: guaranteed squared minimum distance {}: must be", promised)));
 }
 
 TEST(MonotileFile, ReadySetsAreWhatIsBuilt)
