@@ -49,6 +49,15 @@ struct PathWindow
     bool operator<(const PathWindow& other) const { return nearest > other.nearest; } // the nearest one comes first
 };
 
+/// Is a place between the outermost lines of a window, or on one of them?
+inline bool is_seen(const PlanePoint& place, const PathWindow& window)
+{
+    const auto is_between = [](const PlanePoint& right, const PlanePoint& left) {
+        return across(right, left) >= -rounding * length_of(right) * length_of(left);
+    };
+    return is_between(window.right_ray, place) && is_between(place, window.left_ray);
+}
+
 /// Finds the paths from one source after another.
 class PathSearch
 {
@@ -134,7 +143,8 @@ private:
         offer_targets(triangle, places, window);
         const bool is_right_of_left = across(place, window.left_ray) > 0,
                    is_left_of_right = across(window.right_ray, place) > 0;
-        if (is_right_of_left && is_left_of_right) offer(mesh_.triangles[triangle][(c + 2) % 3], place, window);
+        // A vertex behind another one lies on the outermost lines of both windows that this one divides.
+        if (is_seen(place, window)) offer(mesh_.triangles[triangle][(c + 2) % 3], place, window);
         const std::uint32_t after = SurfacePaths::next_of(window.side), last = SurfacePaths::next_of(after);
         PathWindow on = window;
         if (is_right_of_left) {
@@ -200,11 +210,7 @@ private:
             const PlanePoint place = shares[0] * places[0] + shares[1] * places[1] + shares[2] * places[2];
             const double length = length_of(place), whole = window.before + length;
             if (whole > reach_) continue;
-            const auto is_seen = [&](const PlanePoint& right, const PlanePoint& left) {
-                return across(right, left) >= -rounding * length_of(right) * length_of(left);
-            };
-            if (window.side != no_side && !(is_seen(window.right_ray, place) && is_seen(place, window.left_ray)))
-                continue;
+            if (window.side != no_side && !is_seen(place, window)) continue;
             SurfacePath& path = to_target_[target];
             if (path.length == 0) found_.push_back(target), path.length = no_path;
             if (!(whole < path.length)) continue;

@@ -216,8 +216,10 @@ SpaceRegion solid_of_mesh(const std::filesystem::path& file)
         region.box.high[k] = of(std::ranges::max(mesh->vertices, {}, of));
     }
     const double longest = region.box.longest();
-    if (!(longest > 0 && longest < 1e150))
-        throw InputError(fmt::format("{}: the mesh is {:.3g} long: must be above 0 and below 1e150", name, longest));
+    // Products of four lengths of faces have to be doubles, those of small faces too.
+    if (!(longest >= 1e-60 && longest <= 1e60))
+        throw InputError(fmt::format(
+            "{}: the mesh is {:.3g} long: must be from 1e-60 to 1e+60; choose another unit of length", name, longest));
     for (std::size_t k = 0; k < 3; ++k) {
         region.box.low[k] -= margin_of_box * longest;
         region.box.high[k] += margin_of_box * longest;

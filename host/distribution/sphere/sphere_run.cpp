@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/cache_folder.hpp"
+#include "base/text/noun.hpp"
 #include "host/distribution/sphere/sphere_pictures.hpp"
 #include "host/distribution/sphere/sphere_set.hpp"
 #include "host/distribution/surface_spectra/mesh_set_charts.hpp"
@@ -56,7 +57,7 @@ void sphere_keys(Keys& keys, SphereSettings& s)
 
 std::string sphere_label(const SphereSettings& s)
 {
-    return s.environment.empty() ? fmt::format("{} points on the sphere", s.points)
+    return s.environment.empty() ? fmt::format("{} {} on the sphere", s.points, noun(s.points, "point"))
                                  : fmt::format("Points on the sphere by {}", name_of_input(s.environment));
 }
 
@@ -158,7 +159,7 @@ DistributionResult make_sphere(const SphereSettings& settings, std::uint64_t see
               : polyomino_points(sphere, settings.points);
     DistributionResult result;
     result.facts = {
-        fmt::format("{} points", points.size()),
+        fmt::format("{} {}", points.size(), noun(points.size(), "point")),
         fmt::format("{} polyominoes before divisions, over the 12 squares of HEALPix", sphere.counts().roots)};
     if (light) {
         result.facts.push_back("seen from " + std::string(seen_from_names[settings.seen_from]));

@@ -18,8 +18,8 @@ namespace poissonlab {
 namespace {
 
 /// Paths of a set are followed through some so many windows, which takes a core some ten seconds; where there would be
-/// more, they are followed from a part of the points.
-constexpr double most_windows = 1e8;
+/// more, they are followed from a part of the points. A look at a point of a triangle takes a tenth of the time.
+constexpr double most_windows = 1e8, windows_a_look = 0.1;
 
 PairCounts counts_of(std::size_t size) { return {std::vector<std::uint64_t>(size), std::vector<std::uint64_t>(size)}; }
 
@@ -109,7 +109,7 @@ private:
         if (const double all = within(farthest_pair); all > most_path_triangles)
             reach_ =
                 std::min(farthest_pair, std::sqrt(most_path_triangles / triangles * area / std::numbers::pi) / unit_);
-        const double windows = std::pow(within(reach_), 1.5);
+        const double windows = std::pow(within(reach_), 1.5) + windows_a_look * points_beside();
         sources_ = points_.size();
         if (const double most = std::max(50.0, most_windows / windows); most < static_cast<double>(sources_)) {
             sources_ = static_cast<std::size_t>(most);
@@ -117,6 +117,17 @@ private:
             for (std::size_t i = 0; i < sources_; ++i)
                 std::swap(order_[i], order_[i + random.below(static_cast<std::uint32_t>(order_.size() - i))]);
         }
+    }
+
+    /// Returns the mean number of points and random points in the triangle of a point: many on coarse meshes.
+    double points_beside() const
+    {
+        std::vector<std::size_t> counts(ground_.mesh.triangles.size());
+        for (const std::vector<SurfacePoint>* set : {&points_, &ground_.random})
+            for (const SurfacePoint& point : *set) ++counts[point.triangle];
+        double sum = 0;
+        for (const SurfacePoint& point : points_) sum += static_cast<double>(counts[point.triangle]);
+        return sum / static_cast<double>(points_.size());
     }
 
     /// All pairs that see each other, from both ends.

@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -129,6 +131,70 @@ TEST(SurfacePaths, GoAroundCornersOfOpenSurfaces)
     ASSERT_EQ(found[0].size(), 2U);
     const MeshPoint to = difference(corner, a), on = difference(b, corner);
     EXPECT_NEAR(found[0][1].length, std::sqrt(dot(to, to)) + std::sqrt(dot(on, on)), 1e-8);
+}
+
+/// Does the line from a to b enter the inside of the square that begins at `low`?
+bool crosses_square(const MeshPoint& a, const MeshPoint& b, const MeshPoint& low, double side)
+{
+    constexpr double rounding = 1e-7;
+    double from = 0, to = 1;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double first = low[k] + rounding - a[k], last = low[k] + side - rounding - a[k], way = b[k] - a[k];
+        if (std::abs(way) < 1e-12) {
+            if (first >= 0 || last <= 0) return false;
+            continue;
+        }
+        from = std::max(from, std::min(first / way, last / way));
+        to = std::min(to, std::max(first / way, last / way));
+    }
+    return from < to;
+}
+
+/// The length of the shortest path in the plane around a square hole, through any of its corners.
+double length_around_square(const MeshPoint& a, const MeshPoint& b, const MeshPoint& low, double side)
+{
+    std::array<MeshPoint, 6> places{a, b};
+    for (std::size_t c = 0; c < 4; ++c)
+        places[2 + c] = {low[0] + side * static_cast<double>(c % 2), low[1] + side * static_cast<double>(c / 2), 0};
+    std::array<double, 6> lengths{0, 9, 9, 9, 9, 9};
+    for (int round = 0; round < 6; ++round)
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j) {
+                const MeshPoint way = difference(places[j], places[i]);
+                if (!crosses_square(places[i], places[j], low, side))
+                    lengths[j] = std::min(lengths[j], lengths[i] + std::sqrt(dot(way, way)));
+            }
+    return lengths[1];
+}
+
+/// Lines from the middles of triangles of a lattice go through several of its vertices, the last of which may be the
+/// corner of a hole.
+TEST(SurfacePaths, GoAroundHolesOfLattices)
+{
+    constexpr std::uint32_t rows = 5;
+    for (const std::uint32_t cell : {6u, 7u, 8u, 11u, 12u, 13u, 16u, 17u, 18u}) { // those that leave a way around them
+        const MeshPoint low{double(cell % rows) / rows, double(cell / rows) / rows, 0};
+        TriangleMesh mesh = square_mesh(rows);
+        std::erase_if(mesh.triangles, [&](const MeshTriangle& t) {
+            const auto middle = [&](std::size_t k) {
+                return (mesh.vertices[t[0]][k] + mesh.vertices[t[1]][k] + mesh.vertices[t[2]][k]) / 3 - low[k];
+            };
+            return middle(0) > 0 && middle(0) < 1.0 / rows && middle(1) > 0 && middle(1) < 1.0 / rows;
+        });
+        ASSERT_EQ(mesh.triangles.size(), 2 * (rows * rows - 1));
+        std::vector<MeshPosition> middles;
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) middles.push_back({t, {1.0 / 3, 1.0 / 3, 1.0 / 3}});
+        const auto found = paths_from(mesh, middles, middles, 9);
+        for (std::size_t i = 0; i < middles.size(); ++i) {
+            ASSERT_EQ(found[i].size(), middles.size());
+            for (const SurfacePath& path : found[i])
+                EXPECT_NEAR(path.length,
+                            length_around_square(place_of(mesh, middles[i]), place_of(mesh, middles[path.target]), low,
+                                                 1.0 / rows),
+                            1e-6)
+                    << cell << ": from " << i << " to " << path.target;
+        }
+    }
 }
 
 /// Sources in corners and on edges, reach 0, no targets and no sources.

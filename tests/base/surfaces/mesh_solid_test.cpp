@@ -184,6 +184,16 @@ TEST_F(MeshSolids, ThatAreNotClosedAreRefused)
     for (MeshPoint& p : thin.vertices) p[2] = 0.5 + (p[2] - 0.5) * 1e-6;
     EXPECT_THAT(refusal(thin), HasSubstr("is thinner everywhere than a cell"));
     EXPECT_THAT(refusal(square_mesh()), HasSubstr("a face on one side only"));
+    const auto scaled = [](double scale) {
+        TriangleMesh mesh = box_mesh();
+        for (MeshPoint& p : mesh.vertices)
+            for (double& c : p) c *= scale;
+        return mesh;
+    };
+    EXPECT_THAT(refusal(scaled(1e120)), HasSubstr("must be from 1e-60 to 1e+60"));
+    EXPECT_THAT(refusal(scaled(1e-120)), HasSubstr("must be from 1e-60 to 1e+60"));
+    for (const double scale : {1e-59, 1e59})
+        EXPECT_NEAR(FixedSpace(solid_of_mesh(file_of(scaled(scale)))).volume() / scale / scale / scale, 1, 1e-3);
     EXPECT_THAT(message_of([&] { solid_of_mesh(folder.path() / "none.off"); }),
                 HasSubstr("must be a file that is there"));
 }

@@ -198,6 +198,16 @@ TEST(MeshPairs, OfTwoAndThreePoints)
     }
 }
 
+/// Many points on few triangles: paths start from a part of them, because each looks at all points of its triangle.
+TEST(MeshPairs, OfManyPointsOnTwoTriangles)
+{
+    const PairMesh on(square_mesh(1));
+    const MeshPairs pairs = on.pairs(on.random_points(40'000, 5));
+    EXPECT_LT(pairs.sources, 36'000U);
+    EXPECT_GT(pairs.sources, 28'000U); // 1e8 windows, over a tenth of half of the 60,000 points
+    for (const PairCorrelationBin& bin : pairs.along) EXPECT_NEAR(bin.value, 1, 5 * bin.standard_error);
+}
+
 /// A density that differs from part to part looks like an attraction, except to the localised function.
 TEST(MeshPairs, AreLocalisedWhereDensitiesDiffer)
 {
