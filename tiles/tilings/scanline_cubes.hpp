@@ -15,8 +15,8 @@ TileSet compact_wang_cube_set(Color colors);
 
 /// Hands a box of Wang cubes by scanlines in space, from (0, 0, 0) on, to `sink`: layers from the bottom to the top,
 /// rows from north to south, cubes from west to east. Each is chosen at random among those of the complete set, or of
-/// compact_wang_cube_set(), that fit to the cubes to the west, to the north and below. `colors` are ones that the set can
-/// have. Throws InputError for layers of more than 2^26 cubes, one of which is kept in memory.
+/// compact_wang_cube_set(), that fit to the cubes to the west, to the north and below. `colors` are ones that the set
+/// can have. Throws InputError for layers of more than 2^26 cubes, one of which is kept in memory.
 void stream_scanline_cubes(Color colors, bool is_compact, std::uint64_t seed, std::uint64_t width, std::uint64_t height,
                            std::uint64_t depth, const CubeSink& sink);
 

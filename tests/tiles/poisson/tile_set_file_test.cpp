@@ -154,7 +154,9 @@ TEST(TileSetFile, BytesAreAsDocumented)
 TEST(TileSetFile, EveryFieldIsChecked)
 {
     EXPECT_EQ(error_of(encode_tile_set(unusual_set())), "accepted");
-    EXPECT_EQ(error_after(8, 4u), "a.ptiles: version of the format 4: must be 1 to 3");
+    EXPECT_EQ(error_after(8, 4u),
+              "a.ptiles: has the points of an aperiodic monotile: must be a set of square tiles here");
+    EXPECT_EQ(error_after(8, 5u), "a.ptiles: version of the format 5: must be 1 to 3");
     EXPECT_EQ(error_after(8, 3u), "a.ptiles: classes = 0: must be at least 1 in version 3");
     EXPECT_EQ(error_after(12, 64u), "a.ptiles: offset of the points 64: must be 128");
     EXPECT_EQ(error_after(16, 3u), "a.ptiles: kind = 3: must be at most 2");
