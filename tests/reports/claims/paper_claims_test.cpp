@@ -176,8 +176,8 @@ TEST(PaperClaimList, ChainsAreNotOfThePapers)
     EXPECT_FALSE(report.outcome("6.11-better"));
 }
 
-/// A program without the module asks for it by this. The vertices of a dodecagonal tiling are a sequence, and claims about
-/// tiles say nothing of them.
+/// A program without the module asks for it by this. The vertices of a dodecagonal tiling are a sequence, and claims
+/// about tiles say nothing of them.
 TEST(PaperClaimList, KnowsWhichMethodsTile)
 {
     for (const ManifestEntry& entry : manifest()) {
