@@ -23,7 +23,8 @@ namespace {
 constexpr auto tiles_build_notes =
     R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good
 for relative radii up to 0.75, with --repulsion 0.85 can be had. hat, spectre: 1 to 16 points in each copy of one tile,
-whose tilings never repeat. The file is described in docs/tile-set-file.md.
+whose tilings never repeat; they are made without random numbers, so that --seed changes nothing. The file is
+described in docs/tile-set-file.md.
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
   poissonlab tiles build corner --colors 4 --points 64 --border chain --out seamless.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles
