@@ -235,7 +235,7 @@ TEST_F(RecursivePageOfCommand, DrawsPointsWhereTheyAre)
     }
 }
 
-/// What is painted with the mouse decides which points there are, in files, in the picture, and after zooming far in.
+/// The painted sheet decides which points there are, in files, in the picture, and after zooming far in.
 TEST_F(RecursivePageOfCommand, PaintsWithTheMouse)
 {
     open("zoom=200");

@@ -191,7 +191,7 @@ TEST(Healpix, SquaresFitAcrossTheirSides)
             }
 }
 
-/// Of the 14 vertices, the ways around eight, with three squares each, differ, and those around six do not.
+/// The squares meet at 14 vertices: eight of them have three squares each, and six have four.
 TEST(Healpix, HasEightVerticesOfThreeSquares)
 {
     int corners_of_three = 0;

@@ -307,7 +307,7 @@ TEST(DodecagonalSequences, HaveALowDiscrepancyThatTurnsMakeLower)
     };
     const double best = mean(best_dodecagonal_turns()), by_direction = mean({});
     EXPECT_LT(best, by_direction);
-    // Of random points the mean square is 5 / (36 N).
+    // A random set has a mean square of 5 / (36 N).
     EXPECT_LT(best, 5.0 / 36 * std::sqrt(60.0) / 4);
 }
 
