@@ -42,7 +42,7 @@ std::string render_recursive_page(const RecursiveTileSet& tiles, const Recursive
     PageData texts{PageData::type::list};
     texts << PageData(std::string(page_template_file("../runtime/poisson_tiles.js")));
     for (const char* script : {"webgl.js", "endless_canvas.js", "endless_density.js", "recursive_tiles.js",
-                               "recursive_gl.js", "recursive_page.js", "recursive_hands.js"})
+                               "recursive_gl.js", "recursive_page.js", "recursive_hands.js", "plane_hands.js"})
         texts << PageData(std::string(page_template_file("templates/" + std::string(script))));
     data.set("scripts", texts);
     return render_template("recursive", data);

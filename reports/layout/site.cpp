@@ -25,7 +25,7 @@ constexpr std::array assets = {
     "templates/compare_hands.js", "templates/steps.js",           "templates/webgl.js",
     "templates/endless_parts.js", "templates/endless_density.js", "templates/endless_canvas.js",
     "templates/endless_gl.js",    "templates/endless.js",         "templates/endless_hands.js",
-    "../runtime/poisson_tiles.js"};
+    "templates/plane_hands.js",   "../runtime/poisson_tiles.js"};
 
 std::string title_of(const std::vector<Run>& runs)
 {

@@ -21,7 +21,7 @@ namespace {
 
 /// The scripts of the page, in the order in which they need each other; poisson_tiles.js comes before them.
 constexpr std::array scripts{"webgl.js",      "endless_parts.js", "endless_density.js", "endless_canvas.js",
-                             "endless_gl.js", "endless.js",       "endless_hands.js"};
+                             "endless_gl.js", "endless.js",       "endless_hands.js",   "plane_hands.js"};
 
 std::string facts_of_set(const PoissonTileSet& set)
 {

@@ -1,65 +1,26 @@
-// The page of an endless tiling: mouse, fingers, keys and buttons.
+// The page of an endless tiling: zoom, brush and buttons.
 "use strict";
 
-/** Zooms about a place of the canvas, in pixels from its middle. */
+/** Zooms about a place of the canvas, in pixels from its middle, y upwards. */
 function zoomBy(factor, x = 0, y = 0) {
   const zoom = Math.max(zooms[0], Math.min(zooms[1], state.zoom * factor));
-  move(x / state.zoom - x / zoom, -(y / state.zoom - y / zoom));
+  move(x / state.zoom - x / zoom, y / state.zoom - y / zoom);
   state.zoom = zoom;
   redraw();
 }
 
-/** Paints around a place of the canvas, in pixels from its middle. */
+/** Paints around a place of the canvas, in pixels from its middle, y upwards. */
 function paint(x, y) {
-  const at = [state.at[0] + x / state.zoom, state.at[1] - y / state.zoom];
+  const at = [state.at[0] + x / state.zoom, state.at[1] + y / state.zoom];
   const tile = at.map((v, a) => state.tile[a] + Math.floor(v));
   const radius = Math.min(16, Number(byId("brush-size").value) / state.zoom);
   painted.paint(tile, at.map((v) => v - Math.floor(v)), radius, Number(byId("brush").value));
   redraw();
 }
 
-const fromMiddle = (event) => {
-  const box = canvas.getBoundingClientRect();
-  return [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
-};
-
-const fingers = new Map();
-canvas.addEventListener("pointerdown", (event) => {
-  canvas.setPointerCapture(event.pointerId);
-  fingers.set(event.pointerId, fromMiddle(event));
-  if (isShown("painting")) paint(...fromMiddle(event));
-});
-canvas.addEventListener("pointermove", (event) => {
-  if (!fingers.has(event.pointerId)) return;
-  const [before, now] = [fingers.get(event.pointerId), fromMiddle(event)];
-  fingers.set(event.pointerId, now);
-  if (fingers.size === 2) {
-    const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
-    const apart = (p) => Math.max(1, Math.hypot(p[0] - other[0], p[1] - other[1]));
-    return zoomBy(apart(now) / apart(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
-  }
-  if (isShown("painting")) return paint(...now);
-  move((before[0] - now[0]) / state.zoom, (now[1] - before[1]) / state.zoom);
-  redraw();
-});
-for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => fingers.delete(event.pointerId));
-canvas.addEventListener("wheel", (event) => {
-  event.preventDefault();
-  zoomBy(Math.exp(-event.deltaY / 500), ...fromMiddle(event));
-}, { passive: false });
-canvas.addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.altKey || event.metaKey) return;
-  const step = (event.shiftKey ? 400 : 40) / state.zoom;
-  const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
-  if (moves[event.key]) move(...moves[event.key]);
-  else if (event.key === "+" || event.key === "=") zoomBy(1.25);
-  else if (event.key === "-") zoomBy(0.8);
-  else if (event.key === "Home") Object.assign(state, { tile: [0, 0], at: [0.5, 0.5] });
-  else if (event.key === " " && isShown("painting")) paint(0, 0);
-  else return;
-  event.preventDefault();
-  redraw();
-});
+function goHome() {
+  Object.assign(state, { tile: [0, 0], at: [0.5, 0.5] });
+}
 
 byId("jump").addEventListener("click", () => {
   state.tile[0] += state.tile[0] + 1e9 > farthest ? -2e9 : 1e9;
@@ -132,13 +93,6 @@ byId("fly").addEventListener("change", (event) => {
   if (flight) requestAnimationFrame(fly);
 });
 
-function save(blob, name) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-}
 for (const button of document.querySelectorAll("[data-save]"))
   button.addEventListener("click", () => {
     const kind = button.dataset.save;

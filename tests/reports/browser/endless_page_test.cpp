@@ -384,7 +384,7 @@ TEST_F(EndlessPage, GoesByKeysAndByTheMouse)
     EXPECT_EQ(evaluate("[state.tile, state.at]"), (nlohmann::json{{0, 0}, {0.5, 0.5}}));
     // The place under the mouse stays there.
     EXPECT_NEAR(evaluate("zoomBy(2, 100, 50), state.at[0] + 100 / state.zoom").get<double>(), 0.5 + 100.0 / 125, 1e-9);
-    EXPECT_NEAR(evaluate("state.at[1] - 50 / state.zoom").get<double>(), 0.5 - 50.0 / 125, 1e-9);
+    EXPECT_NEAR(evaluate("state.at[1] + 50 / state.zoom").get<double>(), 0.5 + 50.0 / 125, 1e-9);
 }
 
 /// The seams of chunks show; the tiling has none. The spectrum is dark in the middle.
