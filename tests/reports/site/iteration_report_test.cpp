@@ -1,5 +1,5 @@
 // Iterations in the report: which plots there are, what their axes say, and damaged results.
-#include "reports/plots/iteration_curves.hpp"
+#include "reports/plots/series_plots.hpp"
 #include "results/iteration_records.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
