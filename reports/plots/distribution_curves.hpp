@@ -1,12 +1,17 @@
+// Curves that distributions store, as plots.
 // The curves of points in a region of the plane, each over the envelope of random points.
 #pragma once
 
 #include "analysis/regions/region_curve_row.hpp"
 #include "reports/plots/plot.hpp"
+#include "results/pictures/curve_chart.hpp"
 
 #include <vector>
 
 namespace poissonlab {
+
+/// The plot of a chart: its vertical axis ends at the ticks around all curves, and several curves have a key.
+Plot chart_plot(const CurveChart& chart);
 
 /// The style in which a series' curves are drawn.
 struct PlaneRegionCurves
