@@ -2,7 +2,6 @@
 
 #include "analysis/spectra/autocorrelation.hpp"
 #include "analysis/spectra/spectrum_file.hpp"
-#include "analysis/spectra/spectrum_planes.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/grey_image.hpp"

@@ -1,7 +1,7 @@
 // The pictures of spectra: the plane, or planes and the cube of a 3D one.
 // The pictures that show where points are in relation to one another, and to their tiles.
 #include "analysis/spectra/autocorrelation.hpp"
-#include "analysis/spectra/spectrum_planes.hpp"
+#include "analysis/spectra/spectrum_file.hpp"
 #include "reports/images/spectrum_image.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "reports/words/number_format.hpp"

@@ -1,6 +1,5 @@
 #include "tests/reports/support/made_up_series.hpp"
 
-#include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/images/square_image_file.hpp"
