@@ -1,6 +1,6 @@
 #include "analysis/measures/hyperuniformity.hpp"
 
-#include "analysis/spectra/half_spectrum.hpp"
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/random/random_words.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
-#include "analysis/spectra/half_spectrum.hpp"
+#include "analysis/spectra/frequency_power.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 

@@ -5,6 +5,7 @@
 // farther; both are 1 - exp(-lambda pi r^2) of random points. J(r) = (1 - G(r)) / (1 - F(r)) is 1 for these, larger
 // where points keep apart, less where they cluster (van Lieshout, Baddeley, A nonparametric measure of spatial
 // interaction in point patterns, Statistica Neerlandica 50(3), 1996).
+//
 // The distribution function of lengths of which some are known to be at least so long only: the product-limit estimator
 // (Kaplan, Meier, Nonparametric estimation from incomplete observations, Journal of the American Statistical
 // Association 53, 1958). Distances of points in a region are such lengths: beyond the boundary there may have been a

@@ -3,6 +3,7 @@
 //
 // A 2D spectrum has the channel "Y", a 3D one a layer for each of shown_planes(): "xy.Y", "xy_32.Y" ...
 // Spectra of several realizations have "variance" beside each "Y".
+//
 // The planes of a 3D spectrum that are stored and shown.
 #pragma once
 

@@ -1,5 +1,6 @@
 // Tests of whether the colours of a stochastic tiling are as random as they should be: the frequency of each, and
 // the agreement of colours at some distance from one another. A bad hash function shows in both.
+//
 // The power spectrum of one colour of a tiling: its diffraction. Where tiles repeat, or nearly do, it has peaks.
 #pragma once
 

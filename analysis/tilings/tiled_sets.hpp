@@ -1,4 +1,5 @@
 // The share of a tiling's power that lies on the lattice of its tiles' frequencies: what repeats with the tiles.
+//
 // The smallest distance within tiles, of sets that are tiled.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.7 calls it the intra tile radius, beside that of the

@@ -2,6 +2,7 @@
 //
 // Dissertation, section 6.2.3: Mitchell filter, 4 x 4 pixels, divided by the sum of weights, as is usual
 // since the number of samples around a pixel varies.
+//
 // The reconstruction filter of Mitchell and Netravali (1988) with B = C = 1/3.
 //
 // Separable, as in that paper: in 2D the weight is the product of two of these, 4 x 4 pixels wide. Both

@@ -7,6 +7,7 @@
 // over the part of the filter's support that lies on the plate. Filter, support and plate are products of the
 // axes, and sin(x^2 + y^2) is the imaginary part of exp(i x^2) exp(i y^2): S is that of a product of two
 // integrals along an axis, one a column and one a row. There is nothing to sample.
+//
 // The zone plate: a function whose frequency grows with the distance from the origin, to sample point sets
 // with. Where its picture turns to noise or to rings that are not there, the set has too few points.
 //

@@ -1,4 +1,5 @@
 // A drawing: polygons, disks, lines, text and images on a white ground, described once and written as SVG or PNG.
+//
 // A drawing as SVG and as PNG.
 #pragma once
 

@@ -1,4 +1,5 @@
 // The picture of a point set: a window of the torus, small enough that every dot is seen.
+//
 // Pictures of a 3D spectrum, of the planes that are stored of it. All have the tone mapping that they are given; a unit
 // of the drawing is a pixel, which shows the mean of `block` x `block` frequencies, as for draw_spectrum.
 #pragma once

@@ -5,6 +5,7 @@
 // corner has its vertices at (+-reach, +-width) and (+-width, +-reach), strips go from `reach` to 1 -
 // `reach`. Corners are numbered counterclockwise from the lower left (south-west), edge i goes from corner i
 // to the next: south, east, north, west.
+//
 // The colours of regions and points in pictures of the construction of Poisson tiles.
 //
 // After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.4 and 4.18: regions have the colours

@@ -1,4 +1,5 @@
 // The picture of a spectrum: one pixel a frequency, zero in the middle.
+//
 // Pictures of what is 1 on average: densities, pair correlations.
 #pragma once
 

@@ -1,4 +1,5 @@
 // The pictures of distributions of a report: those of marks are drawn here, others are stored as they are shown.
+//
 // The pictures of points in a region of the plane: their curves beside those of random points.
 #pragma once
 

@@ -5,7 +5,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/grey_image.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "reports/drawings/drawing.hpp"
 #include "reports/drawings/mark_image.hpp"
 #include "reports/drawings/points_image.hpp"

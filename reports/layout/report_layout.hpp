@@ -1,4 +1,5 @@
 // Which series a report shows, under what name, and where its pictures go.
+//
 // Series whose points follow a density.
 #pragma once
 

@@ -1,4 +1,5 @@
 // Small pictures: of every series for tables and cards, and one of every run for the overview.
+//
 // Small pictures for tables and lists of series: which there are of a series, and how they are called.
 #pragma once
 

@@ -2,7 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/images/grey_image.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/drawing.hpp"

@@ -1,4 +1,5 @@
 // The pictures of a tile set or tiling: its tiles or their regions, and the autocorrelation of its colours.
+//
 // The pictures of constructions of a report.
 #pragma once
 

@@ -1,4 +1,5 @@
 // The frame of every page of the site: head, navigation, and what the page says.
+//
 // Links from pages to files beside them.
 #pragma once
 

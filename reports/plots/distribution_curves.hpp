@@ -1,4 +1,5 @@
 // Curves that distributions store, as plots.
+//
 // The curves of points in a region of the plane, each over the envelope of random points.
 #pragma once
 

@@ -1,6 +1,8 @@
 // The curves of the error of integrals over the number of points, for methods whose sets come in several
 // sizes.
+//
 // The curves of iterative methods: relative radius and energy over iterations.
+//
 // Curves of second-order statistics: the pair correlation function over the distance, the number variance over the
 // radius.
 #pragma once

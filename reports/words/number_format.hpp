@@ -1,4 +1,5 @@
 // Numbers as readers want them: thousands separated, sensible digits, times with a unit.
+//
 // The value of a measure that a series has, in words.
 #pragma once
 

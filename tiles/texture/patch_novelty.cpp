@@ -1,7 +1,6 @@
 #include "tiles/texture/patch_novelty.hpp"
 
 #include "tiles/texture/known_patches.hpp"
-#include "tiles/texture/patch_cosines.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -3,7 +3,7 @@
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/set_mark.hpp"
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/settings/sampler_registry.hpp"

@@ -1,8 +1,7 @@
-#include "tiles/texture/patch_cosines.hpp"
+#include "tiles/texture/known_patches.hpp"
 
 #include <tbb/parallel_for.h>
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 
