@@ -1,10 +1,8 @@
 #include "reports/drawings/construction_image.hpp"
 
-#include "reports/drawings/drawing.hpp"
 #include "reports/drawings/plane_panel.hpp"
 #include "reports/drawings/space_view.hpp"
 #include "reports/drawings/square_regions.hpp"
-#include "results/pictures/construction_result.hpp"
 
 #include <algorithm>
 #include <cmath>

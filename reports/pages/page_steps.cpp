@@ -1,6 +1,5 @@
 // The page that shows a construction step by step: its panels, one at a time.
 #include "reports/drawings/construction_image.hpp"
-#include "reports/drawings/plane_panel.hpp"
 #include "reports/layout/tiling_pictures.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"

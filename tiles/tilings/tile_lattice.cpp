@@ -1,7 +1,6 @@
 #include "tiles/tilings/tile_lattice.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/tilings/permutation_hash.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

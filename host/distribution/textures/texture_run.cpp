@@ -9,7 +9,6 @@
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/distribution/textures/texture_run.hpp"
 #include "host/distribution/textures/texture_values.hpp"
-#include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/texture_build.hpp"
