@@ -5,7 +5,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/keys.hpp"
 #include "host/settings/toml_reader.hpp"
-#include "tiles/cells/cell_alphabet.hpp"
+#include "tiles/cells/cell_map.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

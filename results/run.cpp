@@ -1,4 +1,4 @@
-#include "results/machine.hpp"
+#include "results/run.hpp"
 
 namespace poissonlab {
 
