@@ -1,13 +1,13 @@
 // A table [[texture]]: texture tiles, how well they fit over several sets, and pictures of the first one.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 5.3 and 5.4.
+#include "host/distribution/textures/texture_run.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/textures/plane_picture.hpp"
 #include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
-#include "host/distribution/textures/texture_run.hpp"
 #include "host/distribution/textures/texture_values.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/exemplar_pictures.hpp"
