@@ -61,6 +61,8 @@ constexpr auto main_notes = R"(Examples:
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
+constexpr int most_threads = 4096;
+
 /// The digits without zeros before them, which CLI11 would take for the mark of an octal number.
 std::string without_leading_zeros(const std::string& digits)
 {
@@ -69,22 +71,17 @@ std::string without_leading_zeros(const std::string& digits)
     return digits.substr(0, sign) + digits.substr(first);
 }
 
-/// Accepts what is an integer of this type and of the option's range, and nothing else: no overflow, no sign for
-/// numbers that have none.
+/// Accepts what is an integer of this type within these ends, which are `allowed`, and nothing else: no overflow, no
+/// sign for numbers that have none.
 template <class Integer>
-CLI::Validator integer(const Option& option)
+CLI::Validator integer(Integer least, Integer most, const std::string& allowed)
 {
-    using Limits = std::numeric_limits<Integer>;
-    const std::string allowed =
-        option.allowed.empty() ? fmt::format("an integer from {} to {}", Limits::min(), Limits::max()) : option.allowed;
     return CLI::Validator(
-        [allowed, least = option.least, most = option.most](std::string& text) -> std::string {
+        [=](std::string& text) -> std::string {
             Integer value{};
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            const bool is_in_range = std::is_signed_v<Integer> || (static_cast<std::uint64_t>(value) >= least &&
-                                                                   static_cast<std::uint64_t>(value) <= most);
-            if (error == std::errc() && stop == end && is_in_range) {
+            if (error == std::errc() && stop == end && value >= least && value <= most) {
                 text = without_leading_zeros(text);
                 return {};
             }
@@ -93,22 +90,16 @@ CLI::Validator integer(const Option& option)
         "");
 }
 
-/// Accepts numbers of threads.
-CLI::Validator threads()
+/// Accepts integers of the option's range; those with a sign have that of their type.
+template <class Integer>
+CLI::Validator integer(const Option& option)
 {
-    constexpr int most_threads = 4096;
-    return CLI::Validator(
-        [](std::string& text) -> std::string {
-            int value = 0;
-            const char* const end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) {
-                text = without_leading_zeros(text);
-                return {};
-            }
-            return fmt::format("{}: must be {}", text, Integers{1, most_threads}.words());
-        },
-        "");
+    constexpr Integer least = std::numeric_limits<Integer>::min(), most = std::numeric_limits<Integer>::max();
+    const std::string allowed =
+        option.allowed.empty() ? fmt::format("an integer from {} to {}", least, most) : option.allowed;
+    if constexpr (std::is_signed_v<Integer>) return integer(least, most, allowed);
+    return integer(static_cast<Integer>(option.least), static_cast<Integer>(std::min<std::uint64_t>(option.most, most)),
+                   allowed);
 }
 
 /// Accepts numbers. Not-a-number and infinities pass where the command can tell them from an option that was not
@@ -136,7 +127,8 @@ template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
-    if constexpr (std::is_same_v<Value, int>) added->transform(threads());
+    if constexpr (std::is_same_v<Value, int>)
+        added->transform(integer(1, most_threads, Integers{1, most_threads}.words()));
     if constexpr (std::is_unsigned_v<Value>) added->transform(integer<Value>(option));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
@@ -229,13 +221,6 @@ std::vector<std::string> names_of_commands(const CLI::App& app)
     return names;
 }
 
-/// The action of `help man-page`.
-int print_man_page()
-{
-    fmt::print("{}", man_page(all_commands(""), main_summary, main_notes));
-    return 0;
-}
-
 /// The action of a call without a command, which is a mistake in scripts.
 int opening()
 {
@@ -247,7 +232,11 @@ int opening()
 Action explanation(const CLI::App& program, const std::vector<std::string>& topic)
 {
     if (topic == std::vector<std::string>{"samplers"}) return samplers_command().action;
-    if (topic == std::vector<std::string>{"man-page"}) return print_man_page;
+    if (topic == std::vector<std::string>{"man-page"})
+        return [] {
+            fmt::print("{}", man_page(all_commands(""), main_summary, main_notes));
+            return 0;
+        };
     const CLI::App* app = &program;
     std::string before, parents;
     for (const std::string& word : topic) {

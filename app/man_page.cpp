@@ -1,11 +1,11 @@
 #include "app/man_page.hpp"
 
-#include "app/commands/option_words.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
 
 #include <sstream>
+#include <type_traits>
 
 namespace poissonlab {
 namespace {
@@ -62,6 +62,20 @@ std::string man_page(const std::vector<Command>& commands, const std::string& su
     for (const Command& command : commands) write_command(page, command, "");
     page << ".SH NOTES\n" << as_written(notes);
     return page.str();
+}
+
+std::string value_word(const Option& option)
+{
+    if (!option.name.starts_with('-')) return "";
+    if (!option.value_name.empty()) return option.value_name;
+    return std::visit(
+        [](const auto* value) -> std::string {
+            using Value = std::remove_cvref_t<decltype(*value)>;
+            if constexpr (std::is_same_v<Value, bool>) return "";
+            if constexpr (std::is_arithmetic_v<Value>) return "NUMBER";
+            return "TEXT";
+        },
+        option.target);
 }
 
 }

@@ -39,7 +39,7 @@ hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* ho
         host/kinds/* host/scenes/* experiment/exhibits/* experiment/series/*)
 hash_of(distribution_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/* host/schemes/*
         host/texture/* host/kinds/* host/settings/tilings/* configs/tilings/* analysis/* results/pictures/* results/blue_noise.* results/series.*
-        results/iteration_records.* results/method_grid.hpp results/statistic.* results/curve_tables.*
+        results/method_grid.hpp results/statistic.* results/curve_tables.*
         experiment/exhibits/* experiment/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"

@@ -27,7 +27,7 @@
 // With REGION darts fall into the least box around a region of the plane or of space, whose coordinates are below half of
 // the torus' along each axis: parts of the table outside count as covered, and darts outside fail. Where the region is
 // long, REGION 2, they fall into squares that cover it (host/sampling/regions/region_candidates.hpp), and the table has
-// only blocks of cells around these squares (host/sampling/cells/table_blocks.hpp).
+// only blocks of cells around these squares (host/sampling/relaxing_grids.hpp).
 //
 // Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (2, 1 or 0; see common/regions/region.clh).
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <fstream>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace fs = std::filesystem;

@@ -1,7 +1,8 @@
 // The results of a run as they lie on disk: results.json of docs/output-folder.md.
+//
+// The machine that a run was computed on.
 #pragma once
 
-#include "results/machine.hpp"
 #include "results/pictures/construction_result.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "results/pictures/tiling_result.hpp"
@@ -9,9 +10,30 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
+
+/// Empty and zero: not used.
+struct Machine
+{
+    std::string device;
+    std::string platform;
+    std::string driver;
+    std::string device_version;
+    unsigned compute_units = 0;
+    int threads = 0;
+    int processes = 0; ///< that shared the work; 0: one
+
+    bool operator==(const Machine&) const = default;
+
+    /// The members that were used, in alphabetical order.
+    std::vector<std::pair<std::string, std::string>> used() const;
+
+    /// The member of that name as text; empty where it was not used.
+    std::string text(const std::string& name) const;
+};
 
 /// One result folder.
 struct Run

@@ -1,4 +1,6 @@
 // One series of a run: N points, K realizations of one method with one set of parameters, and what was measured.
+//
+// The iterations of a series: as a table of all realizations, and averaged over them.
 #pragma once
 
 #include "analysis/measures/blue_noise_measures.hpp"
@@ -10,13 +12,13 @@
 #include "analysis/measures/voronoi_diagram.hpp"
 #include "base/geometry/periodic_box.hpp"
 #include "results/blue_noise.hpp"
-#include "results/iteration_records.hpp"
 #include "results/method_grid.hpp"
 #include "results/records/sample_records.hpp"
 #include "results/statistic.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +26,45 @@
 #include <vector>
 
 namespace poissonlab {
+
+/// One list of records a realization, which may differ in length.
+using IterationRecords = std::vector<std::vector<IterationRecord>>;
+
+/// The text of iterations.csv: realization,iteration,relative_radius,energy, and relative_radius_within_tiles where all
+/// records have it; 17 significant digits.
+std::string iterations_csv(const IterationRecords& records);
+
+/// Reads what iterations_csv() wrote. Throws InputError with file and line.
+IterationRecords read_iterations_table(const std::filesystem::path& path);
+
+/// A quantity after each iteration, over the realizations that got there.
+struct IterationSpread
+{
+    std::vector<double> min;
+    std::vector<double> mean;
+    std::vector<double> max;
+
+    bool operator==(const IterationSpread&) const = default;
+};
+
+/// The iterations of a method that has some; item 0 is the state before the first one.
+struct Iterations
+{
+    std::string file;                      ///< relative to the run's folder
+    std::vector<std::size_t> realizations; ///< how many got to each iteration: never growing; empty: without means
+    IterationSpread relative_radius;
+    IterationSpread energy;
+    std::optional<IterationSpread> relative_radius_within_tiles; ///< of tiles that are relaxed
+
+    bool operator==(const Iterations&) const = default;
+
+    /// The largest number of iterations of a realization.
+    std::size_t count() const { return realizations.size() - 1; }
+};
+
+/// Means over all realizations, without the file. Nothing where there are no iterations; without means where a value is
+/// not finite (a single point has no relative radius).
+std::optional<Iterations> iterations_of(const IterationRecords& records);
 
 // The border of sets that were made elsewhere, which may not be periodic: see analysis/borders/border_pairs.hpp.
 

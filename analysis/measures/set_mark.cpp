@@ -81,13 +81,6 @@ SetMark SetMarkSums::mark(double min_distance, double mean_nearest) const
     return mark;
 }
 
-SetMark set_mark(const PointSet& points, double min_distance, double mean_nearest)
-{
-    SetMarkSums sums;
-    sums.add(points);
-    return sums.mark(min_distance, mean_nearest);
-}
-
 bool are_same_set(const SetMark& a, const SetMark& b)
 {
     if (a.points != b.points) return false;

@@ -41,9 +41,6 @@ private:
     std::array<double, 6> real_{}, imaginary_{};
 };
 
-/// The mark of a set that is not empty, in 2D or 3D, whose distances are known.
-SetMark set_mark(const PointSet& points, double min_distance, double mean_nearest);
-
 /// True for marks of one set, wherever on the torus.
 bool are_same_set(const SetMark& a, const SetMark& b);
 

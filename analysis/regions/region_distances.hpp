@@ -5,6 +5,12 @@
 // farther; both are 1 - exp(-lambda pi r^2) of random points. J(r) = (1 - G(r)) / (1 - F(r)) is 1 for these, larger
 // where points keep apart, less where they cluster (van Lieshout, Baddeley, A nonparametric measure of spatial
 // interaction in point patterns, Statistica Neerlandica 50(3), 1996).
+//
+// The distribution function of lengths of which some are known to be at least so long only: the product-limit estimator
+// (Kaplan, Meier, Nonparametric estimation from incomplete observations, Journal of the American Statistical
+// Association 53, 1958). Distances of points in a region are such lengths: beyond the boundary there may have been a
+// nearer one (Baddeley, Gill, Kaplan-Meier estimators of distance distributions for spatial point processes, Annals of
+// Statistics 25(1), 1997).
 #pragma once
 
 #include "analysis/regions/framed_region.hpp"
@@ -51,5 +57,16 @@ struct DistanceCurves
 
 DistanceCurves region_distances(const PointSet& points, const FramedRegion& region, const RegionPlaces& places,
                                 double step, std::size_t count);
+
+/// A length, and the length up to which it can be seen.
+struct CensoredLength
+{
+    double length = 0;
+    double seen = 0;
+};
+
+/// The share of lengths up to `step`, 2 `step`, ..., `count` of these. Beyond the last length that is seen it stays as
+/// it is.
+std::vector<double> product_limit(std::vector<CensoredLength> lengths, double step, std::size_t count);
 
 }

@@ -10,8 +10,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <stdexcept>
 
 namespace poissonlab {

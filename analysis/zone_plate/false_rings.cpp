@@ -1,7 +1,7 @@
 #include "analysis/zone_plate/false_rings.hpp"
 
 #include "analysis/spectra/fftw_plan.hpp"
-#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
 
 #include <algorithm>
 #include <cmath>

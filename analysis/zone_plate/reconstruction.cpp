@@ -3,8 +3,6 @@
 // that it reaches, so that every pixel meets its samples in the same order whichever band it is in.
 #include "analysis/zone_plate/reconstruction.hpp"
 
-#include "analysis/zone_plate/mitchell_filter.hpp"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -15,7 +13,6 @@
 #include <stdexcept>
 
 namespace poissonlab {
-
 namespace {
 
 constexpr int rows_of_a_band = 32;

@@ -1,6 +1,5 @@
 #include "analysis/zone_plate/zone_plate_error.hpp"
 
-#include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 
 #include <algorithm>

@@ -1,17 +1,14 @@
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 
-#include "analysis/zone_plate/mitchell_filter.hpp"
-#include "analysis/zone_plate/zone_plate.hpp"
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
-#include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace poissonlab {
-
 namespace {
 
 constexpr int gauss_nodes = 16;
@@ -105,6 +102,16 @@ SquareImage zone_plate_reference(int size)
         for (const auto& across : waves)
             image.pixels.push_back(0.5 + 0.5 * (up.real() * across.imag() + up.imag() * across.real()));
     return image;
+}
+
+SquareImage zone_plate_image(const PointSet& points)
+{
+    if (points.dimension != 2) throw std::invalid_argument("the zone plate is sampled by 2D sets");
+    std::vector<double> values(points.size());
+    tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t k) {
+        values[k] = zone_plate(plate_side * points[k][0], plate_side * points[k][1]);
+    });
+    return reconstruct(points, values, one_sample_a_pixel(points.size()));
 }
 
 }

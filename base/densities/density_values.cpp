@@ -1,8 +1,6 @@
 #include "base/densities/density_values.hpp"
 
 #include "base/densities/density.hpp"
-#include "base/densities/density_text.hpp"
-#include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
 
 #include <fmt/format.h>

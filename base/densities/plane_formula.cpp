@@ -1,6 +1,6 @@
 #include "base/densities/plane_formula.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/text/decimal_commas.hpp"

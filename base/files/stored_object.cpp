@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace poissonlab {
 
@@ -86,11 +85,6 @@ std::int64_t StoredObject::integer(const std::string& name, std::int64_t minimum
         throw error(name, "must be an integer of at least " + std::to_string(minimum) +
                               (maximum == largest_integer ? "" : " and at most " + std::to_string(maximum)));
     return value.get<std::int64_t>();
-}
-
-int StoredObject::small_integer(const std::string& name, int minimum) const
-{
-    return static_cast<int>(integer(name, minimum, std::numeric_limits<int>::max()));
 }
 
 std::vector<std::int64_t> StoredObject::integers(const std::string& name) const

@@ -39,8 +39,6 @@ public:
     bool boolean(const std::string& name) const;
     double number(const std::string& name) const;
     std::int64_t integer(const std::string& name, std::int64_t minimum, std::int64_t maximum = largest_integer) const;
-    /// An integer that int holds.
-    int small_integer(const std::string& name, int minimum) const;
     /// A list of integers of 64 bits.
     std::vector<std::int64_t> integers(const std::string& name) const;
     /// A list of integers of at least 0.

@@ -1,6 +1,6 @@
 // XXH64 of byte strings of any length, in one or several parts: the checksum of tile set files and finished work.
 //
-// By libxxhash. The hash of lattice points, tiles/tilings/xxh64_hash.hpp, is the same function of a few words.
+// By libxxhash. The hash of lattice points, tiles/tilings/tile_lattice.hpp, is the same function of a few words.
 #pragma once
 
 #include <cstdint>

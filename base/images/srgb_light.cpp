@@ -1,7 +1,6 @@
 #include "base/images/srgb_light.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poissonlab {
 namespace {

@@ -1,7 +1,5 @@
 #include "base/particles/snapshot_head.hpp"
 
-#include "base/particles/hdf5_objects.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -3,7 +3,6 @@
 #include "base/points/hdf5_points.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/points/hdf5_files.hpp"
 #include "base/points/hdf5_reading.hpp"
 #include "base/points/unit_coordinates.hpp"

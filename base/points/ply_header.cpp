@@ -3,8 +3,6 @@
 #include "base/files/byte_order.hpp"
 #include "base/files/text_lines.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cstdint>
 #include <map>

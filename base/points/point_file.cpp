@@ -12,10 +12,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <map>
 
 namespace poissonlab {

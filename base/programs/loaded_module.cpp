@@ -5,7 +5,6 @@
 
 #include <dlfcn.h>
 
-#include <filesystem>
 #include <system_error>
 
 namespace fs = std::filesystem;

@@ -3,8 +3,6 @@
 #include "base/regions/region_shares.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <functional>
 
 namespace poissonlab {

@@ -1,7 +1,6 @@
 #include "base/regions/region_squares.hpp"
 
 #include <cmath>
-#include <tuple>
 
 namespace poissonlab {
 namespace {

@@ -1,14 +1,17 @@
 // Files of polygons, as triangles.
+#include "base/surfaces/mesh_reading.hpp"
+
 #include "base/errors/errors.hpp"
 #include "base/files/mapped_file.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/surfaces/mesh_format.hpp"
+#include "base/surfaces/gltf_file.hpp"
 #include "base/text/plain_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <span>
 
 namespace poissonlab {
@@ -145,6 +148,40 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file, MeshParts par
         for (FaceDivision::Corners* all : {&corners, &texture, &normals}) *all = all->subspan(first(*all).size());
     }
     return mesh;
+}
+
+std::vector<std::filesystem::path> files_beside_mesh(const std::filesystem::path& file)
+{
+    if (mesh_end(file) != ".gltf") return {};
+    std::vector<std::filesystem::path> files;
+    const auto scene = nlohmann::json::parse(read_whole_file(file), nullptr, false);
+    if (!scene.is_object() || !scene.contains("buffers")) return {};
+    for (const auto& buffer : scene["buffers"]) {
+        if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+        const std::string name = buffer["uri"];
+        if (!name.starts_with("data:")) files.push_back(file_of_uri(file, name));
+    }
+    return files;
+}
+
+const MeshFormat* mesh_format(const std::filesystem::path& file)
+{
+    constexpr std::string_view gltf_faces = "no node of its scene has a mesh of triangles";
+    static constexpr std::array<MeshFormat, 6> formats{{{".off", read_off, "by its head"},
+                                                        {".obj", read_obj, "no line begins with f"},
+                                                        {".ply", read_ply, "the element `face` has no rows"},
+                                                        {".stl", read_stl, "there are no facets"},
+                                                        {".gltf", read_gltf, gltf_faces},
+                                                        {".glb", read_gltf, gltf_faces}}};
+    const auto* const found = std::ranges::find(formats, mesh_end(file), &MeshFormat::end);
+    return found == formats.end() ? nullptr : found;
+}
+
+std::string mesh_end(const std::filesystem::path& file)
+{
+    std::string end = file.extension().string();
+    std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return end;
 }
 
 }

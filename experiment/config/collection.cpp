@@ -4,7 +4,6 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/config/overrides.hpp"
 #include "experiment/config/plan.hpp"
-#include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,10 @@
 // The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
+//
+// The samplers that a [[method]] table can name, and the keys that each of these tables can have.
 #pragma once
 
 #include "experiment/config/analysis_options.hpp"
+#include "host/settings/config_tree.hpp"
 #include "host/settings/sampler_registry.hpp"
 #include "host/settings/sampler_table.hpp"
 
@@ -81,5 +84,15 @@ Config read_config(const std::filesystem::path& file, const std::vector<std::str
 /// Parses and checks the text of a config; messages name it `file`.
 Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {},
                     const SamplerRegistry& registry = sampler_registry());
+
+/// The keys of a [[method]] beside its sampler's parameters.
+const std::vector<std::string>& method_keys();
+
+/// True if [analysis] of a config, or one of its methods, has a region.
+bool analysis_has_region(const ConfigTable& config);
+bool some_method_has_region(const ConfigTable& config);
+
+/// The samplers of a method: those in regions where the method or [analysis] has one, else those of `torus`.
+const SamplerRegistry& registry_of(const ConfigTable& method, bool analysis_has_region, const SamplerRegistry& torus);
 
 }

@@ -1,6 +1,6 @@
 #include "experiment/config/overrides.hpp"
 
-#include "experiment/config/method_registry.hpp"
+#include "experiment/config/config.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>

@@ -5,8 +5,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
-#include "analysis/tilings/distance_within_tiles.hpp"
-#include "analysis/tilings/lattice_share.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 #include "base/geometry/relative_radius.hpp"
 
 #include <fmt/format.h>

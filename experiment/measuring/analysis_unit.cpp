@@ -5,7 +5,7 @@
 #include "base/files/byte_archive.hpp"
 #include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "base/programs/side_by_side.hpp"
 #include "results/curve_tables.hpp"
 #include "results/file_names.hpp"

@@ -1,6 +1,6 @@
 #include "experiment/measuring/zone_plate_analysis.hpp"
 
-#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "results/file_names.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "experiment/run/runner.hpp"
 
-#include "analysis/tilings/lattice_share.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 #include "base/files/file_lock.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 #include "base/programs/interrupt.hpp"

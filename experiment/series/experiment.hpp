@@ -7,7 +7,7 @@
 #include "experiment/exhibits/exhibit.hpp"
 #include "experiment/store/unit_store.hpp"
 #include "host/sampling/sampler.hpp"
-#include "results/machine.hpp"
+#include "results/run.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -3,7 +3,6 @@
 
 #include "base/crew/crew.hpp"
 #include "base/points/placed_file.hpp"
-#include "host/sampling/slabs/slab_division.hpp"
 #include "host/sampling/slabs/slab_mover.hpp"
 
 #include <algorithm>

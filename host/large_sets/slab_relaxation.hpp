@@ -1,5 +1,5 @@
 // Steps of a method, and its beginning, for a set that processes hold together in slabs, see
-// host/sampling/slabs/slab_division.hpp.
+// host/sampling/slabs/slab_mover.hpp.
 //
 // Before each step, processes send each other the points of the layers of cells around their slabs; then each moves its
 // own, slab by slab, and sends those that have left to where they are. Where points farther away matter, as around

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
 
 namespace poissonlab {
 namespace {

@@ -3,8 +3,7 @@
 #include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/seam_density.hpp"
-#include "analysis/tilings/distance_within_tiles.hpp"
-#include "analysis/tilings/lattice_share.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 #include "base/errors/missing_module.hpp"
 
 namespace poissonlab {

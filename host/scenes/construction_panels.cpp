@@ -1,11 +1,10 @@
 // Panels of several pieces or tiles, and of tilings.
-#include "host/scenes/construction_parts.hpp"
-
 #include "host/scenes/construction_panels.hpp"
+
+#include "host/scenes/construction_parts.hpp"
 #include "host/tile_construction/piece_store.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
-#include "tiles/tilings/tiling.hpp"
 
 #include <algorithm>
 #include <bit>

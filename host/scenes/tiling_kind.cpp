@@ -1,7 +1,7 @@
 // The kinds of [[tile_set]] and [[tiling]], and of the command `tiling`: tiles that are drawn or printed and, of
 // tilings, tested.
 #include "base/files/whole_file.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/shown_tiling.hpp"
 #include "results/file_names.hpp"

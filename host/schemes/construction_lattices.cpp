@@ -15,7 +15,7 @@ namespace {
 
 constexpr double construction_margin = 0.15;
 
-/// The place of the corner tile (0, 0) over the Wang tile (0, 0); see corner_tiling.hpp.
+/// The place of the corner tile (0, 0) over the Wang tile (0, 0); see constructed_tilings.hpp.
 MarkSquare first_corner_square(CornerConstruction construction)
 {
     switch (construction) {

@@ -2,7 +2,7 @@
 // colour, and by the autocorrelation of all.
 //
 // Cohen, Shade, Hiller and Deussen, Wang Tiles for Image and Texture Generation, 2003, figure 2: each pixel is a tile.
-#include "analysis/tilings/color_spectrum.hpp"
+#include "analysis/tilings/color_statistics.hpp"
 #include "base/images/grey_image.hpp"
 #include "base/images/png_file.hpp"
 #include "base/programs/interrupt.hpp"

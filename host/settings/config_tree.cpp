@@ -83,6 +83,14 @@ InputError unknown_key(const std::string& key, const ConfigNode& node, const std
                                     nearest_key(key, known).empty() ? ";" : "", fmt::join(known, ", ")));
 }
 
+const ConfigNode& required_node(const ConfigTable& table, const SourceLocation& where, const std::string& title,
+                                const std::string& key)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) throw InputError::at(where, fmt::format("{}: {} is missing", title, key));
+    return *node;
+}
+
 std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key)
 {
     const ConfigNode* node = find(table, key);

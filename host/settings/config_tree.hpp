@@ -65,6 +65,10 @@ InputError invalid_node(const std::string& key, const ConfigNode& node, const st
 /// The InputError for a key that means nothing, with the nearest known key and the list of known keys.
 InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known);
 
+/// The value of a key that must be there. Throws InputError at `where`, which says that the key of `title` is missing.
+const ConfigNode& required_node(const ConfigTable& table, const SourceLocation& where, const std::string& title,
+                                const std::string& key);
+
 /// The tables written [[key]]; none where the table lacks the key. An empty list is an error, as is any other value.
 std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key);
 

@@ -1,7 +1,6 @@
 #include "host/settings/sampler_help.hpp"
 
 #include "host/settings/parameter_values.hpp"
-#include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
 

@@ -14,9 +14,4 @@ const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& 
     return &*found;
 }
 
-const ParameterSpec& parameter_of(const std::string& sampler, const std::string& key)
-{
-    return *std::ranges::find(find_sampler(sampler)->parameters, key, &ParameterSpec::key);
-}
-
 }

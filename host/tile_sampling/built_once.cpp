@@ -1,7 +1,5 @@
 #include "host/tile_sampling/built_once.hpp"
 
-#include "base/errors/errors.hpp"
-
 namespace poissonlab {
 
 std::optional<FileLock> building_lock(const std::filesystem::path& file,

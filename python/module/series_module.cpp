@@ -1,6 +1,6 @@
 #include "python/module/series_module.hpp"
 
-#include "analysis/spectra/spectrum_planes.hpp"
+#include "analysis/spectra/spectrum_file.hpp"
 #include "results/measures.hpp"
 
 #include <array>

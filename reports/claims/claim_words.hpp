@@ -3,7 +3,7 @@
 
 #include "reports/claims/claim_curves.hpp"
 #include "reports/claims/paper_claims.hpp"
-#include "reports/layout/followed_density.hpp"
+#include "reports/layout/report_layout.hpp"
 
 #include <optional>
 #include <string>

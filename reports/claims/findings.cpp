@@ -1,6 +1,7 @@
 #include "reports/claims/findings.hpp"
 
 #include "analysis/statistics/welch.hpp"
+#include "base/word_table.hpp"
 
 #include <fmt/format.h>
 
@@ -24,19 +25,12 @@ std::optional<double> joint_error(const std::optional<double>& first, const std:
 
 const char* name_of(Agreement agreement)
 {
-    switch (agreement) {
-    case Agreement::agrees:
-        return "agrees";
-    case Agreement::partly:
-        return "partly";
-    case Agreement::disagrees:
-        return "disagrees";
-    case Agreement::open:
-        return "open";
-    case Agreement::shown:
-        break;
-    }
-    return "shown";
+    constexpr WordTable<Agreement, 5> words{{{{Agreement::agrees, "agrees"},
+                                              {Agreement::partly, "partly"},
+                                              {Agreement::disagrees, "disagrees"},
+                                              {Agreement::open, "open"},
+                                              {Agreement::shown, "shown"}}}};
+    return words[agreement];
 }
 
 Finding is_above(const Estimate& value, double limit)

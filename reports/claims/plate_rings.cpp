@@ -2,7 +2,7 @@
 #include "analysis/zone_plate/false_rings.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/errors/errors.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "base/programs/side_by_side.hpp"
 #include "reports/claims/claim_series.hpp"
 

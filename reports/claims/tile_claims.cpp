@@ -3,7 +3,6 @@
 
 #include <array>
 #include <iterator>
-#include <utility>
 
 namespace poissonlab {
 

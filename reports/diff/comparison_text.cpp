@@ -1,6 +1,7 @@
 #include "reports/diff/comparison_text.hpp"
 
 #include "base/text/noun.hpp"
+#include "base/word_table.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -25,19 +26,12 @@ std::string with_error(const SampleMean& mean, bool exact)
 
 const char* verdict_name(Verdict verdict)
 {
-    switch (verdict) {
-    case Verdict::identical:
-        return "identical";
-    case Verdict::within_error:
-        return "within error";
-    case Verdict::changed:
-        return "changed";
-    case Verdict::not_comparable:
-        return "not comparable";
-    case Verdict::not_judged:
-        break;
-    }
-    return "no verdict";
+    constexpr WordTable<Verdict, 5> words{{{{Verdict::identical, "identical"},
+                                            {Verdict::within_error, "within error"},
+                                            {Verdict::changed, "changed"},
+                                            {Verdict::not_comparable, "not comparable"},
+                                            {Verdict::not_judged, "no verdict"}}}};
+    return words[verdict];
 }
 
 /// Worse, changed, better, then what did not change: what a reader must see first.

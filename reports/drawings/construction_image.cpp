@@ -1,10 +1,8 @@
 #include "reports/drawings/construction_image.hpp"
 
-#include "reports/drawings/drawing.hpp"
 #include "reports/drawings/plane_panel.hpp"
-#include "reports/drawings/region_colors.hpp"
 #include "reports/drawings/space_view.hpp"
-#include "results/pictures/construction_result.hpp"
+#include "reports/drawings/square_regions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,30 +22,6 @@ constexpr double farthest_paleness = 0.6;
 constexpr std::array<double, stored_point_classes.size()> sphere_parts{0.3, 0.3, 0.5, 0.65};
 const std::string body_outline = "#505050";
 const std::string cube_outline = "#a0a0a0";
-
-/// The corners of a panel's window in space.
-std::array<ShapeVector, 8> window_corners(const ScenePanel& panel)
-{
-    std::array<ShapeVector, 8> corners;
-    corners.fill(panel.window.low_corner());
-    for (std::size_t upper = 0; upper < corners.size(); ++upper)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (upper >> k & 1) corners[upper][k] += panel.window.size[k];
-    return corners;
-}
-
-/// The upper left and lower right corner of a projected window.
-std::array<DrawingPoint, 2> extent(const ScenePanel& panel)
-{
-    const DrawingPoint first = projected(panel.window.low_corner());
-    std::array<DrawingPoint, 2> ends{first, first};
-    for (const ShapeVector& corner : window_corners(panel))
-        for (std::size_t k = 0; k < 2; ++k) {
-            ends[0][k] = std::min(ends[0][k], projected(corner)[k]);
-            ends[1][k] = std::max(ends[1][k], projected(corner)[k]);
-        }
-    return ends;
-}
 
 struct Edge
 {
@@ -82,7 +56,8 @@ class SpacePanel
 public:
     SpacePanel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel, const DrawingPoint& origin,
                double scale)
-        : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), corner_(extent(panel)[0]), scale_(scale)
+        : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), corner_(projected_window(panel)[0]),
+          scale_(scale)
     {
         for (const ScenePiece& piece : panel.pieces) {
             RegionShape body = shown_region(scene, panel, piece);
@@ -206,7 +181,7 @@ private:
 /// Width and height of a panel's projected window, units of tiles.
 DrawingPoint space_panel_size(const ScenePanel& panel)
 {
-    const auto [low, high] = extent(panel);
+    const auto [low, high] = projected_window(panel);
     return {high[0] - low[0], high[1] - low[1]};
 }
 

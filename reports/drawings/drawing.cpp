@@ -1,7 +1,10 @@
 #include "reports/drawings/drawing.hpp"
 
+#include "base/files/whole_file.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -94,6 +97,17 @@ void check_drawing(const Drawing& drawing)
             if (!is_drawable(x) || !is_drawable(y))
                 throw std::logic_error(fmt::format("a point of a drawing at ({}, {})", x, y));
     }
+}
+
+std::string write_drawing(const std::filesystem::path& stem, const Drawing& drawing, double pixels_wide,
+                          PictureStore& store)
+{
+    const std::filesystem::path png = stem.string() + ".png";
+    const auto svg = drawing_svg(drawing);
+    const auto wide = static_cast<int>(std::ceil(std::min<double>(pixels_wide, max_drawing_pixels)));
+    write_whole_file(stem.string() + ".svg", svg);
+    store.draw_once({png}, svg + std::to_string(wide), [&] { write_drawing_png(png, drawing, wide); });
+    return svg;
 }
 
 }

@@ -1,7 +1,10 @@
 // A drawing: polygons, disks, lines, text and images on a white ground, described once and written as SVG or PNG.
+//
+// A drawing as SVG and as PNG.
 #pragma once
 
 #include "base/images/png_file.hpp"
+#include "reports/images/picture_store.hpp"
 
 #include <array>
 #include <filesystem>
@@ -99,5 +102,10 @@ double reach_of(const Shape& shape);
 
 /// Throws std::logic_error for what no writer can draw.
 void check_drawing(const Drawing& drawing);
+
+/// Writes stem.svg and stem.png, so many pixels wide (max_drawing_pixels at most); the PNG only where the SVG is
+/// another one than that which it was drawn with. Returns the SVG.
+std::string write_drawing(const std::filesystem::path& stem, const Drawing& drawing, double pixels_wide,
+                          PictureStore& store);
 
 }

@@ -1,6 +1,5 @@
 #include "reports/drawings/plane_panel.hpp"
 
-#include "reports/drawings/region_colors.hpp"
 #include "reports/drawings/square_regions.hpp"
 
 #include <algorithm>

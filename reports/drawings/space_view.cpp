@@ -123,4 +123,26 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
     return order;
 }
 
+std::array<ShapeVector, 8> window_corners(const ScenePanel& panel)
+{
+    std::array<ShapeVector, 8> corners;
+    corners.fill(panel.window.low_corner());
+    for (std::size_t upper = 0; upper < corners.size(); ++upper)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (upper >> k & 1) corners[upper][k] += panel.window.size[k];
+    return corners;
+}
+
+std::array<DrawingPoint, 2> projected_window(const ScenePanel& panel)
+{
+    const DrawingPoint first = projected(panel.window.low_corner());
+    std::array<DrawingPoint, 2> ends{first, first};
+    for (const ShapeVector& corner : window_corners(panel))
+        for (std::size_t k = 0; k < 2; ++k) {
+            ends[0][k] = std::min(ends[0][k], projected(corner)[k]);
+            ends[1][k] = std::max(ends[1][k], projected(corner)[k]);
+        }
+    return ends;
+}
+
 }

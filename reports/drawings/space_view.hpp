@@ -6,8 +6,10 @@
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
+#include "results/pictures/construction_scene.hpp"
 #include "tiles/poisson/region_shapes.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -27,5 +29,11 @@ double light_on(const ShapeVector& normal);
 
 /// The numbers of convex bodies that do not overlap, each after all that it may hide.
 std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies);
+
+/// The corners of a panel's window in space.
+std::array<ShapeVector, 8> window_corners(const ScenePanel& panel);
+
+/// The upper left and lower right corner of a projected window.
+std::array<DrawingPoint, 2> projected_window(const ScenePanel& panel);
 
 }

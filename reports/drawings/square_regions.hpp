@@ -5,13 +5,20 @@
 // corner has its vertices at (+-reach, +-width) and (+-width, +-reach), strips go from `reach` to 1 -
 // `reach`. Corners are numbered counterclockwise from the lower left (south-west), edge i goes from corner i
 // to the next: south, east, north, west.
+//
+// The colours of regions and points in pictures of the construction of Poisson tiles.
+//
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.4 and 4.18: regions have the colours
+// of corners or edges, here pale, so that points show; regions between two corners are half and half.
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
+#include "results/pictures/construction_result.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -68,5 +75,33 @@ void add_region_outlines(std::vector<Shape>& shapes, const DrawnSquare& square, 
 
 /// Sorts shapes by their fills, so that shapes that do not overlap take few paths of an SVG.
 void group_by_fill(std::vector<Shape>& shapes);
+
+/// A region's part of one colour.
+struct ColoredPart
+{
+    std::vector<ShapeHalfSpace> bounds; ///< that cut it out of the region
+    std::string fill;                   ///< "#rrggbb"
+};
+
+/// All parts of a piece's region.
+std::vector<ColoredPart> colored_parts(const ScenePiece& piece, int dimension);
+
+/// The colour of the lines around a piece's region: the piece's, but dark; grey if it has several.
+std::string wire_color(const ScenePiece& piece);
+
+/// The colour of points, and what it is called.
+struct PointColor
+{
+    std::string fill;
+    std::string name;
+};
+
+const PointColor& point_color(std::size_t point_class);
+
+/// The regions of a panel.
+TileRegions regions_of(const Scene& scene, const ScenePanel& panel);
+
+/// A piece's region, as far as the panel shows it.
+RegionShape shown_region(const Scene& scene, const ScenePanel& panel, const ScenePiece& piece);
 
 }

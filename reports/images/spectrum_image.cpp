@@ -7,7 +7,6 @@
 #include <vector>
 
 namespace poissonlab {
-
 namespace {
 
 constexpr int largest_page_picture = 512;
@@ -85,5 +84,23 @@ Spectrum in_true_proportion(const Spectrum& plane, double column_side, double ro
 }
 
 int page_block(int spectrum_size) { return block_for(spectrum_size, largest_page_picture); }
+
+namespace {
+
+constexpr double white_density = 2;
+
+}
+
+GreyImage draw_density(const SquareImage& image, int magnification)
+{
+    const int size = image.size * magnification;
+    GreyImage grey(size, size, 0);
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) {
+            const double share = image.at(column / magnification, row / magnification) / white_density;
+            grey.at(column, size - 1 - row) = static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+        }
+    return grey;
+}
 
 }

@@ -1,8 +1,11 @@
 // The picture of a spectrum: one pixel a frequency, zero in the middle.
+//
+// Pictures of what is 1 on average: densities, pair correlations.
 #pragma once
 
 #include "analysis/spectra/spectrum.hpp"
 #include "base/images/grey_image.hpp"
+#include "base/images/square_image.hpp"
 #include "reports/images/tone_mapping.hpp"
 
 namespace poissonlab {
@@ -26,5 +29,9 @@ inline int spectrum_page_block(int spectrum_size, int dimension)
 {
     return page_block(dimension == 3 ? 2 * spectrum_size : spectrum_size);
 }
+
+/// Grey values: 0 is black, 1 in the middle, 2 and more white, linear between. Each pixel becomes a square of
+/// `magnification` pixels; the lowest y is at the bottom.
+GreyImage draw_density(const SquareImage& image, int magnification = 1);
 
 }

@@ -3,7 +3,6 @@
 #include "analysis/measures/hyperuniformity.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "reports/layout/series_panels.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/curve_tables.hpp"
 #include "results/measures.hpp"

@@ -1,6 +1,9 @@
 // The pictures of distributions of a report: those of marks are drawn here, others are stored as they are shown.
+//
+// The pictures of points in a region of the plane: their curves beside those of random points.
 #pragma once
 
+#include "analysis/regions/region_curve_row.hpp"
 #include "reports/images/picture_store.hpp"
 #include "reports/layout/panel.hpp"
 #include "results/run.hpp"
@@ -45,5 +48,19 @@ std::filesystem::path light_copy_of(const ReportDistribution& distribution, cons
 /// Writes a PNG, and an SVG unless there is a ground, for each picture of marks. Throws InputError when stored files
 /// are not what they should be.
 void draw_distribution_pictures(const ReportDistribution& distribution, PictureStore& store);
+
+/// The sets that curves are of.
+struct RegionSets
+{
+    double intensity = 0;     ///< points per square of the region's units
+    std::size_t envelope = 0; ///< random sets beside them
+    bool has_density = false;
+    double covariance_error = 0;
+    std::filesystem::path file; ///< of the curves
+};
+
+/// Curves of a series, or of another set, in the colour of that index.
+std::vector<Panel> region_curve_panels(const std::vector<RegionCurveRow>& rows, const RegionSets& sets,
+                                       std::size_t index);
 
 }

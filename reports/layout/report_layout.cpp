@@ -2,6 +2,7 @@
 
 #include "reports/words/number_format.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -70,6 +71,14 @@ std::vector<ReportRun> lay_out(const std::vector<Run>& runs, const fs::path& out
         for (auto& series : run.series)
             if (uses[series.label] > 1) series.full_label += " (" + run.root.filename().string() + ")";
     return result;
+}
+
+bool follows_density(const ReportSeries& series)
+{
+    if (series.stored->region && series.stored->region->has_density) return true;
+    return std::ranges::any_of(series.stored->parameters, [](const auto& parameter) {
+        return is_followed_density(parameter.first, parameter.second);
+    });
 }
 
 }

@@ -1,11 +1,12 @@
 // Which series a report shows, under what name, and where its pictures go.
+//
+// Series whose points follow a density.
 #pragma once
 
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/regions/region_curve_row.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
-#include "reports/layout/construction_pictures.hpp"
 #include "reports/layout/distribution_pictures.hpp"
 #include "reports/layout/panel.hpp"
 #include "reports/layout/tiling_pictures.hpp"
@@ -57,5 +58,9 @@ struct ReportRun
 /// The runs in order, as they are stored. With one run that lies in `out`, its pictures go to out and
 /// out/<series>, else to out/<name of the run's folder> and below; equal folder names are told apart by a number.
 std::vector<ReportRun> lay_out(const std::vector<Run>& runs, const std::filesystem::path& out);
+
+/// True where points follow a density that is not the same everywhere: their distances, their spectrum and their
+/// directions are those of the density, and say nothing of how even they are.
+bool follows_density(const ReportSeries& series);
 
 }

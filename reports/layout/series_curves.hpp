@@ -3,9 +3,7 @@
 
 #include "reports/layout/report_layout.hpp"
 #include "reports/plots/curves.hpp"
-#include "reports/plots/integration_curves.hpp"
-#include "reports/plots/iteration_curves.hpp"
-#include "reports/plots/second_order_curves.hpp"
+#include "reports/plots/series_plots.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
 
 #include <string>

@@ -1,8 +1,5 @@
 #include "reports/layout/thumbnails.hpp"
 
-#include "base/images/png_file.hpp"
-#include "reports/layout/small_pictures.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <ranges>
@@ -55,6 +52,19 @@ void draw_run_thumbnail(const ReportRun& run)
     const fs::path picture = run_picture(run);
     const PngPixels pixels = picture.empty() ? PngPixels{1, 1, 1, {255}} : read_png(picture);
     write_thumbnail(run.root / run_thumbnail, drawing_of(pixels), run_thumbnail_size);
+}
+
+std::vector<SmallPicture> small_pictures(const ReportSeries& series)
+{
+    std::vector<SmallPicture> result;
+    for (const char* kind : {"spectrum", "plate", "radial", "points"}) {
+        const auto is_kind = [&](const Panel& panel) { return panel.thumbnail && panel.thumbnail->kind == kind; };
+        const auto panel = std::ranges::find_if(series.panels, is_kind);
+        if (panel == series.panels.end()) continue;
+        const bool is_ink = panel->image_class.starts_with("ink");
+        result.push_back({kind, panel->thumbnail->name, thumbnail_file(*panel), is_ink ? "ink framed" : "framed"});
+    }
+    return result;
 }
 
 }

@@ -1,4 +1,6 @@
 // Small pictures: of every series for tables and cards, and one of every run for the overview.
+//
+// Small pictures for tables and lists of series: which there are of a series, and how they are called.
 #pragma once
 
 #include "base/images/png_file.hpp"
@@ -6,6 +8,8 @@
 #include "reports/layout/report_layout.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -23,5 +27,17 @@ Drawing drawing_of(PngPixels pixels);
 /// Writes run_thumbnail: of the run's middle series, whose small pictures must have been drawn, or of its first tiling
 /// or construction.
 void draw_run_thumbnail(const ReportRun& run);
+
+/// One small picture of a series, beside its others.
+struct SmallPicture
+{
+    std::string kind; ///< as in Thumbnail
+    std::string name;
+    std::string file;        ///< in the series' folder
+    std::string image_class; ///< how the style sheet shows it
+};
+
+/// The small pictures of a series, the most telling first. Every series has at least that of its points.
+std::vector<SmallPicture> small_pictures(const ReportSeries& series);
 
 }

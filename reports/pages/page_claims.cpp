@@ -1,4 +1,5 @@
 // The page that holds the claims of papers against what was measured.
+#include "base/word_table.hpp"
 #include "reports/claims/paper_claims.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
@@ -15,19 +16,12 @@ namespace {
 /// Marks an agreement for those who do not see colours.
 const char* mark_of(Agreement agreement)
 {
-    switch (agreement) {
-    case Agreement::agrees:
-        return "✓";
-    case Agreement::partly:
-        return "◐";
-    case Agreement::disagrees:
-        return "✗";
-    case Agreement::open:
-        return "?";
-    case Agreement::shown:
-        break;
-    }
-    return "–";
+    constexpr WordTable<Agreement, 5> words{{{{Agreement::agrees, "✓"},
+                                              {Agreement::partly, "◐"},
+                                              {Agreement::disagrees, "✗"},
+                                              {Agreement::open, "?"},
+                                              {Agreement::shown, "–"}}}};
+    return words[agreement];
 }
 
 PageData row(const JudgedClaim& judged)

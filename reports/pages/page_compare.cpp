@@ -2,7 +2,6 @@
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
 // The page's section on the construction of Poisson tile sets.
 #include "base/text/noun.hpp"
 #include "reports/drawings/construction_image.hpp"
-#include "reports/drawings/region_colors.hpp"
+#include "reports/drawings/square_regions.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // The page's sections on points and objects that follow densities, and on schemes of tilings.
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "base/text/noun.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/pages/page_frame.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/base64.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/file_names.hpp"

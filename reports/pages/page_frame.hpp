@@ -1,4 +1,6 @@
 // The frame of every page of the site: head, navigation, and what the page says.
+//
+// Links from pages to files beside them.
 #pragma once
 
 #include "reports/layout/site.hpp"
@@ -24,5 +26,8 @@ std::string render_in_frame(const Site& site, const PageFrame& frame, const std:
 
 /// The page of the template alone, for parts of pages.
 std::string render_template(const std::string& name, PageData& data);
+
+/// The relative link from a folder to a file, with everything but unreserved characters percent-encoded.
+std::string relative_link(const std::filesystem::path& from_folder, const std::filesystem::path& file);
 
 }

@@ -1,6 +1,5 @@
 // The table of a run's series beside the methods of the gallery.
 #include "reports/pages/page_parts.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 // Methods whose parameters have lists of values, as tables of pictures with the values at their borders.
-#include "reports/layout/small_pictures.hpp"
+// The measures of one series, each with its unit and what it means.
+#include "reports/layout/thumbnails.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <map>
 
 namespace poissonlab {
-
 namespace {
 
 const MethodGrid& method_of(const ReportSeries& series) { return series.run->methods[series.stored->place->method]; }
@@ -167,6 +167,45 @@ PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder
     PageData list{PageData::type::list};
     for (const auto& [key, cells] : tables)
         list << table_data(method_of(*cells.begin()->second), key.second, cells, page_folder);
+    return list;
+}
+
+namespace {
+
+/// The minimum distance of sets that lie in a region or a box, in its units, as people know them.
+void change_to_own_unit(Measure& measure, MeasuredValue& value, const OwnUnit& own)
+{
+    measure.unit = own.name;
+    value.value *= own.lengths;
+    if (value.standard_error) *value.standard_error *= own.lengths;
+    for (double& each : value.each) each *= own.lengths;
+    if (value.range)
+        for (double& end : *value.range) end *= own.lengths;
+}
+
+}
+
+PageData measures_list(const ReportSeries& series)
+{
+    PageData list{PageData::type::list};
+    for (Measure measure : measures()) {
+        auto value = measure.meaning.empty() ? std::nullopt : measure.get(*series.stored);
+        if (!value) continue;
+        if (const auto own = own_unit(*series.stored); own && measure.key == "min_distance")
+            change_to_own_unit(measure, *value, *own);
+        const MeasureWords words = words_of(measure, *value);
+        PageData data;
+        data.set("key", measure.key);
+        const auto in_words = [&](const std::string& text) { return in_dimension(text, series.run->dimension); };
+        data.set("name", in_words(measure.title() + (measure.unit.empty() ? "" : " (" + measure.unit + ")")));
+        data.set("value", words.shown);
+        data.set("exact", format_exact(value->value));
+        std::string error = words.spread;
+        if (!words.range.empty()) error += fmt::format("{}sets from {}", error.empty() ? "" : "; ", words.range);
+        data.set("error", optional_text(error));
+        data.set("meaning", in_words(measure.meaning));
+        list << data;
+    }
     return list;
 }
 

@@ -1,9 +1,8 @@
 // One row a method: its best series in small pictures and the numbers that methods are chosen by.
-#include "reports/layout/small_pictures.hpp"
+#include "reports/layout/thumbnails.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Panels on pages: the picture with its axis or key, the words, the legend of a plot of several series.
 #include "reports/drawings/cells_image.hpp"
 #include "reports/images/tone_mapping.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

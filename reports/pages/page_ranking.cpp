@@ -1,9 +1,8 @@
 // The ranking of all series: a table that sorts, and what its columns mean.
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/ranking_order.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,8 @@
 // The content of a run's page, which is a part of the overview if there is one run only.
-#include "reports/layout/small_pictures.hpp"
+#include "reports/layout/thumbnails.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

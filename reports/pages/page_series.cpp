@@ -2,9 +2,7 @@
 #include "reports/layout/site.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

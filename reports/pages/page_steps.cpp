@@ -1,11 +1,9 @@
 // The page that shows a construction step by step: its panels, one at a time.
 #include "reports/drawings/construction_image.hpp"
-#include "reports/drawings/plane_panel.hpp"
-#include "reports/layout/construction_pictures.hpp"
+#include "reports/layout/tiling_pictures.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,7 @@
 // A run's textures: those of one exemplar beside each other, with a verdict above and the measures below.
 #include "reports/layout/distribution_pictures.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "reports/words/texture_words.hpp"
 #include "results/texture_measures.hpp"

@@ -1,7 +1,7 @@
 // The page's section on tile sets and tilings.
 #include "base/text/noun.hpp"
+#include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

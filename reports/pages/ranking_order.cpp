@@ -1,7 +1,6 @@
 #include "reports/pages/ranking_order.hpp"
 
 #include "reports/pages/verdicts.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

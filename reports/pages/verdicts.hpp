@@ -1,7 +1,7 @@
 // Verdicts say in words what the numbers of a series mean, and which series can be judged at all.
 #pragma once
 
-#include "reports/layout/followed_density.hpp"
+#include "reports/layout/report_layout.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "reports/plots/zone_plate_curves.hpp"
 
-#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 // Three dimensions, from the config to the report and back.
 #include "analysis/spectra/spectrum_file.hpp"
-#include "analysis/spectra/spectrum_planes.hpp"
 #include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>

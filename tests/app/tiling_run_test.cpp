@@ -1,5 +1,5 @@
 // Runs of tile sets and tilings: what is stored, and that the numbers tell good hash functions from bad ones.
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "tests/support/program.hpp"
 #include "tiles/tilings/tiling.hpp"
 

@@ -1,6 +1,6 @@
 // The sampling test in an experiment: what is stored, and that it is always the same.
-#include "analysis/zone_plate/zone_plate.hpp"
-#include "base/images/square_image_file.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "base/images/square_image.hpp"
 #include "base/points/point_file.hpp"
 #include "experiment/measuring/zone_plate_analysis.hpp"
 #include "results/curve_tables.hpp"

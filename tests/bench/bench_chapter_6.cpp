@@ -6,7 +6,7 @@
 // 6.12, at 0.75) on an Athlon 64 4000+; section 6.14: 1.005 s; section 6.8: 0.192 s. Targets on two cores for recursive
 // tiles: built in 10 s, 16,384 points in 15 ms, 20 million points a second of a density; for Penrose tilings: the table
 // in 30 s, 16,384 points in 15 ms; for boundary darts: 60 ms a set of ten.
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/random/random.hpp"
 #include "host/device/device.hpp"
 #include "host/settings/sampler_registry.hpp"

@@ -8,7 +8,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/lattice_peaks.hpp"
 #include "analysis/spectra/spectrum.hpp"
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "host/tile_sampling/recursive/recursive_points.hpp"

@@ -1,5 +1,4 @@
 // The sampling test at the size of the dissertation: 262,144 points, 512 x 512 pixels.
-#include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "tests/bench/ratio_reporter.hpp"

@@ -1,6 +1,6 @@
 // OpenEXR images: spectra, their planes, pictures of the zone plate.
 #include "analysis/spectra/spectrum_file.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)

@@ -1,5 +1,5 @@
 // iterations.csv, whole and damaged.
-#include "results/iteration_records.hpp"
+#include "results/series.hpp"
 
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 #include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
 #include "tiles/packing/closed_packing.hpp"
-#include "tiles/tilings/random_permutation.hpp"
+#include "tiles/tilings/permutation_hash.hpp"
 
 #include <algorithm>
 #include <array>

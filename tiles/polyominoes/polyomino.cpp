@@ -1,6 +1,6 @@
 #include "tiles/polyominoes/polyomino.hpp"
 
-#include "tiles/tilings/random_permutation.hpp"
+#include "tiles/tilings/permutation_hash.hpp"
 
 #include <algorithm>
 #include <array>

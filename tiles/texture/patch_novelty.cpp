@@ -1,14 +1,11 @@
 #include "tiles/texture/patch_novelty.hpp"
 
 #include "tiles/texture/known_patches.hpp"
-#include "tiles/texture/patch_cosines.hpp"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 

@@ -12,9 +12,7 @@
 #include "base/images/png_file.hpp"
 #include "tiles/texture/texture_set.hpp"
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace poissonlab {

@@ -1,8 +1,6 @@
 #include "tiles/tilings/long_period_hash.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/tilings/hash_period.hpp"
-#include "tiles/tilings/random_permutation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

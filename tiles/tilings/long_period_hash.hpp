@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/random/random.hpp"
-#include "tiles/tilings/hash_period.hpp"
+#include "tiles/tilings/permutation_hash.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
 #include <cstddef>

@@ -1,13 +1,34 @@
 #include "tiles/tilings/permutation_hash.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/tilings/hash_period.hpp"
-#include "tiles/tilings/random_permutation.hpp"
+#include "base/random/random_words.hpp"
 
 #include <bit>
+#include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace poissonlab {
+
+std::uint64_t cyclic_period(std::span<const std::uint32_t> values, std::uint64_t modulus)
+{
+    const std::size_t n = values.size();
+    for (std::size_t d = 1; d < n; ++d) {
+        if (n % d != 0) continue;
+        bool repeats = true;
+        for (std::size_t i = 0; i < n && repeats; ++i) repeats = values[i] % modulus == values[(i + d) % n] % modulus;
+        if (repeats) return d;
+    }
+    return n;
+}
+
+HashPeriod permutation_period(std::span<const std::uint32_t> permutation, Color colors)
+{
+    // Each column is the same cycle of colours, shifted by P[x]; shifts by the cycle's period do not count.
+    const std::uint64_t y = cyclic_period(permutation, colors);
+    return {cyclic_period(permutation, y), y};
+}
 
 std::uint32_t PermutationHash::checked_size(Color colors, std::uint32_t size)
 {
@@ -62,6 +83,16 @@ std::vector<std::uint32_t> PermutationHash::device_words() const
     std::vector<std::uint32_t> words{permutation_hash_tag, colors_, static_cast<std::uint32_t>(permutation_.size())};
     words.insert(words.end(), permutation_.begin(), permutation_.end());
     return words;
+}
+
+std::vector<std::uint32_t> random_permutation(std::uint32_t size, const StreamKey& key, std::uint32_t table)
+{
+    std::vector<std::uint32_t> permutation(size);
+    std::iota(permutation.begin(), permutation.end(), 0u);
+    RandomWords words(key, table);
+    for (std::uint32_t remaining = size; remaining > 1; --remaining)
+        std::swap(permutation[remaining - 1], permutation[words.below(remaining)]);
+    return permutation;
 }
 
 }

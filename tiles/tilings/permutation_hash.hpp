@@ -7,10 +7,13 @@
 // colours, shifted. With 256 entries and 4 colours some corner tiles are three times as frequent as others; with 8
 // colours, 256 entries have few of each of the 64 pairs, and 36 to 271 of the 4,096 tiles do not occur at all (seeds
 // 1 to 3). Larger tables, and the other hash functions, do not have this weakness.
+//
+// The exact period of a hash function that looks up permutation tables.
+//
+// Random permutations: the tables that hash functions look up.
 #pragma once
 
 #include "base/random/random.hpp"
-#include "tiles/tilings/hash_period.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
 #include <cstdint>
@@ -18,6 +21,31 @@
 #include <vector>
 
 namespace poissonlab {
+
+// Hash functions as kernels/common/tiles/tiling.clh takes them: an array of words, of which the first is a tag.
+
+constexpr std::uint32_t permutation_hash_tag = 0; ///< then: colors, size, entries
+constexpr std::uint32_t long_period_hash_tag = 1; ///< then: colors, number of tables, sizes, entries
+constexpr std::uint32_t xxh64_hash_tag = 2;       ///< then: colors, seed (low word, high word)
+constexpr std::uint32_t two_table_hash_tag = 3;   ///< then: colors, size, entries of the tables of x, y and z
+
+/// h(x + i x', y + j y') = h(x, y) for all integers i and j, with the least numbers x' and y' of which that
+/// is true. 0: no period that fits in 64 bits.
+struct HashPeriod
+{
+    std::uint64_t x = 0;
+    std::uint64_t y = 0;
+
+    bool operator==(const HashPeriod&) const = default;
+};
+
+/// The least divisor d of the number of values such that, cyclically, each value and the d-th after it are
+/// the same modulo `modulus`.
+std::uint64_t cyclic_period(std::span<const std::uint32_t> values, std::uint64_t modulus);
+
+/// The periods of the colours P[(P[x % N] + y) % N] % C. Both divide N, and are N but for permutations that
+/// chance hardly makes unless N is small. The search takes O(N) for each divisor of N.
+HashPeriod permutation_period(std::span<const std::uint32_t> permutation, Color colors);
 
 class PermutationHash
 {
@@ -73,5 +101,9 @@ private:
     std::vector<std::uint16_t> entry_;
     std::vector<std::uint8_t> color_; ///< entry % colors
 };
+
+/// A permutation of 0, 1, ..., size - 1, all of them equally likely (Fisher and Yates). Tables with different
+/// numbers are independent. `size` below 2^31.
+std::vector<std::uint32_t> random_permutation(std::uint32_t size, const StreamKey& key, std::uint32_t table);
 
 }

@@ -32,19 +32,12 @@ inline constexpr WordTable<TileKind, 5> tile_kinds{{{{TileKind::corner, "corner"
 /// "Wang tiles" and so on, for sentences.
 constexpr const char* tile_kind_words(TileKind kind)
 {
-    switch (kind) {
-    case TileKind::domino:
-        return "dominoes";
-    case TileKind::wang:
-        return "Wang tiles";
-    case TileKind::cube:
-        return "corner cubes";
-    case TileKind::wang_cube:
-        return "Wang cubes";
-    case TileKind::corner:
-        break;
-    }
-    return "corner tiles";
+    constexpr WordTable<TileKind, 5> words{{{{TileKind::domino, "dominoes"},
+                                             {TileKind::wang, "Wang tiles"},
+                                             {TileKind::corner, "corner tiles"},
+                                             {TileKind::cube, "corner cubes"},
+                                             {TileKind::wang_cube, "Wang cubes"}}}};
+    return words[kind];
 }
 
 /// The axes along which tiles of a kind have neighbours: 1 to 3.

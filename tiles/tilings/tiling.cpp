@@ -3,13 +3,10 @@
 #include "base/errors/errors.hpp"
 #include "tiles/tilings/direct_tiling.hpp"
 #include "tiles/tilings/row_arithmetic.hpp"
-#include "tiles/tilings/tile_lattice.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // poissonlab distribute rank: the points of a ranked, self-similar tile that a picture or a formula asks for.
 #include "app/commands/kind_options.hpp"
-#include "base/errors/errors.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/self_similar_tile.hpp"

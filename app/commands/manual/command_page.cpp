@@ -1,6 +1,6 @@
 // The page of commands: what `help` says of each.
 #include "app/commands/manual/manual.hpp"
-#include "app/commands/option_words.hpp"
+#include "app/man_page.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The page of measures: what each means, and which methods of the gallery are good and bad at it.
 #include "app/commands/manual/manual.hpp"
 #include "reports/gallery/gallery.hpp"
-#include "reports/words/measure_words.hpp"
+#include "reports/words/number_format.hpp"
 #include "results/measures.hpp"
 #include "results/texture_measures.hpp"
 

@@ -7,7 +7,6 @@
 #include "reports/claims/claim_table.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "reports/gallery/sizes.hpp"
-#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/measures.hpp"
 

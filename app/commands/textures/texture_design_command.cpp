@@ -4,7 +4,7 @@
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "reports/engine/design_page.hpp"
+#include "reports/engine/texture_pages.hpp"
 #include "results/own_files.hpp"
 #include "tiles/tilings/tile_set.hpp"
 

@@ -4,7 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "experiment/run/progress.hpp"
 #include "reports/engine/look_up_texts.hpp"
-#include "reports/engine/plane_page.hpp"
+#include "reports/engine/texture_pages.hpp"
 #include "results/own_files.hpp"
 #include "tiles/texture/engine/engine_texture.hpp"
 

@@ -5,7 +5,7 @@
 #include "host/settings/nearest_key.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
-#include "tiles/aperiodic/tile_list_file.hpp"
+#include "tiles/aperiodic/tile_list.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,7 +5,7 @@
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "tiles/aperiodic/tile_list_file.hpp"
+#include "tiles/aperiodic/tile_list.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

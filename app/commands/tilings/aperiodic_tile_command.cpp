@@ -4,8 +4,7 @@
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "host/aperiodic_tiling/beatty_generator.hpp"
-#include "tiles/aperiodic/ammann_tiling.hpp"
-#include "tiles/aperiodic/corner_tiling.hpp"
+#include "tiles/aperiodic/constructed_tilings.hpp"
 #include "tiles/aperiodic/tiling_search.hpp"
 
 #include <fmt/format.h>

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 namespace poissonlab {

@@ -5,7 +5,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/keys/keys.hpp"
 #include "host/settings/toml_reader.hpp"
-#include "tiles/cells/cell_alphabet.hpp"
+#include "tiles/cells/cell_map.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,9 +78,7 @@ private:
             Keys keys(table, node->location, "");
             keys.text("name", corner.name, "of the colour");
             keys.integer("weight", corner.weight, 0, most_cell_weight, "how often corners have it");
-            const ConfigNode* color = find(table, "color");
-            if (!color) throw InputError::at(node->location, "[[corner]]: color is missing");
-            corner.color = color_of("color", *color);
+            corner.color = color_of("color", required_node(table, node->location, "[[corner]]", "color"));
             if (std::ranges::any_of(alphabet_.corners, [&](const CellCorner& c) { return c.name == corner.name; }))
                 throw InputError::at(node->location,
                                      fmt::format("[[corner]]: there are two of the name {}", corner.name));
@@ -120,11 +118,10 @@ private:
     /// Takes corners in the order in which one reads: north-west, north-east, south-west, south-east.
     CornerTile corners_of(const ConfigTable& cell, const SourceLocation& where) const
     {
-        const ConfigNode* node = find(cell, "corners");
-        if (!node) throw InputError::at(where, "[[cell]]: corners is missing");
-        const auto* list = node->get_if<ConfigList>();
+        const ConfigNode& node = required_node(cell, where, "[[cell]]", "corners");
+        const auto* list = node.get_if<ConfigList>();
         if (!list || list->size() != 4)
-            throw invalid_node("corners", *node, "must be four names: north-west, north-east, south-west, south-east");
+            throw invalid_node("corners", node, "must be four names: north-west, north-east, south-west, south-east");
         CornerTile corners;
         corners.north_west = corner_of((*list)[0]);
         corners.north_east = corner_of((*list)[1]);
@@ -135,14 +132,13 @@ private:
 
     Drawing drawing_of(const ConfigTable& cell, const SourceLocation& where) const
     {
-        const ConfigNode* node = find(cell, "rows");
-        if (!node) throw InputError::at(where, "[[cell]]: rows is missing");
-        const auto* list = node->get_if<ConfigList>();
+        const ConfigNode& node = required_node(cell, where, "[[cell]]", "rows");
+        const auto* list = node.get_if<ConfigList>();
         const auto size = static_cast<std::size_t>(alphabet_.size);
         const auto wrong = [&](const ConfigNode& at) {
             return invalid_node("rows", at, fmt::format("must be {} texts of {} glyphs of ASCII", size, size));
         };
-        if (!list || list->size() != size) throw wrong(*node);
+        if (!list || list->size() != size) throw wrong(node);
         Drawing drawing;
         for (const ConfigNode& row : *list) {
             const auto* text = row.get_if<std::string>();

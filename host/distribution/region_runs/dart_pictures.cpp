@@ -1,8 +1,6 @@
 #include "host/distribution/region_runs/dart_pictures.hpp"
 
-#include "host/distribution/regions/region_darts.hpp"
 #include "host/distribution/regions/varied_points.hpp"
-#include "results/pictures/mark_picture.hpp"
 
 #include <fmt/format.h>
 

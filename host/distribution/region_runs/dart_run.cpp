@@ -3,7 +3,6 @@
 //
 // Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
 // nothing about a region: distances are what is measured.
-#include "base/densities/density_text.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"

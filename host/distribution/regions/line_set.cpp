@@ -2,7 +2,6 @@
 
 #include "base/errors/errors.hpp"
 #include "base/regions/region_source.hpp"
-#include "base/text/noun.hpp"
 #include "host/distribution/regions/line_points.hpp"
 #include "host/distribution/regions/nearest_in_plane.hpp"
 

@@ -3,7 +3,6 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
-#include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/regions/line_points.hpp"

@@ -8,7 +8,6 @@
 #include "results/pictures/distribution_result.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace poissonlab {
 

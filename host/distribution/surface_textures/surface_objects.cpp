@@ -11,7 +11,7 @@
 #include "host/distribution/object_tiles.hpp"
 #include "host/distribution/surface_textures/surface_texture.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
-#include "host/distribution/surfaces/tiled_quads.hpp"
+#include "host/distribution/surfaces/tiled_surface.hpp"
 #include "tiles/quads/quad_points.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/surface_textures/surface_texture.hpp"
 #include "host/distribution/surfaces/quad_surface.hpp"
-#include "host/distribution/surfaces/tiled_quads.hpp"
+#include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>

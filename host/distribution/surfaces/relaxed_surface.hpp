@@ -1,11 +1,23 @@
 // Lloyd's method on a surface: each point moves to the place of the surface that is nearest to the centroid of its
-// cell, see surface_cells.hpp. Only triangles that a point sees are near to it: it does not change the side of a thin
+// cell. Only triangles that a point sees are near to it: it does not change the side of a thin
 // sheet.
+//
+// Voronoi cells of points on a surface: each place belongs to the nearest, straight through space, of the points that
+// its triangle sees, whose normals are near enough to its own.
+//
+// Yan, Levy, Liu, Sun, Wang, Isotropic remeshing with fast and exact computation of restricted Voronoi diagram,
+// Computer Graphics Forum 28(5), 2009: triangles are cut by the bisectors of near points. Cells are exact but for the
+// rounding of doubles, and of places by a unit of the grid.
 #pragma once
 
+#include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
+#include "host/sampling/surfaces/surface_darts.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -20,5 +32,30 @@ struct RelaxedSurface
 /// that of the hexagons of a triangular lattice in a plane of the same area.
 RelaxedSurface relax_on_surface(const FixedSurface& surface, std::vector<SurfacePoint> points,
                                 const MeshPointSettings& settings, const std::function<void(std::size_t)>& on_step);
+
+/// Integrals over a cell, in units of the grid.
+struct SurfaceCell
+{
+    double area = 0;
+    MeshPoint moment{}; ///< of places minus the point
+    double energy = 0;  ///< of their squared distances from the point
+};
+
+class SurfaceCells
+{
+public:
+    /// Divides the triangles into pieces that are no larger than a few of so many cells. The surface must outlive it.
+    SurfaceCells(const FixedSurface& surface, std::size_t points, double normal_angle);
+
+    /// Returns the cells of the points, of which there is one or more. The result does not depend on the number of
+    /// threads.
+    std::vector<SurfaceCell> of(const std::vector<SurfacePoint>& points) const;
+
+private:
+    const FixedSurface& surface_;
+    std::vector<SurfacePiece> pieces_;
+    std::int32_t least_cosine_;
+    std::uint64_t reach_; ///< neighbours within are listed
+};
 
 }

@@ -12,7 +12,6 @@
 #include "host/distribution/surfaces/surface_files.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
-#include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"

@@ -7,7 +7,6 @@
 #include "host/distribution/surfaces/relaxed_surface.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
-#include "host/distribution/surfaces/tiled_quads.hpp"
 #include "host/distribution/surfaces/tiled_surface.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
 #include "host/settings/sampler_table.hpp"

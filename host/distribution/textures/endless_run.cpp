@@ -5,7 +5,6 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
-#include "host/distribution/textures/frame_rate.hpp"
 #include "host/distribution/textures/plane_picture.hpp"
 #include "host/distribution/textures/texture_exemplar.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"

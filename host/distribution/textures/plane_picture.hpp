@@ -1,9 +1,13 @@
 // Views of endless textures to the horizon, all by one camera, so that pages can show them beside each other.
+//
+// The speed of views of endless textures on a device.
 #pragma once
 
 #include "host/kinds/distribution_place.hpp"
+#include "host/texture/endless/endless_texture.hpp"
 #include "host/texture/mapping/endless_map.hpp"
 #include "host/texture/mapping/texture_map.hpp"
+#include "results/pictures/distribution_result.hpp"
 #include "tiles/texture/texture_set.hpp"
 
 #include <string>
@@ -23,5 +27,22 @@ PngPixels plane_picture(const MappedEndless& mapped, const DistributionPlace& pl
 
 /// A square part of a picture, as large as a power of two from 64 on, that is repeated.
 PngPixels plane_picture(const PngPixels& picture, const DistributionPlace& place);
+
+inline constexpr int frame_width = 1024, frame_height = 576; ///< pixels
+
+/// Frames of the endless plane that the device draws and hands over in a second, the median of several: between mipmap
+/// levels, from the packed atlas or from the exemplar of a texture without tiles, as graphics cards do. It differs from
+/// run to run. Throws InputError where the device has too little memory, and Interrupted.
+double frames_a_second(Device& device, const TexturePyramid& pyramid);
+double frames_a_second(Device& device, const MappedEndless& mapped);
+
+/// The picture by which pixels are timed.
+inline constexpr int timed_width = 1920, timed_height = 1080;
+
+/// A time of this machine, by its key in texture_measures().
+DistributionNumber time_number(const std::string& key, double value);
+
+/// Nanoseconds a pixel of an endless texture, seen from straight above, on a device, and frames a second that it makes.
+std::vector<DistributionNumber> time_numbers(Device& device, const EndlessTexture& texture);
 
 }

@@ -2,7 +2,6 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/files/scratch_folder.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"

@@ -1,7 +1,5 @@
 #include "host/sampling/classics/torus_grid.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace poissonlab {

@@ -1,6 +1,5 @@
 #include "host/sampling/darts/dart_memory.hpp"
 
-#include "base/geometry/lattice.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "kernels/common/darts/dart_throwing.h"
 

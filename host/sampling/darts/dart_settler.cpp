@@ -2,7 +2,6 @@
 
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
-#include "kernels/common/darts/dart_throwing.h"
 
 #include <algorithm>
 #include <bit>

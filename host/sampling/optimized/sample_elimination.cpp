@@ -13,7 +13,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <span>
 
 namespace poissonlab {
 

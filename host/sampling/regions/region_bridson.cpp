@@ -2,13 +2,11 @@
 
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
-#include "host/sampling/regions/region_candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace poissonlab {

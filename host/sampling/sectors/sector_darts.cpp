@@ -1,8 +1,6 @@
 // Runs kernels/sector_darts.cl: a work-item for each set, some steps in each call, until all sets are full.
 #include "host/sampling/sectors/sector_darts.hpp"
 
-#include "base/geometry/torus.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>

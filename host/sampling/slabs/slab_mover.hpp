@@ -1,8 +1,14 @@
 // Moves the points of slabs, one slab after the other, by a method's step on a device.
+//
+// The torus in slabs: layers of grid cells side by side along the last axis. A method whose grid cells are those of the
+// whole torus, and that looks at points some layers away at most, does the same in a slab with so many layers around it
+// as in the torus: the same points in the same order, and so the same bytes.
 #pragma once
 
+#include "host/sampling/cells/point_grid.hpp"
 #include "host/sampling/slabs/slab_method.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -74,6 +80,52 @@ private:
     GridPart largest_{};
     Moved moved_;
     std::vector<double> read_; ///< displacements, and squared distances
+};
+
+class SlabDivision
+{
+public:
+    /// `cells_per_axis` layers in so many slabs, as equal as layers allow; some are empty where there are more slabs
+    /// than layers.
+    SlabDivision(std::uint32_t cells_per_axis, int dimension, std::uint32_t slabs)
+        : cells_per_axis_(cells_per_axis), dimension_(dimension), slabs_(slabs), slab_of_layer_(cells_per_axis)
+    {
+        for (std::uint32_t slab = 0; slab < slabs; ++slab)
+            std::fill(slab_of_layer_.begin() + first_layer(slab), slab_of_layer_.begin() + first_layer(slab + 1), slab);
+    }
+
+    int dimension() const { return dimension_; }
+    std::uint32_t layers() const { return cells_per_axis_; }
+    std::uint32_t slabs() const { return slabs_; }
+
+    /// The first layer of a slab; of a slab after the last, the number of layers.
+    std::uint32_t first_layer(std::uint32_t slab) const
+    {
+        return static_cast<std::uint32_t>(std::uint64_t{slab} * cells_per_axis_ / slabs_);
+    }
+
+    /// The layer of a last coordinate in [0, 1), as kernels/point_grid.cl has it.
+    std::uint32_t layer_of(double last) const
+    {
+        return std::min(static_cast<std::uint32_t>(last * cells_per_axis_), cells_per_axis_ - 1);
+    }
+
+    std::uint32_t slab_of(double last) const { return slab_of_layer_[layer_of(last)]; }
+
+    /// The cells of a slab that is not empty, with so many layers around it.
+    GridPart part(std::uint32_t slab, std::uint32_t around) const
+    {
+        return layers_of_grid(cells_per_axis_, dimension_, first_layer(slab), first_layer(slab + 1), around);
+    }
+
+    /// For each layer the slabs that have it around them.
+    std::vector<std::vector<std::uint32_t>> slabs_around_layers(std::uint32_t around) const;
+
+private:
+    std::uint32_t cells_per_axis_;
+    int dimension_;
+    std::uint32_t slabs_;
+    std::vector<std::uint32_t> slab_of_layer_;
 };
 
 }

@@ -3,14 +3,12 @@
 #include "base/densities/density_values.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/regions/region_words.hpp"
-#include "host/settings/config_tree.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cctype>
 #include <utility>
 

@@ -1,9 +1,8 @@
 #include "host/settings/tilings/aperiodic_tiles.hpp"
 
-#include "tiles/aperiodic/ammann_tiling.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/beatty_tiling.hpp"
-#include "tiles/aperiodic/corner_tiling.hpp"
+#include "tiles/aperiodic/constructed_tilings.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -130,14 +130,6 @@ private:
         return *items;
     }
 
-    static const ConfigNode& required(const ConfigTable& table, const SourceLocation& where, const std::string& title,
-                                      const std::string& key)
-    {
-        const ConfigNode* node = find(table, key);
-        if (!node) throw InputError::at(where, fmt::format("{}: {} is missing", title, key));
-        return *node;
-    }
-
     std::size_t prototile_of(const std::string& name) const
     {
         return static_cast<std::size_t>(std::ranges::find(tiling_.prototiles, name, &Prototile::name) -
@@ -169,7 +161,7 @@ private:
         const ConfigNode* sides = find(table, "sides");
         if (sides && find(table, "corners")) throw invalid_node("sides", *sides, "cannot be combined with corners");
         if (sides) return read_regular(keys, prototile);
-        const ConfigNode& node = required(table, where, "[[tile]]", "corners");
+        const ConfigNode& node = required_node(table, where, "[[tile]]", "corners");
         if (const auto* name = node.get_if<std::string>()) { // another tile's
             const auto other = std::ranges::find(tiling_.prototiles, *name, &Prototile::name);
             if (other == tiling_.prototiles.end())
@@ -240,11 +232,11 @@ private:
             TileArc arc;
             const auto last = static_cast<std::int64_t>(prototile.corners.size()) - 1;
             Keys(*entries, item.location, "").integer("corner", arc.corner, 0, last, "around which it goes").required();
-            const RingPlace radius = number("radius", required(*entries, item.location, "arcs", "radius"));
+            const RingPlace radius = number("radius", required_node(*entries, item.location, "arcs", "radius"));
             arc.radius = tiling_.ring.value(radius)[0];
             if (!tiling_.ring.is_real(radius) || !(arc.radius > 0))
                 throw invalid_node("radius", *find(*entries, "radius"), "must be a real number above 0");
-            arc.color = color_of("color", required(*entries, item.location, "arcs", "color"));
+            arc.color = color_of("color", required_node(*entries, item.location, "arcs", "color"));
             prototile.arcs.push_back(arc);
         }
     }
@@ -323,7 +315,7 @@ private:
         const auto area = quadruple_area(tiling_.ring, {RingPlace{}, first, first + tiling_.period[1]});
         if (!(tiling_.ring.value(area)[1] > 1e-6))
             throw invalid_node("period", period, "must be two vectors, the second to the left of the first");
-        const ConfigNode& unit = required(table_, {name_}, "period", "unit");
+        const ConfigNode& unit = required_node(table_, {name_}, "period", "unit");
         tiling_.unit = placed_tiles("unit", unit);
         std::optional<RingPlace> size{RingPlace{{1, 0, 0, 0}}};
         check_turns("unit", unit, tiling_.unit, size);
@@ -335,11 +327,12 @@ private:
 
     void read_substitution(const std::vector<const ConfigNode*>& tables)
     {
-        const ConfigNode& node = required(table_, {name_}, "no period", "magnification");
+        const ConfigNode& node = required_node(table_, {name_}, "no period", "magnification");
         read_magnification(node);
         std::optional<RingPlace> size;
         for (const ConfigNode* table : tables) {
-            const ConfigNode& parts = required(*table->get_if<ConfigTable>(), table->location, "[[tile]]", "parts");
+            const ConfigNode& parts =
+                required_node(*table->get_if<ConfigTable>(), table->location, "[[tile]]", "parts");
             tiling_.parts.push_back(placed_tiles("parts", parts));
             check_turns("parts", parts, tiling_.parts.back(), size);
         }
@@ -408,7 +401,7 @@ private:
             keys.text("name", start.name, "of the start").required();
             if (std::ranges::find(tiling_.starts, start.name, &StartPatch::name) != tiling_.starts.end())
                 throw keys.invalid("name", "is the name of two tiles or starts");
-            const ConfigNode& tiles = required(table, node->location, "[[start]]", "tiles");
+            const ConfigNode& tiles = required_node(table, node->location, "[[start]]", "tiles");
             start.tiles = placed_tiles("tiles", tiles);
             std::optional<RingPlace> size;
             check_turns("tiles", tiles, start.tiles, size);

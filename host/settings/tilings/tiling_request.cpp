@@ -3,7 +3,6 @@
 #include "base/errors/errors.hpp"
 #include "host/settings/tilings/aperiodic_tiles.hpp"
 #include "tiles/packing/tile_packing.hpp"
-#include "tiles/tilings/scanline_cubes.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>

@@ -7,8 +7,6 @@
 #include "tiles/dodecagonal/dodecagonal_sequence.hpp"
 
 #include <memory>
-#include <optional>
-#include <utility>
 
 namespace poissonlab {
 namespace {

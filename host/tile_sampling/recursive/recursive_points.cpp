@@ -1,7 +1,7 @@
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/tilings/random_permutation.hpp"
+#include "tiles/tilings/permutation_hash.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -62,7 +62,7 @@ struct Settling
 };
 
 /// The squares that darts fall into, of a region that is long: 2^shift positions wide. Blocks of the table have
-/// 2^block_bits parts along each axis (host/sampling/cells/table_blocks.hpp).
+/// 2^block_bits parts along each axis (host/sampling/relaxing_grids.hpp).
 struct DartSquares
 {
     uint count;

@@ -1,7 +1,5 @@
 #include "reports/claims/comparison/lloyd_series.hpp"
 
-#include <algorithm>
-
 namespace poissonlab {
 namespace {
 

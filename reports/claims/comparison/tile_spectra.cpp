@@ -1,8 +1,6 @@
 #include "reports/claims/comparison/tile_spectra.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace poissonlab {
 namespace {

@@ -14,7 +14,12 @@
 namespace poissonlab {
 namespace {
 
-SetMark mark_of(const PointSet& set) { return set_mark(set, min_toroidal_distance(set), mean_nearest_distance(set)); }
+SetMark mark_of(const PointSet& set)
+{
+    SetMarkSums sums;
+    sums.add(set);
+    return sums.mark(min_toroidal_distance(set), mean_nearest_distance(set));
+}
 
 PointSet shifted_by(PointSet set, const std::array<double, 3>& by)
 {

@@ -5,7 +5,7 @@
 #include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/spectra/spectrum.hpp"
-#include "analysis/tilings/distance_within_tiles.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/scratch_folder.hpp"
 

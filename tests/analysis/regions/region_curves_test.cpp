@@ -1,7 +1,7 @@
 // Curves of a small set of points in a rectangle and in a polygon with a hole, against spatstat and survival.
 #include "analysis/regions/region_curves.hpp"
 
-#include "analysis/regions/product_limit.hpp"
+#include "analysis/regions/region_distances.hpp"
 #include "base/errors/errors.hpp"
 #include "tests/analysis/regions/spatstat_numbers.hpp"
 #include "tests/support/statistics.hpp"

@@ -1,6 +1,5 @@
 #include "analysis/spectra/spectrum_file.hpp"
 
-#include "analysis/spectra/spectrum_planes.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "tests/support/errors.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/spectra/spectrum_planes.hpp"
+#include "analysis/spectra/spectrum_file.hpp"
 
 #include <gmock/gmock.h>
 

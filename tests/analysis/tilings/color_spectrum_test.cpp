@@ -1,5 +1,5 @@
 // The power spectrum of one colour against closed forms.
-#include "analysis/tilings/color_spectrum.hpp"
+#include "analysis/tilings/color_statistics.hpp"
 
 #include "base/random/random.hpp"
 

@@ -1,5 +1,5 @@
 // The smallest distance within tiles, against every pair.
-#include "analysis/tilings/distance_within_tiles.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 
 #include <gtest/gtest.h>
 

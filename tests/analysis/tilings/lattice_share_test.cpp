@@ -1,5 +1,5 @@
 // The share of the power on a lattice, of spectra that are known.
-#include "analysis/tilings/lattice_share.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 
 #include "base/errors/errors.hpp"
 

@@ -1,6 +1,5 @@
 #include "analysis/zone_plate/reconstruction.hpp"
 
-#include "analysis/zone_plate/mitchell_filter.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 
-#include "analysis/zone_plate/mitchell_filter.hpp"
-#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/reconstruction.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
 
 #include "tests/support/point_patterns.hpp"
 

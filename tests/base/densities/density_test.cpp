@@ -1,5 +1,5 @@
 // Densities against their definition: exact weights, the same way up as coordinates, refusals by pixel.
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/densities/plane_formula.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/float_image.hpp"

@@ -1,7 +1,7 @@
 // XXH64 of bytes against published hashes, and against itself in parts.
 #include "base/files/xxh64_bytes.hpp"
 
-#include "tiles/tilings/xxh64_hash.hpp"
+#include "tiles/tilings/tile_lattice.hpp"
 
 #include <gtest/gtest.h>
 

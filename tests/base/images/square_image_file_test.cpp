@@ -1,4 +1,4 @@
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

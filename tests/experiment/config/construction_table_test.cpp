@@ -1,5 +1,5 @@
 // The table [[construction]] of a config.
-#include "host/scenes/shown_construction.hpp"
+#include "host/scenes/construction_panels.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"
 

@@ -3,7 +3,6 @@
 // the plane, on any number of threads.
 #include "host/distribution/surfaces/relaxed_surface.hpp"
 
-#include "host/distribution/surfaces/surface_cells.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
 #include "tests/support/meshes.hpp"

@@ -2,7 +2,7 @@
 // counts.
 #include "host/distribution/self_similar_search.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // These tests measure textures, objects and points of tiles on surfaces of quads, and read their files again.
 #include "host/distribution/surface_textures/surface_texture.hpp"
-#include "host/distribution/surfaces/tiled_quads.hpp"
+#include "host/distribution/surfaces/tiled_surface.hpp"
 
 #include "base/surfaces/triangle_mesh.hpp"
 #include "tests/support/errors.hpp"

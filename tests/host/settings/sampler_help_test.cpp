@@ -8,10 +8,18 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
+
+/// The description of a parameter of a sampler; both are there.
+const ParameterSpec& parameter_of(const std::string& sampler, const std::string& key)
+{
+    return *std::ranges::find(find_sampler(sampler)->parameters, key, &ParameterSpec::key);
+}
 
 TEST(SamplerHelp, TheTableOfTheDocumentationIsTheOneThatIsPrinted)
 {

@@ -1,8 +1,8 @@
 // Pictures of the construction of Poisson tiles: regions in their colours, points where they are.
 #include "reports/drawings/construction_image.hpp"
 
-#include "reports/drawings/region_colors.hpp"
 #include "reports/drawings/space_view.hpp"
+#include "reports/drawings/square_regions.hpp"
 #include "tests/reports/support/construction_scene.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // The picture of a 3D spectrum: where the planes lie, and that they are named.
-#include "reports/drawings/plane_image.hpp"
+#include "reports/drawings/points_image.hpp"
 
 #include "tests/reports/support/drawn.hpp"
 

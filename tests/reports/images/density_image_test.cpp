@@ -1,5 +1,5 @@
 // Pictures of densities: grey values and the place of the origin.
-#include "reports/images/density_image.hpp"
+#include "reports/images/spectrum_image.hpp"
 
 #include <gtest/gtest.h>
 

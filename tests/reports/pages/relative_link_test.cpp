@@ -1,4 +1,4 @@
-#include "reports/pages/relative_link.hpp"
+#include "reports/pages/page_frame.hpp"
 
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
 // Which series make a curve of integration errors against N, and what the plot shows.
-#include "reports/plots/integration_curves.hpp"
+#include "reports/plots/series_plots.hpp"
 
 #include "base/files/whole_file.hpp"
 #include "reports/layout/series_curves.hpp"

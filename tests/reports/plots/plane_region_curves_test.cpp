@@ -1,4 +1,4 @@
-#include "reports/plots/plane_region_curves.hpp"
+#include "reports/plots/distribution_curves.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Iterations in the report: which plots there are, what their axes say, and damaged results.
-#include "reports/plots/iteration_curves.hpp"
-#include "results/iteration_records.hpp"
+#include "reports/plots/series_plots.hpp"
+#include "results/series.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
 #include "tests/support/picture.hpp"

@@ -1,6 +1,6 @@
 // The sampling test in the report: pictures, plots, words, and damaged results.
 #include "analysis/zone_plate/zone_plate_reference.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
 #include "tests/support/picture.hpp"

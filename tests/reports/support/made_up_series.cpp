@@ -1,9 +1,8 @@
 #include "tests/reports/support/made_up_series.hpp"
 
-#include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "base/images/square_image_file.hpp"
+#include "base/images/square_image.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Curves of distributions, written, read, and as plots.
 #include "results/pictures/curve_chart.hpp"
 
-#include "reports/plots/chart_curves.hpp"
+#include "reports/plots/distribution_curves.hpp"
 #include "reports/plots/gnuplot_text.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,10 +1,9 @@
 // Tilings with aperiodic sets: by Beatty sequences against exact rationals, by substitution, by search, and of corner
 // tiles over Wang tiles.
 #include "tests/support/errors.hpp"
-#include "tiles/aperiodic/ammann_tiling.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/beatty_tiling.hpp"
-#include "tiles/aperiodic/corner_tiling.hpp"
+#include "tiles/aperiodic/constructed_tilings.hpp"
 #include "tiles/aperiodic/tiling_search.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -5,7 +5,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
-#include "tiles/aperiodic/tile_list_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

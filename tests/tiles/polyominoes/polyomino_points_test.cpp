@@ -1,7 +1,7 @@
 // Points of tori with polyominoes: counts, order, the proven distance against every pair, and densities.
 #include "tiles/polyominoes/polyomino_points.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/polyomino_tables.hpp"

@@ -1,5 +1,5 @@
 // Corner cubes and dominoes: neighbours match.
-#include "tiles/tilings/scanline_cubes.hpp"
+#include "tiles/tilings/scanline_tiling.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tests/tiles/tilings/tile_colors.hpp"

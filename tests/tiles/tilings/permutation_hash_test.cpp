@@ -3,7 +3,6 @@
 
 #include "base/errors/errors.hpp"
 #include "tests/support/chi_square.hpp"
-#include "tiles/tilings/random_permutation.hpp"
 
 #include <gtest/gtest.h>
 

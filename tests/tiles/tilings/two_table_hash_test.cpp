@@ -1,6 +1,6 @@
 // The hash function with a table for each coordinate against equation 3.2, brute force and closed forms; tables of
 // sizes that users choose.
-#include "tiles/tilings/two_table_hash.hpp"
+#include "tiles/tilings/tile_lattice.hpp"
 
 #include "base/errors/errors.hpp"
 #include "tests/support/errors.hpp"

@@ -1,5 +1,5 @@
 // XXH64 against the library that defines it, and the colours made of it.
-#include "tiles/tilings/xxh64_hash.hpp"
+#include "tiles/tilings/tile_lattice.hpp"
 
 #include "tests/support/chi_square.hpp"
 

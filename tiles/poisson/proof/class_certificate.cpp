@@ -11,7 +11,6 @@
 #include <limits>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace poissonlab {
 namespace {

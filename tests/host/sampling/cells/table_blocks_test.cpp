@@ -4,7 +4,7 @@
 #include "base/regions/region_text.hpp"
 #include "base/regions/space_region.hpp"
 #include "host/sampling/cells/cells_around.hpp"
-#include "host/sampling/cells/table_blocks.hpp"
+#include "host/sampling/relaxing_grids.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // direct sums, and where the points come to lie.
 #include "host/sampling/optimized/gaussian_field.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/optimized/torus_map.hpp"
 #include "host/settings/sampler_registry.hpp"

@@ -3,7 +3,6 @@
 #include "host/sampling/slabs/slab_mover.hpp"
 
 #include "host/sampling/lloyd_relaxation.hpp"
-#include "host/sampling/slabs/slab_division.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"
 

@@ -2,7 +2,7 @@
 #include "host/tile_sampling/penrose/penrose_points.hpp"
 
 #include "analysis/spectra/spectrum.hpp"
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_walk.hpp"
 

@@ -1,7 +1,7 @@
 // Recursive Wang tiles on a device: the points of the plain twin, in its order.
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/set_mark.hpp"
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/settings/sampler_registry.hpp"
@@ -215,7 +215,9 @@ TEST_F(RecursiveSamplers, MakeDifferentSetsOfFewTiles)
     const auto sampler = make(given, 4 * 2 * tile_points);
     std::vector<SetMark> marks;
     const auto is_new = [&](const PointSet& set) {
-        const SetMark mark = set_mark(set, min_toroidal_distance(set), mean_nearest_distance(set));
+        SetMarkSums sums;
+        sums.add(set);
+        const SetMark mark = sums.mark(min_toroidal_distance(set), mean_nearest_distance(set));
         const bool seen = std::ranges::any_of(marks, [&](const SetMark& other) { return are_same_set(mark, other); });
         marks.push_back(mark);
         return !seen;

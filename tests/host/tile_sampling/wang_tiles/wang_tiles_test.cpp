@@ -1,7 +1,7 @@
 // Tiles of the methods before Poisson disk tiles: distances over all pairs of tiles, the mean over all 4,096
 // surroundings by CGAL, and tilings that are what their tiles say.
 #include "analysis/measures/distance_statistics.hpp"
-#include "analysis/tilings/distance_within_tiles.hpp"
+#include "analysis/tilings/tiled_sets.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
