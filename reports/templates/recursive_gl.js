@@ -1,20 +1,21 @@
-// Drawing of recursive Wang tiles by WebGL2: each cell of a tile is one call, and each of its
-// points a square of two triangles.
+// Drawing of recursive Wang tiles by WebGL2. Each point of a cell is an instance of a square, and all cells are drawn by
+// one call: hundreds of calls would take longer than the points.
 "use strict";
 
 /** A point is seen from its threshold on, and whole at so many times the density. */
 const fullAt = 1.3;
+/** Cells in a row of their texture. */
+const cellsInRow = 256;
 
 const recursiveVertices = `#version 300 es
 precision highp float;
 precision highp int;
+layout(location = 0) in uvec2 drawn; // the number of the cell, and of the point
 uniform highp usampler2D points; // places in cells, in 2^-32 of their sides, and ranks in the tiles around
-uniform int first;
-uniform uint seed, level, first_rank;
-uniform uvec2 low;
-uniform vec2 offset_high, offset_low; // the cell's corner from the middle of the view: 2^-16 cells, and 2^-16 of these
+uniform highp usampler2D cells;  // three pixels each, as RecursiveDrawing.cellWords() has them
+uniform uint seed;
 uniform vec2 size; // of the view, pixels
-uniform float cell_pixels, turn, demand, stamp_pixels, full_at;
+uniform float stamp_pixels, full_at;
 uniform int stamps;
 uniform bool is_turned, has_layer;
 uniform highp sampler2D layer;
@@ -34,7 +35,15 @@ float weight_at(vec2 from_middle) {
   return texture(layer, at).r;
 }
 void main() {
-  int index = first + gl_VertexID / 6;
+  ivec2 cell = ivec2(3 * (int(drawn.x) & 255), int(drawn.x) >> 8);
+  uvec4 which = texelFetch(cells, cell, 0);
+  uvec2 low = which.xy;
+  uint level = which.z, first_rank = which.w;
+  vec4 offset = uintBitsToFloat(texelFetch(cells, cell + ivec2(1, 0), 0));
+  vec2 offset_high = offset.xy, offset_low = offset.zw; // of the cell's corner from the middle of the view: 2^-16 cells, and 2^-16 of these
+  vec3 sizes = uintBitsToFloat(texelFetch(cells, cell + ivec2(2, 0), 0)).xyz;
+  float cell_pixels = sizes.x, turn = sizes.y, demand = sizes.z;
+  int index = int(drawn.y);
   uvec3 point = texelFetch(points, ivec2(index & 1023, index >> 10), 0).xyz;
   uint rank = point.z;
   uint bits = mixed(mixed(mixed(mixed(mixed(seed) + low.x) + low.y) + level) + 1u + rank);
@@ -42,8 +51,7 @@ void main() {
   vec2 from_middle = (high + rest / 65536.0) * (cell_pixels / 65536.0);
   float threshold = float(rank) + turn;
   shown = clamp((demand * weight_at(from_middle) / threshold - 1.0) / (full_at - 1.0), 0.0, 1.0);
-  int vertex = gl_VertexID % 6; // of two triangles
-  vec2 corner = vec2(vertex == 1 || vertex >= 4, vertex >= 2 && vertex != 4);
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
   float angle = is_turned ? float((bits >> 8) & 255u) * 6.283185307 / 256.0 : 0.0;
   if (rank < first_rank) shown = 0.0; // drawn with the tiles above
   float side = stamp_pixels * (0.7 + 0.6 * float((bits >> 16) & 255u) / 255.0);
@@ -77,17 +85,23 @@ class RecursiveDrawing {
     this.program = linkedProgram(gl, recursiveVertices, recursiveFragments);
     this.places = new Map();
     gl.useProgram(this.program);
-    ["stamp", "layer", "points"].forEach((name, unit) => {
+    ["stamp", "layer", "cells", "points"].forEach((name, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(name === "stamp" ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, gl.createTexture());
       gl.uniform1i(this.uniform(name), unit);
     });
+    gl.activeTexture(gl.TEXTURE2);
     this.takeNearest(); // whole numbers are not to be read without
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribIPointer(0, 2, gl.UNSIGNED_INT, 0, 0);
+    gl.vertexAttribDivisor(0, 1);
+    gl.activeTexture(gl.TEXTURE3);
+    this.takeNearest();
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1024, plane.set.cellPoints.length / 4096);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, plane.set.cellPoints.length / 4096, gl.RGBA_INTEGER, gl.UNSIGNED_INT, plane.set.cellPoints);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
   }
 
   uniform(name) {
@@ -102,10 +116,12 @@ class RecursiveDrawing {
     const side = stamps[0].width;
     gl.activeTexture(gl.TEXTURE0);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
     gl.deleteTexture(gl.getParameter(gl.TEXTURE_BINDING_2D_ARRAY));
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, gl.createTexture());
     gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(side) + 1, gl.RGBA8, side, side, stamps.length);
     stamps.forEach((stamp, i) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, stamp));
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false); // not of whole numbers
     gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
     for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, wrap, gl.CLAMP_TO_EDGE);
@@ -144,18 +160,44 @@ class RecursiveDrawing {
       gl.uniform2f(this.uniform("layer_at"), ...view.layer.at);
       gl.uniform2f(this.uniform("layer_scale"), ...view.layer.scale);
     }
-    for (const part of view.parts) {
+    this.setCells(view.parts);
+    const points = this.pointsOf(view.parts);
+    gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, points.length / 2);
+  }
+
+  /** Twelve words for each cell: its tile, level and first rank; its corner; its size, turn and demand. */
+  cellWords(parts) {
+    const rows = Math.max(1, Math.ceil(parts.length / cellsInRow));
+    const whole = new Uint32Array(12 * cellsInRow * rows);
+    const real = new Float32Array(whole.buffer);
+    parts.forEach((part, i) => {
       const units = part.offset.map((v) => v * 65536);
-      gl.uniform2f(this.uniform("offset_high"), ...units.map(Math.floor));
-      gl.uniform2f(this.uniform("offset_low"), ...units.map((v) => (v - Math.floor(v)) * 65536));
-      gl.uniform2ui(this.uniform("low"), ...part.low);
-      gl.uniform1ui(this.uniform("level"), part.level);
-      gl.uniform1ui(this.uniform("first_rank"), part.firstRank);
-      gl.uniform1f(this.uniform("cell_pixels"), part.pixels);
-      gl.uniform1f(this.uniform("turn"), part.turn);
-      gl.uniform1f(this.uniform("demand"), part.demand);
-      gl.uniform1i(this.uniform("first"), part.segment * set.pointsPerTile + part.first);
-      gl.drawArrays(gl.TRIANGLES, 0, 6 * part.count);
-    }
+      whole.set([...part.low, part.level, part.firstRank], 12 * i);
+      real.set([...units.map(Math.floor), ...units.map((v) => (v - Math.floor(v)) * 65536)], 12 * i + 4);
+      real.set([part.pixels, part.turn, part.demand], 12 * i + 8);
+    });
+    return { whole, rows };
+  }
+
+  setCells(parts) {
+    const { gl } = this;
+    const { whole, rows } = this.cellWords(parts);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, 3 * cellsInRow, rows, 0, gl.RGBA_INTEGER, gl.UNSIGNED_INT, whole);
+  }
+
+  /** The cell and the number of each point that is drawn. */
+  pointsOf(parts) {
+    const points = new Uint32Array(2 * parts.reduce((sum, { count }) => sum + count, 0));
+    let next = 0;
+    parts.forEach((part, i) => {
+      const first = part.segment * this.plane.set.pointsPerTile + part.first;
+      for (let k = 0; k < part.count; ++k) {
+        points[next++] = i;
+        points[next++] = first + k;
+      }
+    });
+    return points;
   }
 }

@@ -1,9 +1,9 @@
 #include "host/distribution/surface_spectra/mesh_pairs.hpp"
 
-#include "analysis/surfaces/surface_paths.hpp"
+#include "base/surfaces/surface_paths.hpp"
 #include "base/random/random_words.hpp"
 #include "host/distribution/surface_spectra/pair_counts.hpp"
-#include "host/distribution/surfaces/surface_files.hpp"
+#include "host/distribution/surfaces/along_surface.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 
 #include <tbb/combinable.h>
@@ -36,13 +36,6 @@ struct PathCounts
     PairCounts differences; ///< by squares
     PairCounts sectors;     ///< of lines without a direction, each pair once
 };
-
-std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points)
-{
-    std::vector<MeshPosition> positions;
-    for (const SurfacePoint& p : points) positions.push_back({p.triangle, barycentrics_of(p)});
-    return positions;
-}
 
 /// The axis of space that is nearest to the tangent planes: ways are turned such that its projection points to the
 /// right.

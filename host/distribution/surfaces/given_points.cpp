@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/along_surface.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 
@@ -134,9 +135,13 @@ std::shared_ptr<const SurfaceBeginning> surface_beginning(const MeshPointSetting
         throw InputError(fmt::format("{}: has {} points, and the set is to have {}", settings.start.string(),
                                      start.size(), *settings.points));
     if (start.size() < 2) return beginning;
-    beginning->least =
-        surface_distances(surface, start, least_cosine(settings.normal_angle), surface.area).least * (1 - 0x1p-40);
-    if (is_kept && !keep_distance(surface, start, distance, least_cosine(settings.normal_angle)))
+    const bool is_along = settings.metric == SurfaceMetric::surface;
+    const std::int32_t cosine = least_cosine(settings.normal_angle);
+    beginning->least = (is_along ? distances_along(surface, start).least
+                                 : surface_distances(surface, start, cosine, surface.area).least) *
+                       (1 - 0x1p-40);
+    if (is_kept &&
+        !(is_along ? keep_distance_along(surface, start, distance) : keep_distance(surface, start, distance, cosine)))
         throw InputError(fmt::format("{}: two of its points are {:.6g} apart, nearer than the minimum distance, {:.6g}",
                                      settings.start.string(), beginning->least, distance));
     if (beginning->least < least_part_of_size * surface.size)

@@ -1,6 +1,6 @@
 #include "host/distribution/surfaces/relaxed_surface.hpp"
 
-#include "host/distribution/surfaces/given_points.hpp"
+#include "host/distribution/surfaces/surface_moves.hpp"
 #include "host/sampling/cells/cut_polygon.hpp"
 
 #include <tbb/parallel_for.h>
@@ -12,35 +12,6 @@
 #include <optional>
 
 namespace poissonlab {
-namespace {
-
-/// Moves points to places in units of the grid.
-class SurfaceMoves
-{
-public:
-    SurfaceMoves(const FixedSurface& surface, double normal_angle)
-        : surface_(surface), mesh_(triangles_on_grid(surface)), tree_(mesh_), least_cosine_(least_cosine(normal_angle))
-    {}
-
-    SurfacePoint moved(const SurfacePoint& point, const MeshPoint& by) const
-    {
-        MeshPoint place{};
-        for (std::size_t k = 0; k < 3; ++k) place[k] = point.place[k] + by[k];
-        const SurfaceTriangle& own = surface_.triangles[point.triangle];
-        const MeshPosition nearest = tree_.nearest(place, [&](std::uint32_t triangle) {
-            return cosine_between(own, surface_.triangles[triangle]) >= least_cosine_;
-        });
-        return surface_point(surface_, nearest, place);
-    }
-
-private:
-    const FixedSurface& surface_;
-    TriangleMesh mesh_;
-    TriangleTree tree_;
-    std::int32_t least_cosine_;
-};
-
-}
 
 RelaxedSurface relax_on_surface(const FixedSurface& surface, std::vector<SurfacePoint> points,
                                 const MeshPointSettings& settings, const std::function<void(std::size_t)>& on_step)
@@ -55,7 +26,7 @@ RelaxedSurface relax_on_surface(const FixedSurface& surface, std::vector<Surface
         double energy = 0;
         for (const SurfaceCell& cell : found) energy += cell.energy;
         relaxed.energies.push_back(energy / units / hexagons);
-        if (step == settings.iterations) return relaxed;
+        if (step == iterations_of(settings)) return relaxed;
         if (on_step) on_step(step);
         tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
             const SurfaceCell& cell = found[i];

@@ -36,9 +36,9 @@ void check_density_memory(const MeshPointSettings& s)
                                      *s.points, s.candidates, bytes / gibibyte, most / gibibyte));
 }
 
-/// Throws InputError if Lloyd's method has no room. Measured: 1.8 kB for each of 200,000 points, 0.5 kB for each of
-/// 800,000 triangles. Without a number of points they are as many as saturated sets have.
-void check_lloyd_memory(const MeshPointSettings& s)
+/// Throws InputError if points that move have no room. Measured, of Lloyd's method: 1.8 kB for each of 200,000 points,
+/// 0.5 kB for each of 800,000 triangles. Without a number of points they are as many as saturated sets have.
+void check_moving_memory(const MeshPointSettings& s)
 {
     constexpr double gibibyte = 1 << 30, saturated = 0.7; // points on the square of the minimum distance
     const FixedSurface& surface = s.read->surface;
@@ -46,9 +46,11 @@ void check_lloyd_memory(const MeshPointSettings& s)
                                    : saturated * surface.area / (*s.min_distance * *s.min_distance),
                  bytes = 1800 * points + 500 * static_cast<double>(surface.triangles.size());
     if (const auto most = static_cast<double>(memory_limit()); bytes > most)
-        throw InputError(fmt::format("{:.3g} points that Lloyd's method moves on {} triangles need {:.1f} GiB of "
+        throw InputError(fmt::format("{:.3g} points that {} moves on {} triangles need {:.1f} GiB of "
                                      "memory: must be at most {:.1f}",
-                                     points, surface.triangles.size(), bytes / gibibyte, most / gibibyte));
+                                     points,
+                                     s.method == SurfaceMethod::lloyd ? "Lloyd's method" : "the method gaussian",
+                                     surface.triangles.size(), bytes / gibibyte, most / gibibyte));
 }
 
 void check_tile_keys(Keys& keys, MeshPointSettings& s)
@@ -100,14 +102,19 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
                            fmt::format("times {} must be at most {}", keys.name_of("candidates"), max_points));
     keys.check("mesh", [&] { s.read = surface_mesh(s); });
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
-    if (s.method == SurfaceMethod::lloyd)
-        keys.check(s.points ? "points" : "min_distance", [&] { check_lloyd_memory(s); });
+    if (moves_points(s.method)) keys.check(s.points ? "points" : "min_distance", [&] { check_moving_memory(s); });
     if (!s.density.empty()) {
         keys.check("points", [&] { check_density_memory(s); });
         keys.check("density", [&] {
             SurfaceDensity density(s.density, s.density_from, s.read->mesh);
             density_candidates(s.read->surface, density, 1, stream_key(0, Purpose::surface_candidates, 0));
         });
+    }
+    if (s.metric == SurfaceMetric::surface) {
+        for (const char* key : {"normal_angle", "density"})
+            if (keys.is_given(key))
+                throw keys.invalid(key, fmt::format("cannot be combined with {} surface", keys.name_of("distance")));
+        s.normal_angle = 180;
     }
     if (s.order == SurfaceOrder::elimination && keys.is_given("start"))
         throw keys.invalid("order", "cannot be combined with " + keys.name_of("start"));
@@ -121,7 +128,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.word("method", s.method, surface_methods, "how points are made; tiles, where there are any");
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
     keys.number("min_distance", s.min_distance, {1e-100, 1e100},
-                "the least distance of two points, straight through space")
+                "the least distance of two points, as distance measures it")
         .unit("units of the mesh")
         .otherwise("one that shrinks until the points fit");
     keys.number("relative_radius", s.relative_radius, {0.001, 1},
@@ -129,14 +136,21 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
                 "surface's area")
         .excludes("min_distance")
         .otherwise("none");
+    keys.word("distance", s.metric, surface_metrics,
+              "how distances of points are measured: straight through space, or along the surface, where the two sides "
+              "of a sheet and places on both sides of a gap are far apart")
+        .only_if(s.method == SurfaceMethod::darts || s.method == SurfaceMethod::elimination,
+                 "method = darts or elimination");
     keys.number("normal_angle", s.normal_angle, {1, 180},
                 "the largest angle between normals of points that keep a distance; 180: all do")
         .unit("degrees");
     keys.number("factor", s.factor, {0.5, 0.9999}, "what the distance is multiplied by where it shrinks");
     keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
         .only_if(s.method == SurfaceMethod::elimination, "method = elimination");
-    keys.integer("iterations", s.iterations, 0, 1'000'000, "the number of steps of Lloyd's method")
-        .only_if(s.method == SurfaceMethod::lloyd, "method = lloyd");
+    keys.integer("iterations", s.iterations, 0, 1'000'000,
+                 "the number of steps to centroids, or along the forces of Gaussians")
+        .otherwise("50 of lloyd, 100 of gaussian")
+        .only_if(moves_points(s.method), "method = lloyd or gaussian");
     keys.picture_or_formula("density", s.density, s.density_from,
                             "the density of the points: a formula in x, y and z in the mesh's units; the name of a "
                             "number of its vertices, such as red or quality; or a picture over its texture coordinates")

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/surfaces/along_surface.hpp"
 #include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/relaxed_surface.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
@@ -64,12 +65,13 @@ void check_count(const SurfaceDarts& darts, const MeshPointSettings& settings)
                                  darts.points.size(), *settings.points, advice));
 }
 
-SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlace& place)
+SurfaceDarts thrown_on(const SurfaceDartRequest& request, SurfaceMetric metric, const DistributionPlace& place)
 {
     const auto tell = [&](std::size_t points) {
         if (place.on_step) place.on_step(fmt::format("{} points", points));
     };
     const auto most = static_cast<std::size_t>(max_points);
+    if (metric == SurfaceMetric::surface) return throw_surface_darts(request, *path_dart_engine(request), most, tell);
     if (place.engine == Engine::reference)
         return throw_surface_darts(request, *reference::surface_dart_engine(request), most, tell);
     Device& device = place.device();
@@ -81,12 +83,14 @@ SurfaceDarts thrown_on(const SurfaceDartRequest& request, const DistributionPlac
 }
 
 /// New points are looked at once more, without what threw them. Given points may be nearer to each other.
-void check_distances(const SurfaceDartRequest& request, const SurfaceDarts& darts)
+void check_distances(const SurfaceDartRequest& request, const SurfaceDarts& darts, SurfaceMetric metric)
 {
     std::vector<SurfacePoint> all = request.obstacles;
     all.insert(all.end(), darts.points.begin(), darts.points.end());
-    if (!keep_distance(*request.surface, all, darts.min_distance, least_cosine(request.angle),
-                       request.obstacles.size() + request.start.size()))
+    const std::size_t given = request.obstacles.size() + request.start.size();
+    if (!(metric == SurfaceMetric::surface
+              ? keep_distance_along(*request.surface, all, darts.min_distance, given)
+              : keep_distance(*request.surface, all, darts.min_distance, least_cosine(request.angle), given)))
         throw std::logic_error("darts are nearer to each other than they may be");
 }
 
@@ -97,13 +101,15 @@ std::vector<SurfacePoint> eliminated(const std::vector<SurfacePoint>& candidates
 {
     const std::shared_ptr<const FixedSurface> surface{mesh, &mesh->surface};
     std::optional<SurfaceElimination> kernels;
-    if (place.engine == Engine::opencl) {
+    const bool is_along = settings.metric == SurfaceMetric::surface;
+    if (place.engine == Engine::opencl && !is_along) {
         Device& device = place.device();
         check_fits("sample elimination", SurfaceElimination::memory(*surface, candidates.size()), device.info());
         kernels.emplace(device, surface);
     }
     const auto order = [&](const std::vector<SurfacePoint>& points, const SurfaceReach& reach, std::size_t removed) {
         if (place.on_step) place.on_step(fmt::format("{} of {} points go", removed, points.size()));
+        if (is_along) return removal_order_along(*surface, points, reach, removed);
         return kernels ? kernels->removal_order(points, reach, removed)
                        : reference::surface_removal_order(*surface, points, reach, removed);
     };
@@ -114,6 +120,8 @@ std::vector<SurfacePoint> eliminated(const std::vector<SurfacePoint>& candidates
 std::size_t near_obstacles(const SurfaceBeginning& beginning, const FixedSurface& surface, double distance,
                            const MeshPointSettings& settings)
 {
+    if (settings.metric == SurfaceMetric::surface)
+        return beginning.start.size() - uncovered_along(surface, beginning.obstacles, beginning.start, distance);
     const double units = surface.units_of(distance) * (1 - 0x1p-40);
     const SurfaceNeighbours near(surface, beginning.obstacles, static_cast<std::uint64_t>(units) + 1);
     const auto squared = static_cast<std::uint64_t>(units * units);
@@ -136,9 +144,9 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
                                      .stream = stream_key(seed, Purpose::surface_darts, 0),
                                      .start = beginning->start,
                                      .obstacles = beginning->obstacles};
-    SurfaceDarts darts = thrown_on(request, place);
+    SurfaceDarts darts = thrown_on(request, settings.metric, place);
     check_count(darts, settings);
-    check_distances(request, darts);
+    check_distances(request, darts, settings.metric);
     if (settings.order == SurfaceOrder::elimination)
         darts.points = eliminated(darts.points, darts.points.size(), settings, mesh, place);
     SurfaceSet set{std::move(mesh),
@@ -149,6 +157,7 @@ SurfaceSet dart_set(const MeshPointSettings& settings, std::shared_ptr<const Sur
                    darts.small_area,
                    darts.darts};
     set.dart_distance = darts.min_distance;
+    set.metric = settings.metric;
     set.obstacles = beginning->obstacles;
     set.notes.insert(set.notes.end(), beginning->notes.begin(), beginning->notes.end());
     if (const std::size_t near = near_obstacles(*beginning, set.mesh->surface, darts.min_distance, settings); near > 0)
@@ -186,7 +195,9 @@ SurfaceSet eliminated_set(const MeshPointSettings& settings, std::shared_ptr<con
     }
     const auto candidates = surface_candidates(mesh->surface, count, stream_key(seed, Purpose::surface_candidates, 0));
     auto points = eliminated(candidates, *settings.points, settings, mesh, place);
-    return {std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
+    SurfaceSet set{std::move(mesh), std::move(points), 0, settings.normal_angle, false, 0, count};
+    set.metric = settings.metric;
+    return set;
 }
 
 SurfaceSet moved_set(const MeshPointSettings& settings, std::shared_ptr<const SurfaceMesh> mesh, std::uint64_t seed,
@@ -196,14 +207,17 @@ SurfaceSet moved_set(const MeshPointSettings& settings, std::shared_ptr<const Su
     const auto tell = [&](std::size_t steps) {
         if (place.on_step) place.on_step(fmt::format("{} steps of {} points", steps, darts.points.size()));
     };
-    RelaxedSurface moved = relax_on_surface(darts.mesh->surface, darts.points, settings, tell);
+    const bool is_lloyd = settings.method == SurfaceMethod::lloyd;
+    RelaxedSurface moved = is_lloyd ? relax_on_surface(darts.mesh->surface, darts.points, settings, tell)
+                                    : descend_on_surface(darts.mesh->surface, darts.points, settings, tell);
     SurfaceSet set{.mesh = darts.mesh, .points = std::move(moved.points), .angle = settings.normal_angle};
     set.of_method = {
         {"iterations", "Iterations", static_cast<double>(moved.energies.size() - 1), "steps that all points made"},
         {"energy_before", "Energy before", moved.energies.front(), "of the darts with which it begins"},
         {"energy", "Energy", moved.energies.back(),
-         "the mean squared distance of places from their nearest point, over that of a triangular lattice in a plane "
-         "of the same area"}};
+         is_lloyd ? "the mean squared distance of places from their nearest point, over that of a triangular lattice "
+                    "in a plane of the same area"
+                  : "the mean of the Gaussians of all points, less those of the surface; random points have 1"}};
     return set;
 }
 
@@ -216,14 +230,15 @@ DistributionNumber uncovered_part(const SurfaceSet& set, double least, std::uint
     const double units = surface.units_of(distance);
     std::vector<SurfacePoint> all = set.points;
     all.insert(all.end(), set.obstacles.begin(), set.obstacles.end());
-    const SurfaceNeighbours near(surface, all, static_cast<std::uint64_t>(units) + 1);
-    const std::vector<SurfacePiece> pieces = whole_pieces(surface);
-    const SurfacePieceChoice choice = surface_piece_choice(surface, pieces);
-    const StreamKey stream = stream_key(seed, Purpose::surface_coverage, 0);
+    const auto places = surface_candidates(surface, looked_at, stream_key(seed, Purpose::surface_coverage, 0));
     std::uint64_t uncovered = 0;
-    for (std::uint64_t i = 0; i < looked_at; ++i)
-        uncovered += !near.is_near(reference::surface_dart(surface, pieces, choice, stream, i),
-                                   squared_threshold(units * 0x1p-32), least_cosine(set.angle));
+    if (set.metric == SurfaceMetric::surface) {
+        uncovered = uncovered_along(surface, all, places, distance);
+    } else {
+        const SurfaceNeighbours near(surface, all, static_cast<std::uint64_t>(units) + 1);
+        for (const SurfacePoint& spot : places)
+            uncovered += !near.is_near(spot, squared_threshold(units * 0x1p-32), least_cosine(set.angle));
+    }
     const double part = static_cast<double>(uncovered) / looked_at;
     return {"uncovered", "Uncovered part", part,
             fmt::format("of the surface: no point is nearer than the {}; from {} places",
@@ -293,7 +308,7 @@ SurfaceSet make_surface_set(const MeshPointSettings& settings, std::uint64_t see
 {
     if (settings.method == SurfaceMethod::tiles) return tiled_surface(settings, surface_mesh(settings), seed, place);
     if (settings.method == SurfaceMethod::quads) return tiled_quads(settings, surface_mesh(settings), seed);
-    if (settings.method == SurfaceMethod::lloyd) return moved_set(settings, surface_mesh(settings), seed, place);
+    if (moves_points(settings.method)) return moved_set(settings, surface_mesh(settings), seed, place);
     return settings.method == SurfaceMethod::darts ? dart_set(settings, surface_mesh(settings), seed, place)
                                                    : eliminated_set(settings, surface_mesh(settings), seed, place);
 }
@@ -306,6 +321,7 @@ std::string surface_fact(const SurfaceSet& set, const MeshPointSettings& setting
     if (settings.method == SurfaceMethod::quads) return "tiles on quads";
     if (settings.method == SurfaceMethod::elimination) return "sample elimination";
     if (settings.method == SurfaceMethod::lloyd) return "Lloyd relaxation";
+    if (settings.method == SurfaceMethod::gaussian) return "Gaussian blue noise";
     if (set.is_saturated && !settings.points) return "saturated: no further point fits";
     return settings.min_distance || settings.relative_radius ? "stopped at that number"
                                                              : "the distance shrank until so many fitted";
@@ -326,7 +342,8 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     numbers.push_back({"area", "Area", surface.area, "of the surface, in squares of its units"});
     if (set.min_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", set.min_distance,
-                           set.angle < 180
+                           set.metric == SurfaceMetric::surface ? "that points are sure to keep along the surface"
+                           : set.angle < 180
                                ? "that points whose normals are near enough are sure to keep, straight through space"
                                : "that points are sure to keep, straight through space"});
     if (set.darts > 0)
@@ -334,13 +351,23 @@ std::vector<DistributionNumber> surface_numbers(const SurfaceSet& set, std::uint
     if (set.tiling) std::ranges::copy(tiling_numbers(set), std::back_inserter(numbers));
     std::ranges::copy(set.of_method, std::back_inserter(numbers));
     if (set.points.size() < 2) return numbers;
-    const SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle),
-                                                     set.tiling ? set.tiling->covered_area : surface.area);
+    const bool is_along = set.metric == SurfaceMetric::surface;
+    SurfaceDistances found = surface_distances(surface, set.points, least_cosine(set.angle),
+                                               set.tiling ? set.tiling->covered_area : surface.area);
+    if (is_along) {
+        const PathDistances along = distances_along(surface, set.points);
+        found.least = along.least;
+        found.mean_nearest = along.mean_nearest;
+    }
     if (!std::isfinite(found.least)) return numbers;
     numbers.push_back({"least_distance", "Least distance", found.least,
-                       set.angle < 180 ? "of two points whose normals are near enough, in units of the mesh"
-                                       : "of two points, in units of the mesh"});
-    if (set.angle < 180)
+                       is_along          ? "of two points, along the surface, in units of the mesh"
+                       : set.angle < 180 ? "of two points whose normals are near enough, in units of the mesh"
+                                         : "of two points, in units of the mesh"});
+    if (is_along)
+        numbers.push_back({"least_of_any", "Least distance in space", found.least_of_any,
+                           "of two points, straight through space, in units of the mesh"});
+    else if (set.angle < 180)
         numbers.push_back({"least_of_any", "Least distance of any two", found.least_of_any,
                            "also of points whose normals are too far apart, such as those on two sides of a sheet"});
     numbers.push_back({"mean_nearest", "Mean nearest distance", found.mean_nearest, "in units of the mesh"});

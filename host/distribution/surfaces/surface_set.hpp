@@ -29,13 +29,15 @@ enum class SurfaceMethod
     darts,
     elimination,
     lloyd,
+    gaussian,
     tiles,
     quads
 };
 
-inline constexpr WordTable<SurfaceMethod, 5> surface_methods{{{{SurfaceMethod::darts, "darts"},
+inline constexpr WordTable<SurfaceMethod, 6> surface_methods{{{{SurfaceMethod::darts, "darts"},
                                                                {SurfaceMethod::elimination, "elimination"},
                                                                {SurfaceMethod::lloyd, "lloyd"},
+                                                               {SurfaceMethod::gaussian, "gaussian"},
                                                                {SurfaceMethod::tiles, "tiles"},
                                                                {SurfaceMethod::quads, "quads"}}}};
 
@@ -48,6 +50,16 @@ enum class SurfaceOrder
 
 inline constexpr WordTable<SurfaceOrder, 2> surface_orders{
     {{{SurfaceOrder::own, "own"}, {SurfaceOrder::elimination, "sample-elimination"}}}};
+
+/// How distances of points are measured.
+enum class SurfaceMetric
+{
+    space,  ///< straight through space, between points that see each other
+    surface ///< along the surface: the lengths of the shortest paths
+};
+
+inline constexpr WordTable<SurfaceMetric, 2> surface_metrics{
+    {{{SurfaceMetric::space, "space"}, {SurfaceMetric::surface, "surface"}}}};
 
 struct SurfaceMesh;
 
@@ -70,10 +82,11 @@ struct MeshPointSettings
     std::optional<double> min_distance;
     std::optional<double> relative_radius;
     bool is_closed = false; ///< the tiling repeats after a unit
+    SurfaceMetric metric = SurfaceMetric::space;
     double normal_angle = 120;
     double factor = 0.99;
     std::uint32_t candidates = 5;
-    std::uint32_t iterations = 50;               ///< of Lloyd's method
+    std::optional<std::uint32_t> iterations;     ///< of methods that move points; see iterations_of()
     std::filesystem::path start, obstacles;      ///< files of points; empty: there are none
     SurfaceOrder order = SurfaceOrder::own;      ///< the order of darts
     std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
@@ -86,6 +99,18 @@ struct MeshPointSettings
     std::shared_ptr<const PoissonTileSet> read_tiles{};  ///< the tiles, where they were read already
     std::shared_ptr<const SurfaceBeginning> beginning{}; ///< start and obstacles, where they were read already
 };
+
+/// Do the points of darts move then?
+inline bool moves_points(SurfaceMethod method)
+{
+    return method == SurfaceMethod::lloyd || method == SurfaceMethod::gaussian;
+}
+
+/// Returns the number of steps that points make.
+inline std::size_t iterations_of(const MeshPointSettings& settings)
+{
+    return settings.iterations.value_or(settings.method == SurfaceMethod::gaussian ? 100 : 50);
+}
 
 /// A mesh, and the same in whole numbers.
 struct SurfaceMesh
@@ -116,8 +141,9 @@ struct SurfaceSet
     std::vector<DistributionNumber> of_method{};   ///< numbers that its method alone has
     bool follows_density = false;
     double dart_distance = 0; ///< that darts keep: more than min_distance where points of the start are nearer
-    std::vector<SurfacePoint> obstacles{}; ///< points from which darts keep away
-    std::vector<std::string> notes{};      ///< sentences on the set for users; those on its mesh are separate
+    std::vector<SurfacePoint> obstacles{};       ///< points from which darts keep away
+    std::vector<std::string> notes{};            ///< sentences on the set for users; those on its mesh are separate
+    SurfaceMetric metric = SurfaceMetric::space; ///< of all its distances
 
     PointSet places() const { return points_of(mesh->surface, points); }
 };

@@ -1,7 +1,7 @@
 // The search of surface_paths.hpp: windows in a queue, by the length of the shortest path through them.
 #pragma once
 
-#include "analysis/surfaces/surface_paths.hpp"
+#include "base/surfaces/surface_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -204,7 +204,15 @@ private:
 
     void offer_targets(std::uint32_t triangle, const std::array<PlanePoint, 3>& places, const PathWindow& window)
     {
-        for (std::uint32_t i = paths_.target_starts_[triangle]; i < paths_.target_starts_[triangle + 1]; ++i) {
+        // Only targets whose feet on the first side are within reach of that of (0, 0) can be.
+        const PlanePoint side = places[1] - places[0];
+        const double squared = along(side, side), foot = -along(places[0], side) / squared,
+                     within = (1 + rounding) * (reach_ - window.before) / std::sqrt(squared) + rounding;
+        const auto first = paths_.target_along_.begin() + paths_.target_starts_[triangle],
+                   last = paths_.target_along_.begin() + paths_.target_starts_[triangle + 1];
+        const auto from = std::lower_bound(first, last, foot - within);
+        auto i = static_cast<std::size_t>(from - paths_.target_along_.begin());
+        for (; i < paths_.target_starts_[triangle + 1] && paths_.target_along_[i] <= foot + within; ++i) {
             const std::uint32_t target = paths_.target_order_[i];
             const std::array<double, 3>& shares = paths_.targets_[target].shares;
             const PlanePoint place = shares[0] * places[0] + shares[1] * places[1] + shares[2] * places[2];

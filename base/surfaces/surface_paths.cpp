@@ -1,4 +1,4 @@
-#include "analysis/surfaces/path_search.hpp"
+#include "base/surfaces/path_search.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -19,8 +19,7 @@ std::vector<std::uint32_t> starts_of_groups(const std::vector<std::uint32_t>& co
 
 }
 
-SurfacePaths::SurfacePaths(const TriangleMesh& mesh, const std::vector<MeshPosition>& targets)
-    : mesh_(mesh), targets_(targets)
+SurfacePaths::SurfacePaths(const TriangleMesh& mesh, const std::vector<MeshPosition>& targets) : mesh_(mesh)
 {
     for (std::uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
         const MeshTriangle& t = mesh.triangles[side / 3];
@@ -32,12 +31,27 @@ SurfacePaths::SurfacePaths(const TriangleMesh& mesh, const std::vector<MeshPosit
     }
     link_sides();
     find_bends();
-    std::vector<std::uint32_t> counts(mesh.triangles.size());
+    aim_at(targets);
+}
+
+double SurfacePaths::along_first_side(const MeshPosition& target) const
+{
+    return target.shares[1] + target.shares[2] * tops_[3 * target.triangle][0];
+}
+
+void SurfacePaths::aim_at(const std::vector<MeshPosition>& targets)
+{
+    targets_ = targets;
+    std::vector<std::uint32_t> counts(mesh_.triangles.size());
     for (const MeshPosition& target : targets) ++counts[target.triangle];
     target_starts_ = starts_of_groups(counts);
     target_order_.resize(targets.size());
     std::iota(target_order_.begin(), target_order_.end(), 0u);
-    std::ranges::stable_sort(target_order_, {}, [&](std::uint32_t i) { return targets[i].triangle; });
+    std::ranges::stable_sort(target_order_, {}, [&](std::uint32_t i) {
+        return std::pair{targets[i].triangle, along_first_side(targets[i])};
+    });
+    target_along_.clear();
+    for (const std::uint32_t i : target_order_) target_along_.push_back(along_first_side(targets[i]));
 }
 
 /// Finds the sides that lie on one edge, and those opposite to each vertex.

@@ -36,6 +36,9 @@ public:
     /// Triangles that meet share the numbers of their corners, and have areas. The mesh must outlive this.
     SurfacePaths(const TriangleMesh& mesh, const std::vector<MeshPosition>& targets);
 
+    /// Replaces the targets.
+    void aim_at(const std::vector<MeshPosition>& targets);
+
     /// Calls visit(number of the source, paths) once for each source, from several threads: the shortest path to each
     /// target that is no farther than `reach` along the surface, in the order of targets. Sources in corners and on
     /// edges are moved inwards, by 1e-9 of the distance to the triangle's centre.
@@ -48,6 +51,7 @@ private:
     /// Returns the vertex at the beginning of a side; sides of a triangle are numbered 3 t, 3 t + 1, 3 t + 2.
     std::uint32_t start_of(std::uint32_t side) const { return mesh_.triangles[side / 3][side % 3]; }
     static std::uint32_t next_of(std::uint32_t side) { return side - side % 3 + (side + 1) % 3; }
+    double along_first_side(const MeshPosition& target) const;
     void link_sides();
     void find_bends();
 
@@ -60,7 +64,8 @@ private:
     std::vector<bool> may_bend_;                   ///< at each vertex
     std::vector<std::uint32_t> fan_starts_, fans_; ///< of each vertex: the sides opposite to it
     std::vector<MeshPosition> targets_;
-    std::vector<std::uint32_t> target_starts_, target_order_; ///< of each triangle: its targets
+    std::vector<std::uint32_t> target_starts_, target_order_; ///< of each triangle: its targets, by `target_along_`
+    std::vector<double> target_along_; ///< of these: the foot on the first side, in lengths of that side
 };
 
 }

@@ -1,5 +1,5 @@
 // Shortest paths on meshes are compared with those of CGAL, and with the closed forms of planes, cubes and cones.
-#include "analysis/surfaces/surface_paths.hpp"
+#include "base/surfaces/surface_paths.hpp"
 
 #include "tests/support/meshes.hpp"
 

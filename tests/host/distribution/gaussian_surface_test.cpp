@@ -1,0 +1,143 @@
+// Gaussian blue noise on surfaces: energies fall, points are as far apart as on the torus of the plane, and as dense
+// beside open edges, along sharp edges and on small triangles as elsewhere.
+#include "host/distribution/surfaces/relaxed_surface.hpp"
+
+#include "host/distribution/surfaces/surface_neighbours.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+#include "host/sampling/surfaces/surface_elimination.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/point_patterns.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+std::vector<SurfacePoint> uniform_on(const FixedSurface& surface, std::size_t count, std::uint64_t seed = 1)
+{
+    return surface_candidates(surface, count, stream_key(seed, Purpose::surface_candidates, 7));
+}
+
+RelaxedSurface pushed(const FixedSurface& surface, std::vector<SurfacePoint> points, std::uint32_t iterations,
+                      double angle = 120)
+{
+    MeshPointSettings settings;
+    settings.method = SurfaceMethod::gaussian;
+    settings.iterations = iterations;
+    settings.normal_angle = angle;
+    return descend_on_surface(surface, std::move(points), settings, {});
+}
+
+/// The cube of side 1 with outward faces of n x n squares.
+TriangleMesh cube_mesh(std::uint32_t n)
+{
+    TriangleMesh cube;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double height : {0.0, 1.0}) {
+            const TriangleMesh face = square_mesh(n);
+            const auto first = static_cast<std::uint32_t>(cube.vertices.size());
+            for (const MeshPoint& v : face.vertices) {
+                MeshPoint& place = cube.vertices.emplace_back();
+                place[axis] = height;
+                place[(axis + 1) % 3] = v[0];
+                place[(axis + 2) % 3] = v[1];
+            }
+            for (const auto& [a, b, c] : face.triangles)
+                cube.triangles.push_back(height > 0 ? MeshTriangle{first + a, first + b, first + c}
+                                                    : MeshTriangle{first + a, first + c, first + b});
+        }
+    return cube;
+}
+
+TEST(GaussiansOnSurfaces, HaveEnergiesThatFall)
+{
+    const FixedSurface sphere = fixed_surface(sphere_mesh(20));
+    const RelaxedSurface found = pushed(sphere, uniform_on(sphere, 400), 60);
+    ASSERT_EQ(found.energies.size(), 61U);
+    for (std::size_t i = 1; i < found.energies.size(); ++i)
+        EXPECT_LE(found.energies[i], found.energies[i - 1] + 1e-4) << "step " << i;
+    EXPECT_LT(found.energies.back(), 0.01); // of even sets: exponentially small
+}
+
+TEST(GaussiansOnSurfaces, SpaceThePointsAsInThePlane)
+{
+    constexpr std::size_t count = 1000;
+    std::mt19937_64 random(2);
+    GaussianRequest request{.iterations = 100};
+    request.step = usual_gaussian_step(1, 2);
+    const PointSet flat = reference::descend(test::random_points_32(count, 2, random), request).points;
+    double mean = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        double least = INFINITY;
+        for (std::size_t j = 0; j < count; ++j) {
+            double dx = std::abs(flat[i][0] - flat[j][0]), dy = std::abs(flat[i][1] - flat[j][1]);
+            dx = std::min(dx, 1 - dx), dy = std::min(dy, 1 - dy);
+            if (i != j) least = std::min(least, std::hypot(dx, dy));
+        }
+        mean += least / count;
+    }
+    const FixedSurface sphere = fixed_surface(sphere_mesh(40));
+    const auto points = pushed(sphere, uniform_on(sphere, count), 100).points;
+    const double spaced =
+        surface_distances(sphere, points, least_cosine(120), sphere.area).mean_nearest / std::sqrt(sphere.area);
+    EXPECT_NEAR(spaced / mean, 1, 0.02); // each mean errs by less than 0.004
+}
+
+/// Strips along borders and edges have their share of the points.
+TEST(GaussiansOnSurfaces, AreAsDenseBesideEdgesAsElsewhere)
+{
+    constexpr std::size_t count = 1500, sets = 4;
+    const FixedSurface square = fixed_surface(square_mesh(3)), cube = fixed_surface(cube_mesh(2));
+    double of_square = 0, of_cube = 0;
+    for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+        const PointSet flat = points_of(square, pushed(square, uniform_on(square, count, seed), 60).points);
+        const PointSet solid = points_of(cube, pushed(cube, uniform_on(cube, count, seed), 60).points);
+        const double on_square = 1.5 / std::sqrt(count), on_cube = 1.5 * std::sqrt(6.0 / count);
+        const auto rim = [](double c, double width) { return c < width || c > 1 - width; };
+        std::size_t near_rim = 0, near_edge = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            near_rim += rim(flat[i][0], on_square) || rim(flat[i][1], on_square);
+            int walls = 0; // a point of a face lies on one of them, beside an edge near another one
+            for (std::size_t k = 0; k < 3; ++k) walls += rim(solid[i][k], on_cube);
+            near_edge += walls >= 2;
+        }
+        const auto share = [](double width) { return 1 - (1 - 2 * width) * (1 - 2 * width); };
+        of_square += static_cast<double>(near_rim) / count / share(on_square) / sets;
+        of_cube += static_cast<double>(near_edge) / count / share(on_cube) / sets;
+    }
+    EXPECT_NEAR(of_square, 1, 0.06);
+    EXPECT_NEAR(of_cube, 1, 0.06);
+}
+
+TEST(GaussiansOnSurfaces, DoNotDependOnTheNumberOfThreads)
+{
+    const FixedSurface sphere = fixed_surface(sphere_mesh(8));
+    std::vector<RelaxedSurface> found;
+    for (const std::size_t threads : {1, 2, 4}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        found.push_back(pushed(sphere, uniform_on(sphere, 300), 5));
+    }
+    for (const RelaxedSurface& other : found) {
+        EXPECT_EQ(other.energies, found[0].energies);
+        EXPECT_EQ(std::memcmp(other.points.data(), found[0].points.data(), 300 * sizeof(SurfacePoint)), 0);
+    }
+}
+
+TEST(GaussiansOnSurfaces, OfFewPointsStay)
+{
+    const FixedSurface square = fixed_surface(square_mesh(1));
+    for (const std::size_t count : {1, 2, 3}) {
+        const RelaxedSurface found = pushed(square, uniform_on(square, count), 3);
+        EXPECT_EQ(found.points.size(), count);
+        for (const double energy : found.energies) EXPECT_TRUE(std::isfinite(energy));
+    }
+}
+
+}
+}
