@@ -13,14 +13,14 @@ from device_section import device_sections
 HEAD = """# Performance
 
 Made by `./lab bench --page`, on {date}, on {machine}, without a graphics card: kernels run
-on the processor, by PoCL. Run it for numbers of your own machine; ratios keep better than times. Benchmarks that miss their
+on the processor, by PoCL. Run it on your own machine to get its numbers; ratios vary less between machines than times. Benchmarks that miss their
 target are marked.
 
-Kernels are held against what a program does without them: a plain sequential loop, the laboratory's own reference, CGAL, voro++,
-FFTW. A ratio of 5 means that the other takes five times as long.
+Kernels are compared with programs that do without them: a plain sequential loop, the laboratory's own reference, CGAL, voro++ and
+FFTW. A ratio of 5 means that the other program takes five times as long.
 
-`./lab bench --device NAME --short` tests another device and adds a section about it at the end, in eight minutes at most: what
-plain kernels come to there, and methods beside that.
+`./lab bench --device NAME --short` tests another device and adds a section about it at the end of this page, in at most eight
+minutes. The section compares the methods with the bandwidth and arithmetic that simple kernels reach on that device.
 """
 
 # A heading, and the words by which its ratios are known; the first that fits has a ratio.
