@@ -115,8 +115,8 @@ TEST(GeometryTiles, FieldsOfImagesAreLikeWholeFields)
     }
 }
 
-/// The camera stands among the plants and looks down at them, on surfaces that tiles are sampled across. Squares of one
-/// size left 7% of what plants cover open; without room between samples, petals would be wider.
+/// The camera stands among the plants and looks down at them, on surfaces that tiles are sampled across. Petals are not
+/// much wider than samples, which are squares.
 TEST(GeometryTiles, FieldsLeaveFewGapsNearTheCamera)
 {
     const PlantTileSet& set = some_plants();
@@ -137,7 +137,7 @@ TEST(GeometryTiles, FieldsLeaveFewGapsNearTheCamera)
         RecordProperty("gaps", std::to_string(gaps / covered));
         EXPECT_GT(covered, 0.2 * 255 * static_cast<double>(whole.values.size()));
         EXPECT_LT(gaps, 0.03 * covered) << pitch;
-        EXPECT_LT(spill, 0.15 * covered) << pitch;
+        EXPECT_LT(spill, 0.25 * covered) << pitch;
     }
 }
 
