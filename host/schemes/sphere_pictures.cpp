@@ -24,8 +24,8 @@ std::array<UnitVector, 3> view_axes()
     return {{{-s, c, 0}, {-sh * c, -sh * s, ch}, {ch * c, ch * s, sh}}};
 }
 
-/// What is seen at a place of the globes' picture, in pixels from its lower left corner: to the right, up and towards
-/// the viewer on the unit sphere. There is nothing outside of it.
+/// Finds what is seen at a place of the globes' picture, in pixels from its lower left corner: to the right, up and
+/// towards the viewer on the unit sphere. There is nothing outside of it.
 std::optional<UnitVector> seen_on_globe(double x, double y)
 {
     const double u = (x - (x < picture_width / 2.0 ? 0.25 : 0.75) * picture_width) / globe_radius,

@@ -26,7 +26,7 @@ struct SphericalTileSettings
     std::string group = "532";
     int n = 5;                             ///< of 22n, *22n and 2*n; at least 2
     std::array<double, 3> corner{1, 1, 1}; ///< weights of the three centres: where their edges meet
-    std::vector<PlaneCurve> curves = {};        ///< of the edges to the centres, which are (1, 0); none: straight
+    std::vector<PlaneCurve> curves = {};   ///< of the edges to the centres, which are (1, 0); none: straight
     std::optional<TileSplit> split = {};
 };
 

@@ -26,7 +26,7 @@ constexpr double most_area = 3.9;
 
 std::uint8_t byte_of(double part) { return static_cast<std::uint8_t>(std::clamp(part, 0.0, 255.0)); }
 
-/// What a sample of a triangle knows of its surface.
+/// Makes a sample that knows the surface of its triangle.
 DepthSample sample_of_surface(const LitPlant& plant, const MeshTriangle& t, const DepthView& view)
 {
     const auto place = [&](std::size_t i) -> const MeshPoint& { return plant.vertices[t[i]].place; };

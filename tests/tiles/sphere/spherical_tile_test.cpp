@@ -67,7 +67,7 @@ double solid_angle(const SphericalPolygon& p)
     return sum - whole * std::floor(sum / whole);
 }
 
-/// How often a polygon goes around a place less how often around the opposite place.
+/// The number of times that a polygon goes around a place, less that around the opposite place.
 double turns_around(const SphericalPolygon& polygon, const UnitVector& place)
 {
     double sum = 0;

@@ -158,7 +158,7 @@ TEST(GeometryTiles, SamplesKnowHowLargeTheirSurfaceLooks)
     EXPECT_EQ(unknown.side_from({0, 0, 1}), 1);
 }
 
-/// Of two places on a ray from an eye anywhere, the farther one is drawn first.
+/// The farther one of two places on a ray from an eye anywhere is drawn first.
 TEST(GeometryTiles, SamplesAreDrawnFromTheFarthestOn)
 {
     std::mt19937 random(3);
