@@ -31,7 +31,7 @@ set(lab_needs_of_surface_spectra surfaces)
 set(lab_needs_of_surface_textures distributions textures surfaces)
 set(lab_needs_of_geometry_tiles distributions surfaces)
 set(lab_needs_of_recursive_tiles distributions other_tiles)
-set(lab_needs_of_sphere other_tiles distributions surface_spectra)
+set(lab_needs_of_sphere other_tiles distributions surface_spectra tilings)
 
 set(POISSONLAB_MODULES all CACHE STRING "The modules of the program: all, or some of ${lab_all_modules}")
 set(lab_modules_of_program ${POISSONLAB_MODULES})

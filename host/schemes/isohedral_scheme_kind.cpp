@@ -13,23 +13,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto curves_allowed = "a list of curves, each a list of points [x, y] from -100 to 100";
-
-/// curves = [[[0.3, 0.1], [0.7, -0.1]], ...]: the points of each between (0, 0) and (1, 0).
-std::vector<PlaneCurve> curves_of(const Keys& keys, const ConfigNode& node)
-{
-    const auto refused = [&] { return keys.invalid("curves", std::string("must be ") + curves_allowed); };
-    const auto* curves = node.get_if<ConfigList>();
-    if (!curves) throw refused();
-    std::vector<PlaneCurve> all;
-    for (const ConfigNode& curve : *curves) {
-        const auto read = curve_of_node(curve);
-        if (!read) throw refused();
-        all.push_back(*read);
-    }
-    return all;
-}
-
 /// A list of `count` colours, each below `colors`; where it is not given, they are 0.
 std::vector<std::uint32_t> read_colors_of(const ConfigTable& entries, const char* key, std::size_t count,
                                           std::uint32_t colors)
@@ -96,9 +79,7 @@ void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
                    s.parameters.deformations = *numbers;
                })
         .otherwise("those of the Laves tiling");
-    keys.value("curves", curves_allowed, "the points of curves between (0, 0) and (1, 0)",
-               [&](const ConfigNode& node) { s.parameters.curves = curves_of(keys, node); })
-        .otherwise("straight");
+    curve_keys(keys, s.parameters.curves);
     for (const char* const key : {"parameters", "curves"})
         if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "cannot be combined with random = true");
     const std::size_t given = s.parameters.deformations.size(), needed = type.shape.parameters();
@@ -107,33 +88,6 @@ void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
     if (s.parameters.curves.size() > type.shape.curve_shapes.size())
         throw keys.invalid("curves",
                            fmt::format("must be at most {} for IH{}", type.shape.curve_shapes.size(), type.number));
-}
-
-/// The path that divides a tile.
-void split_keys(Keys& keys, IsohedralSettings& s)
-{
-    constexpr auto allowed = "two corners of the tile, [0, 2]";
-    keys.value("split", allowed, "the corners that a path joins, which divides the tile in two",
-               [&](const ConfigNode& node) {
-                   const auto corners = numbers_of_list(node);
-                   const auto is_corner = [](double x) { return x == std::floor(x) && x >= 0 && x < 6; };
-                   if (!corners || corners->size() != 2 || !std::ranges::all_of(*corners, is_corner))
-                       throw keys.invalid("split", std::string("must be ") + allowed);
-                   s.split.emplace();
-                   s.split->from = static_cast<std::size_t>((*corners)[0]);
-                   s.split->to = static_cast<std::size_t>((*corners)[1]);
-               })
-        .otherwise("tiles are whole")
-        .excludes("coloring")
-        .excludes("random");
-    keys.value("split_curve", "[[0.3, 0.1], [0.7, -0.1]]", "the points of the path between (0, 0) and (1, 0)",
-               [&](const ConfigNode& node) {
-                   const auto path = curve_of_node(node);
-                   if (!path) throw keys.invalid("split_curve", "must be a list of points, such as [[0.3, 0.1]]");
-                   if (s.split) s.split->path = *path;
-               })
-        .otherwise("straight")
-        .only_if(s.split.has_value(), "split");
 }
 
 void isohedral_keys(Keys& keys, IsohedralSettings& s)
@@ -153,7 +107,7 @@ void isohedral_keys(Keys& keys, IsohedralSettings& s)
                    s.rows = (*size)[1];
                })
         .otherwise("[10, 10]");
-    split_keys(keys, s);
+    split_keys(keys, s.split, {"coloring", "random"});
     if (keys.is_read()) keys.check([&] { tile_of(s, 1); });
     if (keys.is_read() && s.split) keys.check("split", [&] { split_tile(tile_of(s, 1), *s.split); });
 }

@@ -5,11 +5,12 @@
 
 #include "base/programs/interrupt.hpp"
 #include "host/schemes/scheme_settings.hpp"
-#include "host/settings/config_tree.hpp"
+#include "host/settings/keys/keys.hpp"
 #include "results/pictures/distribution_files.hpp"
 #include "results/statistic.hpp"
 #include "tiles/isohedral/isohedral_tile.hpp"
 #include "tiles/prototiles/polygon_tiling.hpp"
+#include "tiles/sphere/spherical_tile.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -49,6 +50,12 @@ std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list, doubl
 /// The curve of a list of points [x, y], with (0, 0) before and (1, 0) after them; nothing for any other value.
 std::optional<PlaneCurve> curve_of_node(const ConfigNode& list);
 
+/// The key `curves` = [[[0.3, 0.1], [0.7, -0.1]], ...]: the points of each between (0, 0) and (1, 0).
+void curve_keys(Keys& keys, std::vector<PlaneCurve>& curves);
+
+/// The keys `split` and `split_curve`: the path that divides a tile. It excludes other keys.
+void split_keys(Keys& keys, std::optional<TileSplit>& split, const std::vector<std::string>& excluded = {});
+
 /// The tile that the settings say. Throws InputError for parameters that it cannot have.
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);
 
@@ -72,6 +79,7 @@ DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64
 DistributionResult make_substitution(const SubstitutionSettings& settings, DistributionFiles& files);
 DistributionResult make_periodic(const PeriodicSettings& settings, DistributionFiles& files);
 DistributionResult make_bricks(const BrickSettings& settings, DistributionFiles& files);
+DistributionResult make_spherical(const SphericalTileSettings& settings, DistributionFiles& files);
 DistributionResult make_surface(const SurfaceSettings& settings, std::uint64_t seed, DistributionFiles& files);
 
 }

@@ -17,8 +17,8 @@ namespace {
 using Point = std::array<double, 2>;
 
 Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+double plane_cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
+double plane_dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 /// The corners of a patch as numbers, and which lie within an edge.
 class PatchVertices
@@ -59,7 +59,7 @@ public:
                 const auto cell = cells_.find({x, y});
                 if (cell == cells_.end()) continue;
                 for (const std::size_t v : cell->second) {
-                    const double part = dot(difference(points_[v], points_[a]), along) / dot(along, along);
+                    const double part = plane_dot(difference(points_[v], points_[a]), along) / plane_dot(along, along);
                     if (v != a && v != b && part > 0 && part < 1 && is_on_line(a, b, v)) found.emplace_back(part, v);
                 }
             }
@@ -82,7 +82,7 @@ private:
     bool is_on_line(std::size_t a, std::size_t b, std::size_t v) const
     {
         const Point along = difference(points_[b], points_[a]), to = difference(points_[v], points_[a]);
-        if (std::abs(cross(along, to)) > 1e-3 * dot(along, along)) return false;
+        if (std::abs(plane_cross(along, to)) > 1e-3 * plane_dot(along, along)) return false;
         const RootRing& ring = tiling_.ring;
         return ring.is_real(ring.times(ring.conjugate(places_[b] - places_[a]), places_[v] - places_[a]));
     }
@@ -140,7 +140,7 @@ private:
             for (std::size_t i = 0; i < corners_.back().size(); ++i) {
                 const Point side = difference(vertices_.point(corners_.back()[i]),
                                               vertices_.point(corners_.back()[(i + 1) % corners_.back().size()]));
-                longest = std::max(longest, std::sqrt(dot(side, side)));
+                longest = std::max(longest, std::sqrt(plane_dot(side, side)));
             }
         }
         vertices_.sort_into_cells(longest);
@@ -218,7 +218,7 @@ private:
     {
         const Point a = difference(vertices_.point(from), vertices_.point(v));
         const Point b = difference(vertices_.point(to), vertices_.point(v));
-        const double angle = std::atan2(cross(a, b), dot(a, b));
+        const double angle = std::atan2(plane_cross(a, b), plane_dot(a, b));
         return angle > 0 ? angle : angle + 2 * std::numbers::pi;
     }
 

@@ -7,6 +7,7 @@
 #include "base/programs/cache_folder.hpp"
 #include "base/random/random.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
+#include "host/distribution/geometry_tiles/picture_difference.hpp"
 #include "host/distribution/geometry_tiles/plant_field.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -157,33 +158,6 @@ std::optional<Terrain> field_terrain(const GeometryTileSettings& s)
     return terrain_of(instances);
 }
 
-/// Differences of pictures: the mean over channels, the root of the mean square, and their picture, darker for more.
-struct PictureDifference
-{
-    double mean = 0, root_mean_square = 0;
-    double signed_mean = 0; ///< of the first picture less the second
-    PngPixels picture;
-};
-
-PictureDifference difference_of(const PngPixels& a, const PngPixels& b)
-{
-    PictureDifference d;
-    d.picture = a;
-    double squares = 0;
-    for (std::size_t i = 0; i < a.values.size(); ++i) {
-        const int difference = std::abs(a.values[i] - b.values[i]);
-        d.signed_mean += a.values[i] - b.values[i];
-        d.mean += difference;
-        squares += difference * difference;
-        d.picture.values[i] = static_cast<std::uint8_t>(255 - std::min(255, 2 * difference));
-    }
-    const auto count = static_cast<double>(a.values.size());
-    d.mean /= count;
-    d.signed_mean /= count;
-    d.root_mean_square = std::sqrt(squares / count);
-    return d;
-}
-
 DistributionTable cost_table(const std::vector<FieldCost>& costs)
 {
     DistributionTable table{"Work by distance",
@@ -243,12 +217,14 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
     };
     const PngPixels layered = field.layered(images), whole = field.whole();
     const PictureDifference difference = difference_of(layered, whole);
+    const auto [gaps, spill] =
+        cover_errors(field.layered(images, FieldColors::cover), field.whole(0, FieldColors::cover));
     const PictureDifference aliasing = difference_of(field.whole(0.5), whole);
     add("field.png", layered,
         "The field, by layered depth images of its tiles, drawn from the farthest to the nearest.");
     add("whole.png", whole, "The whole scene: all triangles of all plants.");
     add("difference.png", difference.picture, "Twice the difference of both, darker for more.");
-    add("levels.png", field.layered(images, true),
+    add("levels.png", field.layered(images, FieldColors::levels),
         "Levels of detail: red, yellow, green, cyan, blue, violet, orange, from the finest.");
     add("plan.png", field.plan(),
         "The tiles that may be seen, from above, in the colours of their levels; every other direction is darker.");
@@ -274,6 +250,8 @@ DistributionResult make_geometry_tiles(const GeometryTileSettings& s, std::uint6
         {"root_mean_square", "Root mean square", difference.root_mean_square, "of the same differences"},
         {"brightness", "Brightness", difference.signed_mean,
          "of 255: how much brighter the field is than the whole scene, on average"},
+        {"gaps", "Gaps", gaps, "part of what plants cover in the whole scene that the field leaves open"},
+        {"spill", "Spill", spill, "what the field covers beside it, over what plants cover"},
         {"aliasing", "Aliasing", aliasing.mean,
          "mean difference of the whole scene from itself, moved by half a sample"},
         {"aliasing_square", "Aliasing, root mean square", aliasing.root_mean_square, "of the same differences"}};

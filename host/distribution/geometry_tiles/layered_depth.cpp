@@ -21,7 +21,22 @@ struct PlacedSample
     DepthSample sample;
 };
 
+/// A sample stands for so many pixels of surface at most: surfaces that are nearly seen from their edge have others.
+constexpr double most_area = 3.9;
+
 std::uint8_t byte_of(double part) { return static_cast<std::uint8_t>(std::clamp(part, 0.0, 255.0)); }
+
+/// Makes a sample that knows the surface of its triangle.
+DepthSample sample_of_surface(const LitPlant& plant, const MeshTriangle& t, const DepthView& view)
+{
+    const auto place = [&](std::size_t i) -> const MeshPoint& { return plant.vertices[t[i]].place; };
+    const MeshPoint normal = unit(cross(difference(place(1), place(0)), difference(place(2), place(0))));
+    const double sign = normal[2] < 0 ? -127 : 127;
+    DepthSample sample;
+    sample.area = byte_of(64 * std::min(most_area, 1 / std::max(std::abs(dot(normal, view.back)), 0.01)));
+    for (std::size_t k = 0; k < 2; ++k) sample.normal[k] = static_cast<std::int8_t>(std::lround(sign * normal[k]));
+    return sample;
+}
 
 LayeredDepthImage empty_image(const DepthView& view, int level, std::uint32_t resolution)
 {
@@ -48,6 +63,13 @@ void set_samples(LayeredDepthImage& image, std::vector<PlacedSample> placed)
     for (std::size_t i = 1; i < image.first.size(); ++i) image.first[i] += image.first[i - 1];
 }
 
+}
+
+double DepthSample::side_from(const MeshPoint& direction) const
+{
+    if (area == 0) return 1;
+    const double x = normal[0] / 127.0, y = normal[1] / 127.0, z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
+    return std::sqrt(area / 64.0 * std::abs(dot({x, y, z}, direction)));
 }
 
 MeshPoint DepthView::seen(const MeshPoint& place) const
@@ -98,6 +120,7 @@ LayeredDepthImage depth_picture(const std::vector<LitPlant>& plants, const Depth
         for (const MeshTriangle& t : plant.model->triangles) {
             std::array<FillCorner, 3> corners;
             for (std::size_t i = 0; i < 3; ++i) corners[i] = {seen[t[i]][0] / image.pixel, seen[t[i]][1] / image.pixel};
+            const DepthSample of_surface = sample_of_surface(plant, t, view);
             fill_triangle(corners, {image.columns, 0, image.rows},
                           [&](int column, int row, const std::array<double, 3>& w) {
                               std::array<double, 6> mean{}; // x, y and colour
@@ -114,6 +137,7 @@ LayeredDepthImage depth_picture(const std::vector<LitPlant>& plants, const Depth
                                           static_cast<std::size_t>(column)];
                               const bool is_above_tile = mean[0] >= 0 && mean[0] < 1 && mean[1] >= 0 && mean[1] < 1;
                               if (!is_above_tile || static_cast<float>(depth) >= sample.depth) return;
+                              sample = of_surface;
                               sample.depth = static_cast<float>(depth);
                               sample.plant = static_cast<std::uint16_t>(number);
                               for (std::size_t k = 0; k < 3; ++k) sample.color[k] = byte_of(255 * mean[2 + k] + 0.5);
@@ -205,7 +229,7 @@ LayeredDepthImage coarser(const LayeredDepthImage& finest, int level)
         }
         for (double& s : sum) s /= static_cast<double>(end - begin);
         const Member& m = members[begin];
-        PlacedSample one{m.pixel, {static_cast<float>(sum[2]), {}, 0, 0, m.sample->plant, covered}};
+        PlacedSample one{m.pixel, {.depth = static_cast<float>(sum[2]), .plant = m.sample->plant, .covered = covered}};
         one.sample.right = byte_of(256 * (sum[0] - static_cast<int>(m.pixel) % image.columns));
         one.sample.up = byte_of(256 * (sum[1] - static_cast<int>(m.pixel) / image.columns));
         for (std::size_t k = 0; k < 3; ++k) one.sample.color[k] = byte_of(sum[3 + k] + 0.5);

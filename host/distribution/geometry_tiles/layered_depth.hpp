@@ -9,7 +9,9 @@
 
 #include "host/distribution/geometry_tiles/plant_tiles.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,11 +37,17 @@ struct DepthSample
 {
     float depth = 0; ///< tiles behind the view's origin
     std::array<std::uint8_t, 3> color{};
-    std::uint8_t right = 128, up = 128; ///< in its pixel, in parts of 256
-    std::uint16_t plant = 0;            ///< its number in the tile
-    std::uint16_t covered = 1;          ///< pixels of level 0 that it covers of those in its pixel
+    std::uint8_t right = 128, up = 128;  ///< in its pixel, in parts of 256
+    std::uint8_t area = 0;               ///< of surface that it stands for, in 64ths of a pixel; 0: unknown
+    std::array<std::int8_t, 2> normal{}; ///< x and y of the surface's, in 127ths; z is not below 0
+    std::uint16_t plant = 0;             ///< its number in the tile
+    std::uint16_t covered = 1;           ///< pixels of level 0 that it covers of those in its pixel
 
     bool operator==(const DepthSample&) const = default;
+
+    /// The side of a square as large as the surface that it stands for looks from a direction of length 1, over that of
+    /// a pixel; 1 where that is not known.
+    double side_from(const MeshPoint& direction) const;
 };
 
 struct LayeredDepthImage
@@ -66,6 +74,32 @@ struct LayeredDepthImage
         return view.place({(column + sample.right / 256.0) * pixel, (row + sample.up / 256.0) * pixel, sample.depth});
     }
 };
+
+/// Calls draw(column, row, sample) for all samples, so that none hides a later one from an eye, whose place is as
+/// DepthView::seen() has it. McMillan, An image-based approach to three-dimensional computer graphics, 1997, section
+/// 3.3, for a parallel projection: along a ray from the eye, pixels lead away from the one in which the eye is seen.
+/// Within a pixel, rays lead to greater depths from those of the eye, or to smaller ones.
+template <class Draw>
+void draw_from_farthest(const LayeredDepthImage& image, const MeshPoint& eye, Draw draw)
+{
+    const auto order = [&](double middle, int count) {
+        std::vector<int> numbers;
+        const int turn = static_cast<int>(std::clamp(std::floor(middle / image.pixel), -1.0, count - 1.0));
+        for (int i = 0; i < turn; ++i) numbers.push_back(i);
+        for (int i = count - 1; i > turn; --i) numbers.push_back(i);
+        if (turn >= 0) numbers.push_back(turn);
+        return numbers;
+    };
+    const std::vector<int> columns = order(eye[0], image.columns);
+    for (const int row : order(eye[1], image.rows))
+        for (const int column : columns) {
+            const std::span<const DepthSample> samples = image.at(column, row);
+            std::size_t behind = 0;
+            while (behind < samples.size() && static_cast<double>(samples[behind].depth) >= eye[2])
+                draw(column, row, samples[behind++]);
+            for (std::size_t i = samples.size(); i > behind; --i) draw(column, row, samples[i - 1]);
+        }
+}
 
 /// A plant of a tile, ready to be sampled.
 struct LitPlant

@@ -39,6 +39,14 @@ struct FieldCost
     std::uint64_t tiles = 0, samples = 0, triangles = 0;
 };
 
+/// The colours of a field's picture.
+enum class FieldColors
+{
+    lit,    ///< plants and ground in sunlight and haze
+    levels, ///< plants in a colour for each level
+    cover   ///< white plants before black
+};
+
 class PlantField
 {
 public:
@@ -53,10 +61,10 @@ public:
     std::vector<LayeredTiles::Key> needed() const;
 
     /// All triangles of all plants that may be seen; samples are moved by a part of their distance.
-    PngPixels whole(double moved = 0) const;
+    PngPixels whole(double moved = 0, FieldColors colors = FieldColors::lit) const;
 
-    /// Layered depth images of tiles; with `by_level` in a colour for each level.
-    PngPixels layered(const LayeredTiles& images, bool by_level = false) const;
+    /// Layered depth images of tiles.
+    PngPixels layered(const LayeredTiles& images, FieldColors colors = FieldColors::lit) const;
 
     /// Tiles, samples and triangles by distance: band k has those from 2^k to 2^(k + 1) tiles away, band 0 nearer ones.
     std::vector<FieldCost> costs(const LayeredTiles& images) const;
@@ -70,9 +78,10 @@ private:
     bool may_be_seen(const FieldTile& tile) const;
     std::array<double, 2> rows_of(const FieldTile& tile) const;
     void choose_tiles();
-    void draw_sky_and_ground(PlantCanvas& canvas, double moved) const;
-    void draw_plants(PlantCanvas& canvas, const FieldTile& tile, double moved) const;
-    void draw_image(PlantCanvas& canvas, const FieldTile& tile, const LayeredDepthImage& image, bool by_level) const;
+    void draw_sky_and_ground(PlantCanvas& canvas, double moved, FieldColors colors) const;
+    void draw_plants(PlantCanvas& canvas, const FieldTile& tile, double moved, FieldColors colors) const;
+    void draw_image(PlantCanvas& canvas, const FieldTile& tile, const LayeredDepthImage& image,
+                    FieldColors colors) const;
     ScreenColor hazy(const ScreenColor& color, double depth) const;
     template <class Draw>
     PngPixels picture(Draw draw) const;

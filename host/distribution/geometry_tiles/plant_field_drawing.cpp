@@ -11,10 +11,12 @@
 namespace poissonlab {
 namespace {
 
-constexpr int rows_at_once = 54;   ///< of samples, drawn by one thread
-constexpr double splat_size = 1.2; ///< sides of squares, in distances of samples
+constexpr int rows_at_once = 54;                  ///< of samples, drawn by one thread
+constexpr double splat_size = 1.2;                ///< sides of squares, in distances of samples
+constexpr double least_side = 0.8, most_side = 2; ///< of surfaces in pixels: thin ones hide no more than they are
 
-constexpr ScreenColor soil{0.2F, 0.27F, 0.09F}, haze_color{0.74F, 0.82F, 0.9F}, zenith{0.33F, 0.55F, 0.86F};
+constexpr ScreenColor soil{0.2F, 0.27F, 0.09F}, haze_color{0.74F, 0.82F, 0.9F}, white{1, 1, 1},
+    zenith{0.33F, 0.55F, 0.86F};
 
 }
 
@@ -23,13 +25,15 @@ ScreenColor PlantField::hazy(const ScreenColor& color, double depth) const
     return blend(color, haze_color, depth / (depth + settings_.haze));
 }
 
-void PlantField::draw_sky_and_ground(PlantCanvas& canvas, double moved) const
+void PlantField::draw_sky_and_ground(PlantCanvas& canvas, double moved, FieldColors colors) const
 {
+    const bool is_cover = colors == FieldColors::cover;
     for (int row = canvas.first_row; row < canvas.last_row; ++row)
         for (int column = 0; column < columns_; ++column) {
             const MeshPoint d{0, (row + 0.5 - rows_ / 2.0) / focal_, 1};
             const double up = ahead_[2] * d[2] + down_[2] * d[1];
-            canvas.colors[canvas.at(column, row)] = blend(haze_color, zenith, std::clamp(2 * up, 0.0, 1.0));
+            canvas.colors[canvas.at(column, row)] =
+                is_cover ? ScreenColor{} : blend(haze_color, zenith, std::clamp(2 * up, 0.0, 1.0));
         }
     for (const FieldTile& tile : seen_) {
         stop_if_interrupted();
@@ -52,14 +56,16 @@ void PlantField::draw_sky_and_ground(PlantCanvas& canvas, double moved) const
                 const double light = 0.45 + 0.75 * light_through(normal);
                 const ScreenColor lit{static_cast<float>(soil[0] * light), static_cast<float>(soil[1] * light),
                                       static_cast<float>(soil[2] * light)};
-                const auto color = [&](const std::array<double, 3>&, double depth) { return hazy(lit, depth); };
+                const auto color = [&](const std::array<double, 3>&, double depth) {
+                    return is_cover ? ScreenColor{} : hazy(lit, depth);
+                };
                 canvas.triangle({screen[j][i], screen[j][i + 1], screen[j + 1][i + 1]}, color);
                 canvas.triangle({screen[j][i], screen[j + 1][i + 1], screen[j + 1][i]}, color);
             }
     }
 }
 
-void PlantField::draw_plants(PlantCanvas& canvas, const FieldTile& tile, double moved) const
+void PlantField::draw_plants(PlantCanvas& canvas, const FieldTile& tile, double moved, FieldColors colors) const
 {
     std::vector<LitVertex> vertices;
     std::vector<MeshPoint> screen;
@@ -77,6 +83,7 @@ void PlantField::draw_plants(PlantCanvas& canvas, const FieldTile& tile, double 
         for (const MeshTriangle& t : model.triangles)
             canvas.triangle({screen[t[0]], screen[t[1]], screen[t[2]]},
                             [&](const std::array<double, 3>& w, double depth) {
+                                if (colors == FieldColors::cover) return white;
                                 ScreenColor color{};
                                 for (std::size_t k = 0; k < 3; ++k) {
                                     double sum = 0;
@@ -90,8 +97,9 @@ void PlantField::draw_plants(PlantCanvas& canvas, const FieldTile& tile, double 
 }
 
 void PlantField::draw_image(PlantCanvas& canvas, const FieldTile& tile, const LayeredDepthImage& image,
-                            bool by_level) const
+                            FieldColors colors) const
 {
+    const bool by_level = colors == FieldColors::levels;
     const std::vector<Plant>& plants = set_.plants[tile.tile];
     std::vector<double> feet;
     for (const Plant& plant : plants) feet.push_back(ground(tile.x + plant.x, tile.y + plant.y));
@@ -100,49 +108,38 @@ void PlantField::draw_image(PlantCanvas& canvas, const FieldTile& tile, const La
     const double plane = ground(x, y) + east * (ground(x + 0.5, y) - ground(x - 0.5, y)) +
                          north * (ground(x, y + 0.5) - ground(x, y - 0.5));
     const MeshPoint eye = image.view.seen({east, north, eye_[2] - plane});
-    const auto order = [&](double middle, int count) { // from both ends to the pixel in which the camera is seen
-        std::vector<int> numbers;
-        const int turn = static_cast<int>(std::clamp(std::floor(middle / image.pixel), -1.0, count - 1.0));
-        for (int i = 0; i <= turn; ++i) numbers.push_back(i);
-        for (int i = count - 1; i > turn; --i) numbers.push_back(i);
-        return numbers;
-    };
-    const std::vector<int> columns = order(eye[0], image.columns), rows = order(eye[1], image.rows);
-    for (const int row : rows)
-        for (const int column : columns)
-            for (const DepthSample& s : image.at(column, row)) {
-                const MeshPoint p = image.place(column, row, s);
-                const MeshPoint seen = on_screen({p[0] + x, p[1] + y, p[2] + feet[s.plant]});
-                if (seen[2] < least_depth) continue;
-                const double half = splat_size / 2 * focal_ * image.pixel / seen[2];
-                const auto ends = [half](double middle, int least, int most) {
-                    int first = static_cast<int>(std::ceil(std::clamp<double>(middle - half - 0.5, least - 1, most)));
-                    int last = static_cast<int>(std::floor(std::clamp<double>(middle + half - 0.5, least - 1, most)));
-                    if (first > last)
-                        first = last = static_cast<int>(std::floor(std::clamp<double>(middle, least - 1, most)));
-                    return std::array{std::max(first, least), std::min(last, most - 1)};
-                };
-                const auto [first_row, last_row] = ends(seen[1], canvas.first_row, canvas.last_row);
-                if (first_row > last_row) continue;
-                const auto [first_column, last_column] = ends(seen[0], 0, canvas.columns);
-                ScreenColor color =
-                    by_level ? plant_level_colors[static_cast<std::size_t>(image.level)] : ScreenColor{};
-                for (std::size_t k = 0; k < 3; ++k)
-                    color[k] = by_level ? color[k] * (0.35F + 0.65F * s.color[1] / 255.0F) : s.color[k] / 255.0F;
-                color = hazy(color, seen[2]);
-                // More of a splat than its sample stands for lets as much more through, unless nothing shines through.
-                const double side = focal_ * image.pixel / seen[2];
-                const double splat = (last_row - first_row + 1.0) * (last_column - first_column + 1.0);
-                const double alpha = 1 - std::pow(1 - image.alpha(s), std::min(1.0, side * side / splat));
-                for (int i = first_row; i <= last_row; ++i)
-                    for (int k = first_column; k <= last_column; ++k) {
-                        const std::size_t place = canvas.at(k, i);
-                        if (seen[2] >= static_cast<double>(canvas.depths[place]) + 1.5 * image.pixel) continue;
-                        canvas.colors[place] = blend(canvas.colors[place], color, alpha);
-                        if (alpha >= 1)
-                            canvas.depths[place] = std::min(canvas.depths[place], static_cast<float>(seen[2]));
-                    }
+    draw_from_farthest(image, eye, [&](int column, int row, const DepthSample& s) {
+        const MeshPoint p = image.place(column, row, s);
+        const MeshPoint seen = on_screen({p[0] + x, p[1] + y, p[2] + feet[s.plant]});
+        if (seen[2] < least_depth) return;
+        const MeshPoint to_eye = unit({eye_[0] - p[0] - x, eye_[1] - p[1] - y, eye_[2] - p[2] - feet[s.plant]});
+        const double half =
+            splat_size / 2 * std::clamp(s.side_from(to_eye), least_side, most_side) * focal_ * image.pixel / seen[2];
+        const auto ends = [half](double middle, int least, int most) {
+            int first = static_cast<int>(std::ceil(std::clamp<double>(middle - half - 0.5, least - 1, most)));
+            int last = static_cast<int>(std::floor(std::clamp<double>(middle + half - 0.5, least - 1, most)));
+            if (first > last) first = last = static_cast<int>(std::floor(std::clamp<double>(middle, least - 1, most)));
+            return std::array{std::max(first, least), std::min(last, most - 1)};
+        };
+        const auto [first_row, last_row] = ends(seen[1], canvas.first_row, canvas.last_row);
+        if (first_row > last_row) return;
+        const auto [first_column, last_column] = ends(seen[0], 0, canvas.columns);
+        ScreenColor color = by_level ? plant_level_colors[static_cast<std::size_t>(image.level)] : ScreenColor{};
+        for (std::size_t k = 0; k < 3; ++k)
+            color[k] = by_level ? color[k] * (0.35F + 0.65F * s.color[1] / 255.0F) : s.color[k] / 255.0F;
+        color = colors == FieldColors::cover ? white : hazy(color, seen[2]);
+        // More of a splat than its sample stands for lets as much more through, unless nothing shines through.
+        const double side = focal_ * image.pixel / seen[2];
+        const double splat = (last_row - first_row + 1.0) * (last_column - first_column + 1.0);
+        const double alpha = 1 - std::pow(1 - image.alpha(s), std::min(1.0, side * side / splat));
+        for (int i = first_row; i <= last_row; ++i)
+            for (int k = first_column; k <= last_column; ++k) {
+                const std::size_t place = canvas.at(k, i);
+                if (seen[2] >= static_cast<double>(canvas.depths[place]) + 1.5 * image.pixel) continue;
+                canvas.colors[place] = blend(canvas.colors[place], color, alpha);
+                if (alpha >= 1) canvas.depths[place] = std::min(canvas.depths[place], static_cast<float>(seen[2]));
             }
+    });
 }
 
 /// Draws bands of rows side by side, and takes the means of samples.
@@ -170,27 +167,27 @@ PngPixels PlantField::picture(Draw draw) const
     return pixels;
 }
 
-PngPixels PlantField::whole(double moved) const
+PngPixels PlantField::whole(double moved, FieldColors colors) const
 {
     return picture([&](PlantCanvas& canvas) {
-        draw_sky_and_ground(canvas, moved);
+        draw_sky_and_ground(canvas, moved, colors);
         for (const FieldTile& tile : seen_) {
             stop_if_interrupted();
             const auto [low, high] = rows_of(tile);
-            if (high >= canvas.first_row && low <= canvas.last_row) draw_plants(canvas, tile, moved);
+            if (high >= canvas.first_row && low <= canvas.last_row) draw_plants(canvas, tile, moved, colors);
         }
     });
 }
 
-PngPixels PlantField::layered(const LayeredTiles& images, bool by_level) const
+PngPixels PlantField::layered(const LayeredTiles& images, FieldColors colors) const
 {
     return picture([&](PlantCanvas& canvas) {
-        draw_sky_and_ground(canvas, 0);
+        draw_sky_and_ground(canvas, 0, colors);
         for (const FieldTile& tile : seen_) {
             stop_if_interrupted();
             const auto [low, high] = rows_of(tile);
             if (high >= canvas.first_row && low <= canvas.last_row)
-                draw_image(canvas, tile, images.at({tile.tile, tile.direction, tile.level}), by_level);
+                draw_image(canvas, tile, images.at({tile.tile, tile.direction, tile.level}), colors);
         }
     });
 }

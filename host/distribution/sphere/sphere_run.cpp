@@ -5,10 +5,10 @@
 #include "base/points/point_file.hpp"
 #include "base/programs/cache_folder.hpp"
 #include "base/text/noun.hpp"
-#include "host/distribution/sphere/sphere_pictures.hpp"
 #include "host/distribution/sphere/sphere_set.hpp"
 #include "host/distribution/surface_spectra/mesh_set_charts.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/schemes/sphere_pictures.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "results/curve_tables.hpp"
 

@@ -1,15 +1,20 @@
 // Schemes of tilings: what they count and draw.
 #include "host/schemes/scheme_run.hpp"
 
+#include "base/images/png_file.hpp"
 #include "host/distribution/tabled_noise.hpp"
 #include "host/schemes/perlin_noise.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/tilings/permutation_hash.hpp"
+#include "tiles/tilings/tile_shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <random>
 
 namespace poissonlab {
@@ -187,6 +192,37 @@ TEST(PerlinNoise, InThePlaneIsMadeOfSlopes)
         EXPECT_EQ(middle * 4, std::round(middle * 4)) << i;
         EXPECT_LE(std::abs(middle), 1) << i;
     }
+}
+
+/// The texture has five colours in equal parts of the sphere: rows of pixels are narrower towards the poles.
+TEST_F(Schemes, SphericalTilingsAreDrawnInEqualPartsOfTheirColors)
+{
+    const SphericalTileSettings settings{.curves = {{{0, 0}, {0.4, 0.1}, {1, 0}}, {{0, 0}, {0.6, -0.1}, {1, 0}}}};
+    const DistributionResult result = made(settings);
+    EXPECT_EQ(number(result, "tiles"), 60);
+    EXPECT_EQ(number(result, "euler"), 2);
+    EXPECT_EQ(number(result, "edges"), 180);
+    EXPECT_EQ(number(result, "corners"), 122);
+    EXPECT_NEAR(number(result, "area_over_sphere"), 1, 1e-12);
+    const PngPixels texture = read_png(folder_.path() / "texture.png");
+    std::map<std::array<int, 3>, double> areas;
+    double whole = 0;
+    for (int y = 0; y < texture.height; ++y)
+        for (int x = 0; x < texture.width; ++x) {
+            const double area = std::cos(((y + 0.5) / texture.height - 0.5) * std::numbers::pi);
+            areas[{texture.values[texture.at(x, y, 0)], texture.values[texture.at(x, y, 1)],
+                   texture.values[texture.at(x, y, 2)]}] += area;
+            whole += area;
+        }
+    double colored = 0;
+    for (Color color = 0; color < 5; ++color) {
+        const auto byte = [&](std::size_t k) { return std::stoi(tile_color(color).substr(1 + 2 * k, 2), nullptr, 16); };
+        const double share = areas[{byte(0), byte(1), byte(2)}] / whole;
+        EXPECT_NEAR(share, 0.2, 0.02) << color; // less its lines
+        colored += share;
+    }
+    EXPECT_GT(colored, 0.9);
+    EXPECT_LT(colored, 1);
 }
 
 }

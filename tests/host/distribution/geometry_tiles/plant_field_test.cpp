@@ -115,6 +115,32 @@ TEST(GeometryTiles, FieldsOfImagesAreLikeWholeFields)
     }
 }
 
+/// The camera stands among the plants and looks down at them, on surfaces that tiles are sampled across. Petals are not
+/// much wider than samples, which are squares.
+TEST(GeometryTiles, FieldsLeaveFewGapsNearTheCamera)
+{
+    const PlantTileSet& set = some_plants();
+    for (const double pitch : {40.0, 80.0}) {
+        FieldSettings settings = small_field();
+        settings.eye = {2.4, 2.2, 1};
+        settings.pitch = pitch;
+        const PlantField field(set, {1, 0}, settings, std::nullopt);
+        LayeredTiles images(set, settings);
+        images.make(field.needed());
+        const PngPixels drawn = field.layered(images, FieldColors::cover), whole = field.whole(0, FieldColors::cover);
+        double covered = 0, gaps = 0, spill = 0;
+        for (std::size_t i = 0; i < whole.values.size(); ++i) {
+            const int more = whole.values[i] - drawn.values[i];
+            covered += whole.values[i];
+            (more > 0 ? gaps : spill) += std::abs(more);
+        }
+        RecordProperty("gaps", std::to_string(gaps / covered));
+        EXPECT_GT(covered, 0.2 * 255 * static_cast<double>(whole.values.size()));
+        EXPECT_LT(gaps, 0.03 * covered) << pitch;
+        EXPECT_LT(spill, 0.25 * covered) << pitch;
+    }
+}
+
 /// In the colours of levels, a pixel is a mean of four colours: those of the near tile, the far one, the ground and the
 /// haze. Its red, green and blue tell the four weights. What is drawn last has the weight that it has without the far
 /// tile; drawn first, it would lose what the far tile covers.
@@ -138,7 +164,7 @@ TEST(GeometryTiles, NearOnesLieOverFarOnes)
         for (const FieldTile& tile : field.seen()) ASSERT_EQ(tile.level, 2 + tile.y);
         LayeredTiles images(set, settings);
         images.make(field.needed());
-        pictures[length - 1] = field.layered(images, true);
+        pictures[length - 1] = field.layered(images, FieldColors::levels);
         whole = field.whole();
     }
     const auto color_of = [](const PngPixels& picture, int column, int row) {

@@ -1,4 +1,4 @@
-// Pictures of points on the sphere: a globe from two sides, and a map of equal areas.
+// Pictures of the sphere, its points and tilings: a globe from two sides, and maps.
 #pragma once
 
 #include "base/images/png_file.hpp"
@@ -15,8 +15,9 @@ namespace poissonlab {
 /// The way in which directions become places of a picture.
 enum class SphereProjection
 {
-    globe,    ///< orthographic, twice: from the front above, and from the other side
-    mollweide ///< equal areas; the middle is longitude 0, east is to the right
+    globe,          ///< orthographic, twice: from the front above, and from the other side
+    mollweide,      ///< equal areas; the middle is longitude 0, east is to the right
+    equirectangular ///< longitude and latitude, as textures of spheres have them; the middle and right as before
 };
 
 /// The colour of a place of the sphere, and a number that differs from that of places across a line.
@@ -26,9 +27,10 @@ struct GroundPlace
     std::uint32_t part = 0;
 };
 
-/// A picture twice as wide as high, white around the sphere, with lines between places of different parts.
-PngPixels sphere_ground(SphereProjection projection,
-                        const std::function<GroundPlace(const SpherePlace& place)>& ground);
+/// A picture twice as wide as high, white around the sphere, with lines between places of different parts. A globe may
+/// stand in light from the upper left, in which lines are darker.
+PngPixels sphere_ground(SphereProjection projection, const std::function<GroundPlace(const SpherePlace& place)>& ground,
+                        bool is_lit = false);
 
 /// The points as dots over that picture, whose file is `ground`; `radius` is that of dots on the unit sphere.
 MarkPicture sphere_dots(SphereProjection projection, const std::vector<SpherePlace>& points, double radius,
