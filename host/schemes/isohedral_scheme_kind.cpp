@@ -136,9 +136,21 @@ void split_keys(Keys& keys, IsohedralSettings& s)
         .only_if(s.split.has_value(), "split");
 }
 
+/// The shape that tiles are to look like.
+void goal_keys(Keys& keys, IsohedralSettings& s)
+{
+    Keys::Said said = keys.region("goal", s.goal,
+                                  "a shape that the tile is to look like: a drawing's file or a description. The "
+                                  "best tile of the type, or of all types, is searched")
+                          .otherwise("none");
+    for (const char* const other : {"random", "parameters", "curves", "coloring", "split"}) said.excludes(other);
+    if (keys.is_read() && !s.goal.empty()) keys.check("goal", [&] { goal_of(s.goal); });
+}
+
 void isohedral_keys(Keys& keys, IsohedralSettings& s)
 {
     keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
+    s.has_type = keys.is_read() && keys.is_given("type");
     const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
     shape_keys(keys, s, type);
     keys.value("coloring", "a table { colors, aspects, steps or permutations }", "the colours of tiles",
@@ -154,6 +166,7 @@ void isohedral_keys(Keys& keys, IsohedralSettings& s)
                })
         .otherwise("[10, 10]");
     split_keys(keys, s);
+    goal_keys(keys, s);
     if (keys.is_read()) keys.check([&] { tile_of(s, 1); });
     if (keys.is_read() && s.split) keys.check("split", [&] { split_tile(tile_of(s, 1), *s.split); });
 }
@@ -165,7 +178,11 @@ Kind isohedral_kind()
     return make_kind<IsohedralSettings>(
         {"scheme", "isohedral", "", "Isohedral tiling", "Draw a tiling of a type with parameters, curves and colours",
          false},
-        isohedral_keys, [](const IsohedralSettings& s) { return fmt::format("Isohedral tiling of type IH{}", s.type); },
+        isohedral_keys,
+        [](const IsohedralSettings& s) {
+            return s.goal.empty() ? fmt::format("Isohedral tiling of type IH{}", s.type)
+                                  : fmt::format("Isohedral tiling like {}", name_of_input(s.goal));
+        },
         make_isohedral);
 }
 

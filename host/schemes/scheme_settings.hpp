@@ -78,6 +78,8 @@ struct DiffractionSettings
 struct IsohedralSettings
 {
     int type = 16;
+    bool has_type = false;
+    std::string goal; ///< a region's file or description, which tiles are to look like; empty: none
     IsohedralParameters parameters;
     bool is_random = false;
     std::optional<TileColoring> coloring; ///< none: the fewest colours
