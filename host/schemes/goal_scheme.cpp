@@ -29,7 +29,7 @@ std::vector<PlanePoint> laid_on(const GoalTile& found, std::vector<PlanePoint> p
 
 std::vector<int> searched_types(const IsohedralSettings& settings)
 {
-    if (settings.has_type) return {settings.type};
+    if (settings.type) return {*settings.type};
     std::vector<int> types;
     for (const IsohedralType& type : isohedral_types())
         if (!type.is_marked) types.push_back(type.number);

@@ -27,7 +27,7 @@ MarkPicture split_picture(const IsohedralTile& tile, const IsohedralSettings& se
 DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64_t seed, DistributionFiles& files)
 {
     if (!settings.goal.empty()) return make_goal_tiling(settings, files);
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
+    const IsohedralType& type = type_of(settings);
     const IsohedralTile tile = tile_of(settings, seed);
     const TileColoring coloring = settings.coloring ? *settings.coloring : proper_coloring(tile);
     DistributionResult result;

@@ -139,19 +139,16 @@ void split_keys(Keys& keys, IsohedralSettings& s)
 /// The shape that tiles are to look like.
 void goal_keys(Keys& keys, IsohedralSettings& s)
 {
-    Keys::Said said = keys.region("goal", s.goal,
-                                  "a shape that the tile is to look like: a drawing's file or a description. The "
-                                  "best tile of the type, or of all types, is searched")
-                          .otherwise("none");
+    constexpr auto help = "a shape, such as a file of SVG: the tile that looks most like it is searched";
+    Keys::Said said = keys.region("goal", s.goal, help).otherwise("none");
     for (const char* const other : {"random", "parameters", "curves", "coloring", "split"}) said.excludes(other);
     if (keys.is_read() && !s.goal.empty()) keys.check("goal", [&] { goal_of(s.goal); });
 }
 
 void isohedral_keys(Keys& keys, IsohedralSettings& s)
 {
-    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
-    s.has_type = keys.is_read() && keys.is_given("type");
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
+    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard").otherwise("16; with goal, all");
+    const IsohedralType& type = type_of(s);
     shape_keys(keys, s, type);
     keys.value("coloring", "a table { colors, aspects, steps or permutations }", "the colours of tiles",
                [&](const ConfigNode& node) { s.coloring = coloring_of(keys, node, type.shape.aspects.size()); })
@@ -180,15 +177,21 @@ Kind isohedral_kind()
          false},
         isohedral_keys,
         [](const IsohedralSettings& s) {
-            return s.goal.empty() ? fmt::format("Isohedral tiling of type IH{}", s.type)
+            return s.goal.empty() ? fmt::format("Isohedral tiling of type IH{}", type_of(s).number)
                                   : fmt::format("Isohedral tiling like {}", name_of_input(s.goal));
         },
         make_isohedral);
 }
 
+const IsohedralType& type_of(const IsohedralSettings& settings)
+{
+    constexpr int usual = 16;
+    return isohedral_types()[static_cast<std::size_t>(settings.type.value_or(usual) - 1)];
+}
+
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed)
 {
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
+    const IsohedralType& type = type_of(settings);
     if (settings.is_random) return random_tile(type, seed, drawn_deformation, drawn_amplitude);
     return {type, settings.parameters};
 }

@@ -50,6 +50,9 @@ std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list, doubl
 /// The curve of a list of points [x, y], with (0, 0) before and (1, 0) after them; nothing for any other value.
 std::optional<PlaneCurve> curve_of_node(const ConfigNode& list);
 
+/// The type of settings without a goal.
+const IsohedralType& type_of(const IsohedralSettings& settings);
+
 /// The tile that the settings say. Throws InputError for parameters that it cannot have.
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);
 

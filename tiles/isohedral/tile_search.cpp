@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t coarse_steps = 36; // a multiple of 12, as the most symmetric tiles need
 constexpr std::size_t finer = 4;         // steps of refined tiles for each of these
 constexpr std::size_t refined = 16;      // tiles of a type
-constexpr std::size_t compared_steps = 64;
-constexpr double farthest = 2; // distances over the least one, of what is looked at further
+constexpr std::size_t compared = 2;      // each of so many of their steps: directions
+constexpr double farthest = 2;           // distances over the least one, of what is looked at further
 
 /// A cut of the goal's outline into edges: the step at which the first begins, and pieces of the edges of each curve.
 struct Cut
@@ -203,37 +203,52 @@ struct TypeCuts
     std::uint64_t candidates = 0;
 };
 
+/// A tile with places of the goal and of its outline that belong together.
+struct RefinedTile
+{
+    GoalTile tile;
+    std::vector<PlanePoint> places{}, outline{};
+};
+
 /// The tile that corners find from a cut on; none if its outline crosses itself.
-std::optional<GoalTile> refined_tile(const TileFit& fit, const GoalOutline& goal, const Cut& cut)
+std::optional<RefinedTile> refined_tile(const TileFit& fit, const GoalOutline& goal, const Cut& cut)
 {
     stop_if_interrupted();
     CornerDescent descent(fit, goal, cut);
     const TileFit::Nearest nearest = descent.run();
-    GoalTile found{fit.type().number, nearest.parameters, std::sqrt(std::max(0.0, 1 - nearest.likeness))};
+    RefinedTile found{{fit.type().number, nearest.parameters, std::sqrt(std::max(0.0, 1 - nearest.likeness))}};
     try {
-        const IsohedralTile tile(fit.type(), found.parameters);
+        const IsohedralTile tile(fit.type(), nearest.parameters);
     } catch (const InputError&) {
         return {}; // its outline crosses itself, or an edge has no length
     }
-    align(found, descent.places(), nearest.outline);
-    found.is_narrow = is_narrow(found, descent.places(), nearest.outline);
+    align(found.tile, descent.places(), nearest.outline);
+    found.tile.is_narrow = is_narrow(found.tile, descent.places(), nearest.outline);
+    for (std::size_t i = 0; i < nearest.outline.size(); i += compared) {
+        found.places.push_back(descent.places()[i]);
+        found.outline.push_back(nearest.outline[i]);
+    }
     return found;
 }
 
 /// Leaves out tiles far from the best one, and those that several cuts have become.
-void keep_different(std::vector<GoalTile>& tiles)
+void keep_different(std::vector<RefinedTile>& tiles)
 {
     constexpr double equal = 1e-6;
-    std::ranges::stable_sort(tiles, [](const GoalTile& a, const GoalTile& b) {
-        return std::pair(a.type, a.distance) < std::pair(b.type, b.distance);
-    });
-    const auto same = std::ranges::unique(tiles, [&](const GoalTile& a, const GoalTile& b) {
-        return a.type == b.type && std::abs(a.distance - b.distance) < equal;
+    constexpr int most = 4; // of a type
+    std::ranges::stable_sort(tiles, {}, [](const RefinedTile& t) { return std::pair(t.tile.type, t.tile.distance); });
+    const auto same = std::ranges::unique(tiles, [&](const RefinedTile& a, const RefinedTile& b) {
+        return a.tile.type == b.tile.type && std::abs(a.tile.distance - b.tile.distance) < equal;
     });
     tiles.erase(same.begin(), same.end());
     double least = 1;
-    for (const GoalTile& tile : tiles) least = std::min(least, tile.distance);
-    std::erase_if(tiles, [&](const GoalTile& tile) { return tile.distance > farthest * least + equal; });
+    for (const RefinedTile& t : tiles) least = std::min(least, t.tile.distance);
+    int type = 0, count = 0;
+    std::erase_if(tiles, [&](const RefinedTile& t) {
+        count = t.tile.type == type ? count + 1 : 1;
+        type = t.tile.type;
+        return count > most || t.tile.distance > farthest * least + equal;
+    });
 }
 
 /// Cuts of all types that may become the best tile.
@@ -258,26 +273,23 @@ GoalSearch tiles_like(const GoalOutline& goal, const std::vector<int>& types)
     tbb::parallel_for(std::size_t{0}, all.size(),
                       [&](std::size_t i) { all[i].cuts = coarse_cuts(all[i].fit, goal, all[i].candidates); });
     const auto cuts = best_cuts(all);
-    std::vector<std::optional<GoalTile>> found(cuts.size());
+    std::vector<std::optional<RefinedTile>> found(cuts.size());
     tbb::parallel_for(std::size_t{0}, cuts.size(),
                       [&](std::size_t i) { found[i] = refined_tile(*cuts[i].first, goal, *cuts[i].second); });
-    std::vector<GoalTile> tiles;
+    std::vector<RefinedTile> tiles;
     for (auto& tile : found)
         if (tile) tiles.push_back(std::move(*tile));
     keep_different(tiles);
-    const std::vector<PlanePoint> places = goal.places(compared_steps);
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
-        const IsohedralTile tile(isohedral_types()[static_cast<std::size_t>(tiles[i].type - 1)], tiles[i].parameters);
-        tiles[i].turning = turning_distance(GoalOutline(tile.outline()).places(compared_steps), places);
+        tiles[i].tile.turning = turning_distance(tiles[i].outline, tiles[i].places);
     });
-    std::ranges::stable_sort(tiles, [](const GoalTile& a, const GoalTile& b) {
-        return std::pair(a.is_narrow, a.turning) < std::pair(b.is_narrow, b.turning);
-    });
+    std::ranges::stable_sort(tiles, {},
+                             [](const RefinedTile& t) { return std::pair(t.tile.is_narrow, t.tile.turning); });
     GoalSearch search{{}, cuts.size()};
     for (const TypeCuts& type : all) search.candidates += type.candidates;
-    for (GoalTile& tile : tiles)
-        if (std::ranges::find(search.tiles, tile.type, &GoalTile::type) == search.tiles.end())
-            search.tiles.push_back(std::move(tile));
+    for (RefinedTile& refined_one : tiles)
+        if (std::ranges::find(search.tiles, refined_one.tile.type, &GoalTile::type) == search.tiles.end())
+            search.tiles.push_back(std::move(refined_one.tile));
     return search;
 }
 

@@ -23,7 +23,7 @@ struct GoalTile
     /// The root of the sum of squared differences of steps over that of the goal's steps: 0 for a goal that is a tile,
     /// and at most 1.
     double distance = 0;
-    double turning = 0;     ///< turning_distance(), of 64 places on both outlines
+    double turning = 0;     ///< turning_distance() of 72 places on both outlines
     bool is_narrow = false; ///< some part of it is less than a third as wide as in the goal
     /// The map of the goal, whose perimeter is 1, to the tile of IsohedralTile: times `scale`, a complex number, and
     /// then moved.
