@@ -71,7 +71,7 @@ FitVector weighted(const std::vector<PlaneStep>& steps, const std::vector<double
     return vector;
 }
 
-double dot(const FitVector& a, const FitVector& b)
+double fit_dot(const FitVector& a, const FitVector& b)
 {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -84,13 +84,13 @@ std::vector<FitVector> basis_of(RandomTiles& tiles, const std::vector<double>& w
     std::vector<FitVector> basis;
     for (int without = 0; without < 10;) {
         FitVector v = weighted(tiles.steps(), weights);
-        const double length = std::sqrt(dot(v, v));
+        const double length = std::sqrt(fit_dot(v, v));
         for (int again = 0; again < 2; ++again)
             for (const FitVector& b : basis) {
-                const double share = dot(v, b);
+                const double share = fit_dot(v, b);
                 for (std::size_t i = 0; i < v.size(); ++i) v[i] -= share * b[i];
             }
-        const double left = std::sqrt(dot(v, v));
+        const double left = std::sqrt(fit_dot(v, v));
         if (left < 1e-7 * length) {
             ++without;
             continue;
@@ -126,7 +126,7 @@ TEST(TileFits, FindTheNearestOfAllTiles)
                 std::vector<PlaneStep> rotated = steps;
                 for (PlaneStep& step : rotated) step *= std::polar(1.0, angle);
                 double sum = 0;
-                for (const FitVector& b : basis) sum += std::pow(dot(b, weighted(rotated, weights)), 2);
+                for (const FitVector& b : basis) sum += std::pow(fit_dot(b, weighted(rotated, weights)), 2);
                 return sum;
             };
             const double at_0 = part_at(0), at_45 = part_at(std::numbers::pi / 4),
@@ -148,8 +148,8 @@ TEST(TileFits, FindTheNearestOfAllTiles)
             double square = 0; // of the part along the tile's steps, in any direction where directions are free
             const FitVector v = weighted(own, weights), w = weighted(rotated, weights);
             for (PlaneStep& step : own) step *= PlaneStep(0, 1);
-            square = std::pow(dot(v, w), 2) + std::pow(dot(weighted(own, weights), w), 2);
-            EXPECT_GE(square / dot(v, v), most * (1 - 1e-8)) << "IH" << type.number;
+            square = std::pow(fit_dot(v, w), 2) + std::pow(fit_dot(weighted(own, weights), w), 2);
+            EXPECT_GE(square / fit_dot(v, v), most * (1 - 1e-8)) << "IH" << type.number;
         }
 }
 
