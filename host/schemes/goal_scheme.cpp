@@ -71,7 +71,7 @@ MarkPicture goal_picture(const IsohedralTile& tile, const TilingWindow& turned, 
         for (MarkPoint& p : outline)
             for (const std::size_t k : {0, 1}) p[k] -= low[k];
     MarkCanvas canvas(high[0] - low[0], high[1] - low[1], pixels_a_tile);
-    canvas.polygon(tile_color(0), outlines[0]);
+    canvas.polygon("#dfe7ee", outlines[0]);
     canvas.outline("#000000", outlines[0], 0.012);
     canvas.outline("#c0392b", outlines[1], 0.012);
     return canvas.picture();
