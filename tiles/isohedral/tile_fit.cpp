@@ -123,81 +123,110 @@ void TileFit::find_uses()
     }
 }
 
-TileFit::Closest TileFit::closest(const GoalSteps& goal, std::vector<PlaneStep>* tile) const
+/// Means over equal steps, and what the best rotation and closing follow from. For a goal rotated by an angle, a step
+/// of a curve is exp(i angle) mean[0] + exp(-i angle) mean[1].
+struct TileFit::Sums
 {
-    const std::size_t corners = type_->shape.base.size();
-    std::array<std::size_t, 7> first{};
-    for (std::size_t e = 0; e < corners; ++e) first[e + 1] = first[e] + goal.pieces[type_->shape.edge_curves[e].curve];
-    // A step of a curve is exp(i angle) straight + exp(-i angle) mirrored for a goal rotated by an angle.
-    std::vector<std::array<PlaneStep, 2>> means;
-    double squares = 0, size = 0;
-    PlaneStep twice{}; // of twice the angle
-    std::array<PlaneStep, 2> gap{};
-    SymmetricStep closing;
-    std::array<double, 6> weights{};
-    for (std::size_t curve = 0; curve < uses_.size(); ++curve) {
-        const auto& uses = uses_[curve];
-        const std::size_t pieces = goal.pieces[curve];
-        double all = 0;
-        for (const Use& use : uses) all += goal.weights[use.edge];
-        const double weight = all * static_cast<double>(edges_[curve]) / static_cast<double>(uses.size());
-        weights[curve] = weight;
-        std::array<PlaneStep, 2> sums{};
-        for (std::size_t i = 0; i < pieces; ++i) {
-            std::array<PlaneStep, 2> x{};
-            for (const Use& use : uses) {
-                const PlaneStep& w = goal.steps[first[use.edge] + (use.is_reversed ? pieces - 1 - i : i)];
-                const double share = goal.weights[use.edge] / all, c = share * use.u.real(), s = share * use.u.imag();
-                // conj(u) w, or u conj(w)
-                const double re = c * w.real() + s * w.imag(), im = c * w.imag() - s * w.real();
-                if (use.is_mirrored)
-                    x[1] += PlaneStep(re, -im);
-                else
-                    x[0] += PlaneStep(re, im);
-            }
-            squares += weight * (std::norm(x[0]) + std::norm(x[1]));
-            if (has_mirrors_) twice += 2 * weight * x[0] * std::conj(x[1]);
-            for (const std::size_t k : {0, 1}) sums[k] += x[k];
-            if (tile) means.push_back(x);
-        }
-        const auto& [a, b] = closing_[curve];
-        const double part = static_cast<double>(pieces) / weight;
-        gap[0] += a * sums[0] + b * std::conj(sums[1]);
-        gap[1] += a * sums[1] + b * std::conj(sums[0]);
-        closing.s += part * (std::norm(a) + std::norm(b));
-        closing.t += 2 * part * a * b;
-        size += part;
-    }
-    const SymmetricStep opening = closing.pseudo_inverse(size);
-    const PlaneStep t = std::conj(opening.t);
-    squares -= opening.s * (std::norm(gap[0]) + std::norm(gap[1])) + 2 * std::real(t * gap[0] * gap[1]);
-    twice -= 2 * opening.s * gap[0] * std::conj(gap[1]) + t * gap[0] * gap[0] + std::conj(t * gap[1] * gap[1]);
-    const Closest result{squares + std::abs(twice), std::abs(twice) > 0 ? -std::arg(twice) / 2 : 0};
-    if (!tile) return result;
+    std::array<std::size_t, 7> first{}; ///< of the steps of each edge
+    std::vector<std::array<PlaneStep, 2>> means{};
+    std::array<double, 6> weights{}; ///< of each curve
+    double squares = 0;              ///< of means, the part that no rotation changes
+    PlaneStep twice{};               ///< the part that changes, by the real part of its product with exp(2 i angle)
+    std::array<PlaneStep, 2> gap{};  ///< from the outline's end to its start, as means
+    SymmetricStep closing{};         ///< what a pull at the end does to the gap
+    double size = 0;                 ///< of a pull that meets no resistance
+};
 
-    const PlaneStep turn = std::polar(1.0, result.angle);
-    const PlaneStep pull = opening(turn * gap[0] + std::conj(turn) * gap[1]);
-    tile->resize(first[corners]);
-    std::size_t mean = 0;
+/// The rotation of the goal that is best, and the closing of the outline then.
+struct TileFit::Rotation
+{
+    double likeness = 0, angle = 0;
+    PlaneStep turn{}, pull{};
+
+    explicit Rotation(const Sums& sums)
+    {
+        const SymmetricStep opening = sums.closing.pseudo_inverse(sums.size);
+        const auto& [g, h] = sums.gap;
+        const PlaneStep t = std::conj(opening.t);
+        const double lost = opening.s * (std::norm(g) + std::norm(h)) + 2 * std::real(t * g * h);
+        const PlaneStep twice = sums.twice - (2 * opening.s * g * std::conj(h) + t * g * g + std::conj(t * h * h));
+        likeness = sums.squares - lost + std::abs(twice);
+        angle = std::abs(twice) > 0 ? -std::arg(twice) / 2 : 0;
+        turn = std::polar(1.0, angle);
+        pull = opening(turn * g + std::conj(turn) * h);
+    }
+};
+
+void TileFit::add_curve(Sums& sums, const GoalSteps& goal, std::size_t curve, bool keeps_means) const
+{
+    const auto& uses = uses_[curve];
+    const std::size_t pieces = goal.pieces[curve];
+    double all = 0;
+    for (const Use& use : uses) all += goal.weights[use.edge];
+    const double weight = all * static_cast<double>(edges_[curve]) / static_cast<double>(uses.size());
+    std::array<PlaneStep, 2> whole{};
+    for (std::size_t i = 0; i < pieces; ++i) {
+        std::array<PlaneStep, 2> x{};
+        for (const Use& use : uses) {
+            const PlaneStep& w = goal.steps[sums.first[use.edge] + (use.is_reversed ? pieces - 1 - i : i)];
+            const double share = goal.weights[use.edge] / all, c = share * use.u.real(), s = share * use.u.imag();
+            // conj(u) w, or u conj(w)
+            const double re = c * w.real() + s * w.imag(), im = c * w.imag() - s * w.real();
+            if (use.is_mirrored)
+                x[1] += PlaneStep(re, -im);
+            else
+                x[0] += PlaneStep(re, im);
+        }
+        sums.squares += weight * (std::norm(x[0]) + std::norm(x[1]));
+        if (has_mirrors_) sums.twice += 2 * weight * x[0] * std::conj(x[1]);
+        for (const std::size_t k : {0, 1}) whole[k] += x[k];
+        if (keeps_means) sums.means.push_back(x);
+    }
+    const auto& [a, b] = closing_[curve];
+    const double part = static_cast<double>(pieces) / weight;
+    sums.weights[curve] = weight;
+    sums.gap[0] += a * whole[0] + b * std::conj(whole[1]);
+    sums.gap[1] += a * whole[1] + b * std::conj(whole[0]);
+    sums.closing.s += part * (std::norm(a) + std::norm(b));
+    sums.closing.t += 2 * part * a * b;
+    sums.size += part;
+}
+
+TileFit::Sums TileFit::sums_of(const GoalSteps& goal, bool keeps_means) const
+{
+    Sums sums;
+    for (std::size_t e = 0; e < type_->shape.base.size(); ++e)
+        sums.first[e + 1] = sums.first[e] + goal.pieces[type_->shape.edge_curves[e].curve];
+    for (std::size_t curve = 0; curve < uses_.size(); ++curve) add_curve(sums, goal, curve, keeps_means);
+    return sums;
+}
+
+std::vector<PlaneStep> TileFit::steps_of(const Sums& sums, const Rotation& rotation,
+                                         const std::vector<std::size_t>& pieces) const
+{
+    std::vector<PlaneStep> steps(sums.first[type_->shape.base.size()]);
+    auto mean = sums.means.begin();
     for (std::size_t curve = 0; curve < uses_.size(); ++curve) {
         const auto& [a, b] = closing_[curve];
-        const PlaneStep back = (std::conj(a) * pull + b * std::conj(pull)) / weights[curve];
-        const std::size_t pieces = goal.pieces[curve];
-        for (std::size_t i = 0; i < pieces; ++i, ++mean) {
-            const PlaneStep x = turn * means[mean][0] + std::conj(turn) * means[mean][1] - back;
+        const PlaneStep back = (std::conj(a) * rotation.pull + b * std::conj(rotation.pull)) / sums.weights[curve];
+        for (std::size_t i = 0; i < pieces[curve]; ++i, ++mean) {
+            const PlaneStep x = rotation.turn * (*mean)[0] + std::conj(rotation.turn) * (*mean)[1] - back;
             for (const Use& use : uses_[curve])
-                (*tile)[first[use.edge] + (use.is_reversed ? pieces - 1 - i : i)] =
+                steps[sums.first[use.edge] + (use.is_reversed ? pieces[curve] - 1 - i : i)] =
                     LinearStep{use.u, use.is_mirrored}(x);
         }
     }
-    return result;
+    return steps;
 }
+
+double TileFit::likeness(const GoalSteps& goal) const { return Rotation(sums_of(goal, false)).likeness; }
 
 TileFit::Nearest TileFit::nearest(const GoalSteps& goal) const
 {
-    std::vector<PlaneStep> steps;
-    const Closest found = closest(goal, &steps);
-    Nearest tile{found.likeness, found.angle, {}, {}};
+    const Sums sums = sums_of(goal, true);
+    const Rotation rotation(sums);
+    const std::vector<PlaneStep> steps = steps_of(sums, rotation, goal.pieces);
+    Nearest tile{rotation.likeness, rotation.angle, {}, {}};
     PlaneStep at{};
     for (const PlaneStep& step : steps) {
         tile.outline.push_back(point_of(at));

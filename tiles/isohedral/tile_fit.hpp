@@ -39,7 +39,7 @@ public:
 
     /// The largest weighted sum of squares that steps of a tile near a rotated goal have: that of the goal, less the
     /// weighted sum of squared differences.
-    double likeness(const GoalSteps& goal) const { return closest(goal, nullptr).likeness; }
+    double likeness(const GoalSteps& goal) const;
 
     /// The parameters of the nearest tile, and the places of its outline that its steps join, as IsohedralTile has
     /// them.
@@ -62,20 +62,21 @@ private:
         PlaneStep u;
     };
 
-    struct Closest
-    {
-        double likeness = 0, angle = 0;
-    };
+    struct Sums;
+    struct Rotation;
 
-    /// Appends the steps of the nearest tile to `tile`, where there is one.
-    Closest closest(const GoalSteps& goal, std::vector<PlaneStep>* tile) const;
     void find_uses();
+    Sums sums_of(const GoalSteps& goal, bool keeps_means) const;
+    void add_curve(Sums& sums, const GoalSteps& goal, std::size_t curve, bool keeps_means) const;
+    std::vector<PlaneStep> steps_of(const Sums& sums, const Rotation& rotation,
+                                    const std::vector<std::size_t>& pieces) const;
     void set_parameters(Nearest& tile, const std::vector<std::size_t>& pieces) const;
 
     const IsohedralType* type_;
-    std::vector<std::vector<Use>> uses_;            ///< of each curve, all ways
-    std::vector<std::size_t> edges_;                ///< of each curve
-    std::vector<std::array<PlaneStep, 2>> closing_; ///< of each curve: x adds [0] x + [1] conj(x) to the outline's end
+    std::vector<std::vector<Use>> uses_; ///< of each curve, all ways
+    std::vector<std::size_t> edges_;     ///< of each curve
+    /// Each curve's step x moves the outline's end by [0] x + [1] conj(x).
+    std::vector<std::array<PlaneStep, 2>> closing_;
     bool has_mirrors_ = false;
 };
 
