@@ -90,10 +90,19 @@ void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
                            fmt::format("must be at most {} for IH{}", type.shape.curve_shapes.size(), type.number));
 }
 
+/// The shape that tiles are to look like.
+void goal_keys(Keys& keys, IsohedralSettings& s)
+{
+    constexpr auto help = "a shape, such as a file of SVG: the tile that looks most like it is searched";
+    Keys::Said said = keys.region("goal", s.goal, help).otherwise("none");
+    for (const char* const other : {"random", "parameters", "curves", "coloring", "split"}) said.excludes(other);
+    if (keys.is_read() && !s.goal.empty()) keys.check("goal", [&] { goal_of(s.goal); });
+}
+
 void isohedral_keys(Keys& keys, IsohedralSettings& s)
 {
-    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
+    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard").otherwise("16; with goal, all");
+    const IsohedralType& type = type_of(s);
     shape_keys(keys, s, type);
     keys.value("coloring", "a table { colors, aspects, steps or permutations }", "the colours of tiles",
                [&](const ConfigNode& node) { s.coloring = coloring_of(keys, node, type.shape.aspects.size()); })
@@ -108,6 +117,7 @@ void isohedral_keys(Keys& keys, IsohedralSettings& s)
                })
         .otherwise("[10, 10]");
     split_keys(keys, s.split, {"coloring", "random"});
+    goal_keys(keys, s);
     if (keys.is_read()) keys.check([&] { tile_of(s, 1); });
     if (keys.is_read() && s.split) keys.check("split", [&] { split_tile(tile_of(s, 1), *s.split); });
 }
@@ -119,13 +129,23 @@ Kind isohedral_kind()
     return make_kind<IsohedralSettings>(
         {"scheme", "isohedral", "", "Isohedral tiling", "Draw a tiling of a type with parameters, curves and colours",
          false},
-        isohedral_keys, [](const IsohedralSettings& s) { return fmt::format("Isohedral tiling of type IH{}", s.type); },
+        isohedral_keys,
+        [](const IsohedralSettings& s) {
+            return s.goal.empty() ? fmt::format("Isohedral tiling of type IH{}", type_of(s).number)
+                                  : fmt::format("Isohedral tiling like {}", name_of_input(s.goal));
+        },
         make_isohedral);
+}
+
+const IsohedralType& type_of(const IsohedralSettings& settings)
+{
+    constexpr int usual = 16;
+    return isohedral_types()[static_cast<std::size_t>(settings.type.value_or(usual) - 1)];
 }
 
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed)
 {
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
+    const IsohedralType& type = type_of(settings);
     if (settings.is_random) return random_tile(type, seed, drawn_deformation, drawn_amplitude);
     return {type, settings.parameters};
 }

@@ -8,6 +8,7 @@
 #include "host/settings/keys/keys.hpp"
 #include "results/pictures/distribution_files.hpp"
 #include "results/statistic.hpp"
+#include "tiles/isohedral/goal_outline.hpp"
 #include "tiles/isohedral/isohedral_tile.hpp"
 #include "tiles/prototiles/polygon_tiling.hpp"
 #include "tiles/sphere/spherical_tile.hpp"
@@ -56,8 +57,21 @@ void curve_keys(Keys& keys, std::vector<PlaneCurve>& curves);
 /// The keys `split` and `split_curve`: the path that divides a tile. It excludes other keys.
 void split_keys(Keys& keys, std::optional<TileSplit>& split, const std::vector<std::string>& excluded = {});
 
+/// The type of settings without a goal.
+const IsohedralType& type_of(const IsohedralSettings& settings);
+
 /// The tile that the settings say. Throws InputError for parameters that it cannot have.
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);
+
+/// A shape that tiles are to look like, with what is cut out of it: eyes, gills.
+struct GoalShape
+{
+    GoalOutline outline;
+    std::vector<std::vector<PlanePoint>> holes; ///< in the units of the outline
+};
+
+/// Reads a region's file or description; see read_region(). Throws InputError unless it is one polygon.
+GoalShape goal_of(const std::string& text);
 
 /// The tiling that the settings name. Throws InputError for a file that is none.
 PolygonTiling tiling_of(const PolygonTilingChoice& choice);
@@ -76,6 +90,8 @@ DistributionResult make_construction(const ConstructionSettings& settings, std::
 DistributionResult make_aperiodic_tables(const AperiodicTableSettings& settings, DistributionFiles& files);
 DistributionResult make_diffraction(const DiffractionSettings& settings, DistributionFiles& files);
 DistributionResult make_isohedral(const IsohedralSettings& settings, std::uint64_t seed, DistributionFiles& files);
+/// The tiling with the tile that looks most like the goal of the settings.
+DistributionResult make_goal_tiling(const IsohedralSettings& settings, DistributionFiles& files);
 DistributionResult make_substitution(const SubstitutionSettings& settings, DistributionFiles& files);
 DistributionResult make_periodic(const PeriodicSettings& settings, DistributionFiles& files);
 DistributionResult make_bricks(const BrickSettings& settings, DistributionFiles& files);

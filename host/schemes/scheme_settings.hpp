@@ -77,7 +77,8 @@ struct DiffractionSettings
 /// kind = "isohedral": a tiling of a type with parameters, curves and a colouring.
 struct IsohedralSettings
 {
-    int type = 16;
+    std::optional<int> type; ///< none: 16, or with a goal all that shapes can tell
+    std::string goal;        ///< a region's file or description, which tiles are to look like; empty: none
     IsohedralParameters parameters;
     bool is_random = false;
     std::optional<TileColoring> coloring; ///< none: the fewest colours

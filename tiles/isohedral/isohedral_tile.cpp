@@ -16,14 +16,22 @@ constexpr double shortest_edge = 1e-3;
 
 double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-/// Twice the area of a triangle, counterclockwise positive.
+/// Twice the area of a triangle, counterclockwise positive; 0 where rounding can decide the sign: Shewchuk, Adaptive
+/// precision floating-point arithmetic and fast robust geometric predicates, 1997, bound A of orientation in the plane.
 double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    constexpr double bound = 3.3306690738754716e-16;
+    const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
+    return std::abs(left - right) > bound * (std::abs(left) + std::abs(right)) ? left - right : 0;
 }
 
+/// False only for segments that do not meet.
 bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
+    for (const std::size_t axis : {0, 1}) // pieces of one straight line may lie side by side
+        if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+            std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]))
+            return false;
     return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
 }
 

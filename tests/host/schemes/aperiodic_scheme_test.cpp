@@ -1,6 +1,7 @@
 // Schemes of aperiodic sets, isohedral tilings and surfaces.
 #include "host/schemes/scheme_run.hpp"
 
+#include "results/pictures/mark_picture.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -115,6 +116,34 @@ TEST_F(AperiodicSchemes, IsohedralTilesFillThePlane)
     const DistributionResult result = made(divided);
     EXPECT_EQ(number_of(result, "colors"), 2);
     EXPECT_THAT(result.facts, testing::Not(testing::Contains(testing::HasSubstr("colour"))));
+}
+
+/// An L of three squares with a hole tiles by half turns, IH4: the report says so, and each tile has the hole.
+TEST_F(AperiodicSchemes, IsohedralTilesLookLikeAGoal)
+{
+    IsohedralSettings settings;
+    settings.type = 4;
+    settings.goal = "path evenodd M 0 0 2 0 2 1 1 1 1 2 0 2 Z M 0.4 0.4 0.6 0.4 0.6 0.6 Z";
+    settings.columns = settings.rows = 4;
+    const DistributionResult result = made(settings);
+    EXPECT_LT(number_of(result, "step_distance"), 0.01);
+    EXPECT_LT(number_of(result, "turning_distance"), 5); // degrees
+    EXPECT_NEAR(number_of(result, "unit_over_tiles"), 1, 1e-9);
+    EXPECT_THAT(result.files, testing::ElementsAre("tile.csv"));
+    ASSERT_EQ(result.pictures.size(), 2);
+    EXPECT_EQ(result.pictures[0].file, "tiling.json");
+    std::size_t holes = 0, tiles = 0;
+    for (const MarkGroup& group : read_mark_picture(folder_.path() / "tiling.json").groups)
+        for (const auto& polygon : group.polygons) ++(polygon.size() == 3 ? holes : tiles);
+    EXPECT_EQ(holes, tiles);
+    EXPECT_GE(tiles, 16);
+    settings.type.reset();
+    settings.goal = "disk 0 0 1";
+    const DistributionResult disk = made(settings);
+    EXPECT_GT(number_of(disk, "candidates"), 2'000'000);
+    EXPECT_GT(number_of(disk, "step_distance"), 0.01); // no disks fill the plane
+    ASSERT_EQ(disk.tables.size(), 1);
+    EXPECT_EQ(disk.tables[0].rows.size(), 10);
 }
 
 }

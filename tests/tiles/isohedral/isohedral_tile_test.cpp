@@ -205,6 +205,21 @@ TEST(IsohedralTiles, CurvesTakeTheShapeOfTheirEdges)
     EXPECT_EQ(shaped_curve(curve, EdgeShape::mirrored), (PlaneCurve{{0, 0}, {0.2, 0.2}, {0.5, 0}, {0.8, 0.2}, {1, 0}}));
 }
 
+/// Pieces of one straight line lie side by side, in any direction, and do not meet.
+TEST(IsohedralTiles, TakesStraightCurvesInPieces)
+{
+    const PlaneCurve pieces{{0, 0}, {0.1, 0}, {0.3, 0}, {0.35, 0}, {0.7, 0}, {1, 0}};
+    for (const int number : {1, 4, 7, 21, 28, 41, 79}) {
+        const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(number - 1)];
+        const std::vector<PlaneCurve> curves(type.shape.curve_shapes.size(), pieces);
+        const IsohedralTile tile(type, {{}, curves}), whole(type, {});
+        EXPECT_NEAR(area_of(tile.outline()), area_of(whole.outline()), 1e-12);
+    }
+    // A piece that goes back along the line does meet it.
+    const PlaneCurve back{{0, 0}, {0.6, 0}, {0.4, 0}, {1, 0}};
+    EXPECT_THROW(IsohedralTile(isohedral_types()[0], {{}, {back}}), InputError);
+}
+
 TEST(IsohedralTiles, RefusesWhatIsNoTile)
 {
     const IsohedralType& type = isohedral_types()[0];
