@@ -59,14 +59,14 @@ double least_in_a_tiling(const PoissonTileSet& set)
 }
 
 /// Sums over the points of a class in a tile, by definition, of the five products of coordinates up to order 2.
-std::array<__int128, 5> sums_of_class(const PoissonTileSet& set, std::uint32_t tile, std::uint32_t of)
+std::array<std::int64_t, 5> sums_of_class(const PoissonTileSet& set, std::uint32_t tile, std::uint32_t of)
 {
     const TileClasses& classes = set.parameters.classes;
-    std::array<__int128, 5> sums{};
+    std::array<std::int64_t, 5> sums{};
     for (std::uint32_t i = 0; i < classes.points[of]; ++i) {
         const UnitPosition at = set.position(tile, classes.first_point(of) + i);
-        const std::array<__int128, 2> x{at[0], at[1]};
-        const std::array<__int128, 5> products{x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1]};
+        const std::array<std::int64_t, 2> x{at[0], at[1]};
+        const std::array<std::int64_t, 5> products{x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1]};
         for (std::size_t m = 0; m < sums.size(); ++m) sums[m] += products[m];
     }
     return sums;
@@ -99,7 +99,7 @@ TEST_P(ClassStrips, KeepAllDistancesAndHaveTheMoments)
         const auto first = sums_of_class(set, 0, of);
         for (std::uint32_t tile = 1; tile < p.tiles; ++tile)
             for (std::size_t m = 0; m < equal_sums; ++m)
-                ASSERT_TRUE(sums_of_class(set, tile, of)[m] == first[m]) << of << " " << tile << " " << m;
+                ASSERT_EQ(sums_of_class(set, tile, of)[m], first[m]) << of << " " << tile << " " << m;
         EXPECT_GE(proof.class_moments[of].equal_order(), p.equal_moments);
     }
     EXPECT_EQ(refusal_of([&] { check_promises(p, proof.squared_min_distance, proof); }), "accepted");
@@ -131,14 +131,16 @@ TEST(ClassStripsDeterminism, AnyWorkGroupSizeNumberOfThreadsAndTheReferenceMakeT
     EXPECT_EQ(construct_class_tiles(p, *filler, {}, joint.get()).set, expected);
 }
 
-/// Strips without classes are left with 36 % at most (RelaxedStripsNulling).
+/// Strips without classes are left with 36 % at most (RelaxedStripsNulling). With classes numpy found 28 % of all
+/// points' power for this set, 26 and 24 % of its classes'; nearer to the densest sets it is 59, 70 and 63 % (radius
+/// 0.7).
 TEST(ClassStripsNulling, TakesPowerOutOfTheMeanTileOfAllClasses)
 {
-    const PoissonTileSet alone = class_strips(jointly_classed(3, {12, 36}, 0.7, 0, 0));
-    const PoissonTileSet together = class_strips(jointly_classed(3, {12, 36}, 0.7, 20, 0));
+    const PoissonTileSet alone = class_strips(jointly_classed(3, {12, 36}, 0.62, 0, 0));
+    const PoissonTileSet together = class_strips(jointly_classed(3, {12, 36}, 0.62, 20, 0));
     EXPECT_LT(power_of_mean_tile(together), 0.36 * power_of_mean_tile(alone));
     for (const std::uint32_t of : {0U, 1U})
-        EXPECT_LT(power_of_mean_tile(class_subset(together, of)), 0.5 * power_of_mean_tile(class_subset(alone, of)))
+        EXPECT_LT(power_of_mean_tile(class_subset(together, of)), 0.36 * power_of_mean_tile(class_subset(alone, of)))
             << of;
 }
 
