@@ -64,14 +64,6 @@ std::vector<FillShape> mending_shapes(const PoissonTileParameters& p, const Tile
     return shapes;
 }
 
-/// The torus of all tiles that is relaxed.
-DeviceMemory joint_memory_of(const PoissonTileParameters& p)
-{
-    if (p.joint_iterations == 0) return {};
-    const std::size_t copies = lattice_cells(joint_side(p), p.dimension) * p.points_per_tile;
-    return joint_memory(p.dimension, copies, std::size_t{p.tiles} * p.points_per_tile, p.points_per_tile);
-}
-
 /// Tori of all pairs of colours, insides of all tiles, and the torus of all tiles.
 DeviceMemory chain_memory(const PoissonTileParameters& p, const DeviceInfo& device)
 {
@@ -84,6 +76,13 @@ DeviceMemory chain_memory(const PoissonTileParameters& p, const DeviceInfo& devi
            filling_memory(chain_interior_settings(p), insides, device) + joint_memory_of(p);
 }
 
+}
+
+DeviceMemory joint_memory_of(const PoissonTileParameters& p)
+{
+    if (p.joint_iterations == 0) return {};
+    const std::size_t copies = lattice_cells(joint_side(p), p.dimension) * p.points_per_tile;
+    return joint_memory(p.dimension, copies, std::size_t{p.tiles} * p.points_per_tile, p.points_per_tile);
 }
 
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)

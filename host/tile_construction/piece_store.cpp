@@ -1,5 +1,7 @@
 #include "host/tile_construction/piece_store.hpp"
 
+#include "host/tile_construction/filling/tile_filling.hpp"
+
 #include <algorithm>
 
 namespace poissonlab {
@@ -55,7 +57,7 @@ PiecePoints cut_out(std::span<const TilePosition> points, const TileRegions& reg
     for (const TilePosition& point : points) {
         const unsigned cell = cell_at(regions, point);
         if ((cell & all_axes(dimension)) != axes || (!is_one_tile && cell != wanted)) continue;
-        TilePosition relative{};
+        TilePosition relative = point;
         for (int k = 0; k < dimension; ++k) {
             const auto corner = static_cast<std::int32_t>(cell >> dimension >> k & 1);
             relative[k] = shortest(point[k] - corner * tile_units);
@@ -106,8 +108,10 @@ PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameter
             set.points.push_back(static_cast<std::uint16_t>(point[k]));
     };
     for (std::uint32_t tile = 0; tile < p.tiles; ++tile) {
-        for (const UnitPosition& point : own_border_points(pieces.borders, p, tile)) append(point);
-        for (const TilePosition& point : pieces.interiors[tile]) append(point);
+        std::vector<UnitPosition> points = own_border_points(pieces.borders, p, tile);
+        points.insert(points.end(), pieces.interiors[tile].begin(), pieces.interiors[tile].end());
+        std::ranges::stable_sort(points, {}, [&](const UnitPosition& point) { return class_of(point, p); });
+        for (const UnitPosition& point : points) append(point);
     }
     return set;
 }

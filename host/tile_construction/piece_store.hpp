@@ -11,7 +11,8 @@
 
 namespace poissonlab {
 
-/// Points relative to the lowest corner of their piece's cell; negative on its lower side.
+/// Points relative to the lowest corner of their piece's cell; negative on its lower side. Points of the plane that have
+/// classes have them as their third coordinate.
 using PiecePoints = std::vector<TilePosition>;
 
 /// The number of a piece's points in each of the tiles around its cell. Bit k of the index: the tile at the upper
@@ -55,7 +56,8 @@ struct StripPieces
     std::vector<PiecePoints> interiors; ///< by tile
 };
 
-/// The set with these pieces: each tile's points near corners, edges, (faces), then those inside. Not certified.
+/// The set with these pieces: each tile's points near corners, edges, (faces), then those inside; those of each class
+/// after those of the one before. Not certified.
 PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameters& parameters);
 
 /// The points of the pieces around a tile that are in it.

@@ -155,6 +155,9 @@ FillProblem StripMender::problem_around(const std::vector<PlacedPiece>& held, co
     for (const TilePosition& point : points) problem.given.push_back(on_torus(point));
     problem.active = static_cast<std::uint32_t>(points.size());
     problem.stream = stream;
+    problem.classes.resize(p_.classes.count());
+    for (const TilePosition& point : points)
+        if (!problem.classes.empty()) ++problem.classes[class_of(point, p_)];
     return problem;
 }
 

@@ -94,6 +94,9 @@ FillSettings mending_settings(const PoissonTileParameters& parameters);
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
                                       const ConstructionOptions& options = {}, const JointEngines* together = nullptr);
 
+/// The memory that the torus of all tiles takes which joint iterations relax.
+DeviceMemory joint_memory_of(const PoissonTileParameters& parameters);
+
 /// The memory that the construction takes on such a device, nearly: chance decides how many points lie in a region.
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
 

@@ -110,7 +110,8 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
         const ClassFillSettings settings = class_fill_settings(parameters);
         const auto classes = engine == Engine::opencl ? make_class_tile_filler(settings, device())
                                                       : reference::make_class_tile_filler(settings);
-        built = construct_class_tiles(parameters, *classes, options);
+        const auto joint = are_relaxed_together(parameters) ? joint_engine() : nullptr;
+        built = construct_class_tiles(parameters, *classes, options, joint.get());
     } else if (parameters.border == TileBorder::chain) {
         const auto tori = filler(chain_torus_settings(parameters));
         const auto interiors = filler(chain_interior_settings(parameters));

@@ -10,7 +10,13 @@
 #include "tests/support/mean_tile.hpp"
 #include "tests/support/small_tile_sets.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace poissonlab::bench {
 namespace {
@@ -113,6 +119,52 @@ void add_evenness(const char* name, std::uint32_t equal_moments)
         ->Unit(benchmark::kSecond);
 }
 
+/// Measures all points of tilings whose points have classes, and those of each class: as measure() and
+/// measure_evenness() do, the height of lattice peaks, their excess, and power at a quarter of the tiles' frequency,
+/// in ten thousandths.
+void measure_classes(benchmark::State& state, const PoissonTileParameters& parameters)
+{
+    constexpr std::uint32_t side = 16;
+    constexpr int sets = 6;
+    const std::size_t classes = parameters.classes.count();
+    std::vector<std::array<double, 3>> sums(classes + 1); // the last one of all points
+    for (auto _ : state)
+        for (int seed = 1; seed <= sets; ++seed) {
+            PoissonTileParameters p = parameters;
+            p.seed = static_cast<std::uint64_t>(seed);
+            const PoissonTileSet set = build_tile_set(p, Engine::opencl, []() -> Device& { return device(); }).set;
+            for (std::uint32_t of = 0; of <= classes; ++of) {
+                const PoissonTileSet part = of < classes ? class_subset(set, of) : set;
+                const std::uint32_t points = part.parameters.points_per_tile;
+                SpectrumEstimate estimate(2, spectrum_size(std::size_t{side} * side * points, 2), true);
+                for (std::uint32_t tiling = 1; tiling <= tilings; ++tiling)
+                    estimate.add(reference::torus_points(part, tiling, side));
+                const Spectrum mean = estimate.mean();
+                const auto peaks = near_lattice_peaks(mean, static_cast<int>(side)).value();
+                sums[of][0] += peaks.mean_ratio / sets;
+                sums[of][1] += 100 * peaks.excess_share / sets;
+                sums[of][2] += 1e4 * power_between(mean, side, 0.22, 0.28) / sets;
+            }
+        }
+    for (std::size_t of = 0; of <= classes; ++of) {
+        const std::string name = of < classes ? std::to_string(of) : "all";
+        state.counters["mean_peak_" + name] = sums[of][0];
+        state.counters["excess_" + name] = sums[of][1];
+        state.counters["quarter_" + name] = sums[of][2];
+    }
+}
+
+void add_classes(const std::string& name, std::vector<std::uint32_t> points, std::uint32_t joint_iterations,
+                 std::uint32_t equal_moments)
+{
+    PoissonTileParameters p = tile_set_parameters(PoissonTileKind::corner, 2, 3, 0, 0);
+    set_border(p, TileBorder::strip, joint_iterations, {}, equal_moments);
+    set_classes(p, classes_of_radius(std::move(points), 0.7, 2));
+    benchmark::RegisterBenchmark(name, caught([p](benchmark::State& state) { measure_classes(state, p); }))
+        ->Iterations(1)
+        ->Unit(benchmark::kSecond);
+}
+
 void add(const char* name, TileBorder border, std::uint32_t colors, std::uint32_t points, std::uint32_t side,
          std::optional<std::uint32_t> joint_iterations = {}, int sets = 3, std::uint32_t equal_moments = 0)
 {
@@ -141,6 +193,13 @@ int main(int argc, char** argv)
     add_evenness("moments_0", 0);
     add_evenness("moments_1", 1);
     add_evenness("moments_2", 2);
+    for (const auto& [name, points] : {std::pair{"classes_8_16_40", std::vector<std::uint32_t>{8, 16, 40}},
+                                       std::pair{"classes_32_96", std::vector<std::uint32_t>{32, 96}}}) {
+        add_classes(fmt::format("{}_strips", name), points, 0, 0);
+        add_classes(fmt::format("{}_together", name), points, 20, 0);
+        add_classes(fmt::format("{}_moments_1", name), points, 20, 1);
+    }
+    add_classes("classes_32_96_moments_2", {32, 96}, 20, 2);
     return run_benchmarks(
         argc, argv,
         {{"C = 4, N = 64: excess share of strips / of chains", "strips_4/", "chains_4/", 30, "excess"},

@@ -32,12 +32,20 @@ enum Set
     chain_4,
     chain_8,
     even_3,
-    even_4
+    even_4,
+    together_4,
+    even_strips_4
 };
 
 PoissonTileParameters with_chains(PoissonTileParameters parameters, std::uint32_t equal_moments = 0)
 {
     set_border(parameters, TileBorder::chain, {}, {}, equal_moments);
+    return parameters;
+}
+
+PoissonTileParameters with_strips_together(PoissonTileParameters parameters, std::uint32_t equal_moments)
+{
+    set_border(parameters, TileBorder::strip, 20, {}, equal_moments);
     return parameters;
 }
 
@@ -59,6 +67,10 @@ PoissonTileParameters parameters_of(std::int64_t set)
         return with_chains(made(PoissonTileKind::corner, 2, 3, 32), 2);
     case even_4:
         return with_chains(made(PoissonTileKind::corner, 2, 4, 32), 2);
+    case together_4:
+        return with_strips_together(made(PoissonTileKind::corner, 2, 4, 64), 0);
+    case even_strips_4:
+        return with_strips_together(made(PoissonTileKind::corner, 2, 4, 64), 2);
     case chain_4:
         return with_chains(made(PoissonTileKind::corner, 2, 4, 32));
     case chain_8:
@@ -174,6 +186,8 @@ int main(int argc, char** argv)
     add("build", build, even_3, 5);
     add("build", build, chain_4, 5);
     add("build", build, even_4, 5);
+    add("build", build, together_4, 5);
+    add("build", build, even_strips_4, 5);
     add("build", build, chain_8, 3);
     add("rank", rank, 32, 5);
     add("rank", rank, 64, 5);
@@ -183,7 +197,9 @@ int main(int argc, char** argv)
          {"chains, C = 3: without / with equal second moments", fmt::format("build/{}", +chain_3),
           fmt::format("build/{}", +even_3), 0.5},
          {"chains, C = 4: without / with equal second moments", fmt::format("build/{}", +chain_4),
-          fmt::format("build/{}", +even_4), 0.5}},
+          fmt::format("build/{}", +even_4), 0.5},
+         {"strips together, C = 4: without / with equal second moments", fmt::format("build/{}", +together_4),
+          fmt::format("build/{}", +even_strips_4), 0.5}},
         {{"strips, C = 4: ms", fmt::format("build/{}", +corner_4), 315},
          {"strips, C = 8: ms", fmt::format("build/{}", +corner_8), 3000},
          {"chains, C = 4: ms", fmt::format("build/{}", +chain_4), 1500},

@@ -70,14 +70,12 @@ void check_room_of_classes(const PoissonTileParameters& p)
 /// Refuses what tiles with classes do not have.
 void check_class_parameters(const PoissonTileParameters& p)
 {
-    if (p.kind != PoissonTileKind::corner || p.dimension != 2)
-        throw refused("class_points", fmt::format("{} classes", p.classes.count()), "corner tiles have classes");
+    if (p.dimension != 2)
+        throw refused("class_points", fmt::format("{} classes", p.classes.count()), "tiles in the plane have classes");
     if (p.border != TileBorder::strip)
         throw refused("border", tile_borders[p.border], "must be \"strip\" for tiles with classes");
     if (p.lloyd_iterations != 0) throw refused("lloyd_iterations", p.lloyd_iterations, "must be 0 with classes");
     if (!p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with classes");
-    if (p.joint_iterations != 0) throw refused("joint_iterations", p.joint_iterations, "must be 0 with classes");
-    if (p.equal_moments != 0) throw refused("equal_moments", p.equal_moments, "must be 0 with classes");
     const double radius = relative_radius(p.classes.least_distance(), p.points_per_tile, p.dimension);
     if (!(std::abs(p.relative_radius - radius) <= 1e-9))
         throw refused("relative_radius", p.relative_radius, fmt::format("must be {}, that of the classes", radius));
@@ -112,11 +110,14 @@ void check_numbers(const PoissonTileParameters& p)
     if (!p.classes.is_empty()) check_class_parameters(p);
 }
 
-/// Regions of neighbouring corners must not come closer than the largest distance.
+/// Regions of neighbouring corners must not come closer than the largest distance. Template tiles whose points have
+/// classes are made as corner tiles are.
 void check_room(const PoissonTileParameters& p)
 {
     if (!p.classes.is_empty()) {
-        const double most = 2 * max_radius(p);
+        PoissonTileParameters corner = p;
+        corner.kind = PoissonTileKind::corner;
+        const double most = 2 * max_radius(corner);
         if (largest_distance(p) > most)
             throw InputError(
                 fmt::format("points of classes that keep a distance of {:.4f} tiles: must be at most {:.4f}, "

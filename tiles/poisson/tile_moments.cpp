@@ -138,15 +138,23 @@ std::int64_t rounded_moment(std::uint32_t order, std::uint32_t points_per_tile)
     return most;
 }
 
-void check_moments(const PoissonTileParameters& p, const TileMoments& moments)
+std::vector<TileMoments> class_moments(const PoissonTileSet& set)
+{
+    std::vector<TileMoments> moments;
+    for (std::uint32_t of = 0; of < set.parameters.classes.count(); ++of)
+        moments.push_back(tile_moments(class_subset(set, of)));
+    return moments;
+}
+
+void check_moments(const PoissonTileParameters& p, const TileMoments& moments, const std::string& whose)
 {
     for (std::uint32_t order = 1; order <= p.equal_moments; ++order) {
         const MomentOrder& found = moments.orders[order - 1];
         const bool is_exact = order <= exact_moment_order(p);
         if (is_exact ? found.are_equal : found.difference <= rounded_moment(order, p.points_per_tile)) continue;
-        throw InputError(fmt::format("equal_moments = {}: must be at most {}: {} moments of tile {} are not those of "
+        throw InputError(fmt::format("equal_moments = {}: must be at most {}: {} moments of {}tile {} are not those of "
                                      "tile 0",
-                                     p.equal_moments, order - 1, moment_order_names[order - 1], found.odd_tile));
+                                     p.equal_moments, order - 1, moment_order_names[order - 1], whose, found.odd_tile));
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -65,9 +66,14 @@ struct TileMoments
 /// The moments of all tiles of a set, computed on all threads; they do not depend on the number of threads.
 TileMoments tile_moments(const PoissonTileSet& set);
 
+/// The moments of the points of each class; empty where points have none. Where those of all classes are equal, those of
+/// all points are.
+std::vector<TileMoments> class_moments(const PoissonTileSet& set);
+
 /// Throws InputError, a sentence, unless moments agree up to the order that the parameters promise: exactly up to
-/// exact_moment_order(), and beyond it to within what rounding of coordinates leaves, rounded_moment().
-void check_moments(const PoissonTileParameters& parameters, const TileMoments& moments);
+/// exact_moment_order(), and beyond it to within what rounding of coordinates leaves, rounded_moment(). `whose`: put
+/// before the tile.
+void check_moments(const PoissonTileParameters& parameters, const TileMoments& moments, const std::string& whose = {});
 
 /// The difference of moments of an order that rounding can explain: every point of a tile at its border, and off by one
 /// stored number along an axis.

@@ -99,7 +99,8 @@ Where all tiles have the same up to order m, spectra of tilings fall off as freq
 Density: points in the regions over those of as many points spread evenly. Ranked sets: the power at low frequencies
 that parts of their points have, over what parts by chance would have; 0.5 and less is good.
 Sets of one tile that never repeats (tiles build hat, spectre): all tables but that of points are made again and compared.
-Sets whose points have classes: the distance of each pair of classes is proven as well, and where it occurs.)";
+Sets whose points have classes: the distance of each pair of classes is proven as well, and where it occurs; moments are
+those of each class, too.)";
 
 struct TilesVerifyOptions
 {
@@ -191,10 +192,14 @@ void print_classes(const Verification& v)
                        classes.distances.at(i, j), distance_of(proof.squared_min_distance),
                        distance_of(v.stored_class_distances[class_pair(i, j)]), where);
         }
-    for (std::size_t i = 0; i < classes.count(); ++i)
+    for (std::size_t i = 0; i < classes.count(); ++i) {
+        const TileMoments& moments = v.certificate.class_moments[i];
         fmt::print("{:<22}{} points a tile, relative radius {:.6f}\n", fmt::format("class {}", i), classes.points[i],
                    relative_radius(distance_of(v.certificate.classes[class_pair(i, i)].squared_min_distance),
                                    classes.points[i], v.parameters.dimension));
+        fmt::print("{:<22}equal moments {}: power falls off as frequency^{}\n", "", described_moments(moments),
+                   moments.proven_exponent());
+    }
 }
 
 Json class_json(const Verification& v)
@@ -220,6 +225,8 @@ Json class_json(const Verification& v)
         json["relative_radii"].push_back(
             relative_radius(distance_of(v.certificate.classes[class_pair(i, i)].squared_min_distance),
                             classes.points[i], v.parameters.dimension));
+        json["equal_moments"].push_back(v.certificate.class_moments[i].equal_order());
+        json["proven_exponents"].push_back(v.certificate.class_moments[i].proven_exponent());
     }
     return json;
 }

@@ -76,10 +76,7 @@ TileClasses asked_classes(const AskedTileSet& set)
     return {points, distances};
 }
 
-bool have_classes(const AskedTileSet& set)
-{
-    return set.monotile.empty() && set.family == PoissonTileFamily{PoissonTileKind::corner, 2};
-}
+bool have_classes(const AskedTileSet& set) { return set.monotile.empty() && set.family.dimension == 2; }
 
 /// Throws InputError for keys that do not go together.
 void check_class_keys(const Keys& keys, const AskedTileSet& set)
@@ -106,19 +103,20 @@ void check_class_keys(const Keys& keys, const AskedTileSet& set)
 void class_tile_keys(Keys& keys, AskedTileSet& set)
 {
     const bool applies = have_classes(set);
+    const char* const class_tiles = "corner, edge and template tiles";
     constexpr Interval tile_sides{0.001, 1};
     class_counts(keys, "class_points", set.class_points, max_points_per_tile, "how many points a tile has")
-        .only_if(applies, "corner tiles")
+        .only_if(applies, class_tiles)
         .otherwise("points have no classes");
     class_list(keys, "class_distances", set.class_distances, tile_sides, "a number from 0.001 to 1",
                "the least distance of points of the same class")
         .unit("tiles")
-        .only_if(applies, "corner tiles")
+        .only_if(applies, class_tiles)
         .otherwise(fmt::format("those of relative_radius, of each class then, {} unless given", usual_class_radius));
     class_matrix(keys, "class_matrix", set.class_matrix, tile_sides)
         .unit("tiles")
         .excludes("class_distances")
-        .only_if(applies, "corner tiles")
+        .only_if(applies, class_tiles)
         .otherwise("that of Wei 2010, from distances");
 }
 

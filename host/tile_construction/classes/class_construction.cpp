@@ -2,20 +2,24 @@
 
 #include "base/errors/errors.hpp"
 #include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/classes/class_mending.hpp"
 #include "host/tile_construction/classes/class_piece_choice.hpp"
 #include "host/tile_construction/fill_stages.hpp"
 #include "host/tile_construction/piece_store.hpp"
+#include "host/tile_construction/strip_relaxation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 namespace poissonlab {
 namespace {
@@ -23,17 +27,28 @@ namespace {
 /// Fillings of each torus that candidates for pieces are taken from, and the most until there is one.
 constexpr std::uint32_t candidate_attempts = 4, most_piece_attempts = 32;
 
+/// The parameters of what tiles share. Template tiles are corner tiles of a single colour with several insides: the
+/// strips of one such tile fit around themselves.
+PoissonTileParameters border_parameters(PoissonTileParameters p)
+{
+    if (p.kind != PoissonTileKind::frame) return p;
+    p.kind = PoissonTileKind::corner;
+    p.tiles = 1;
+    return p;
+}
+
 class ClassConstruction
 {
 public:
     ClassConstruction(const PoissonTileParameters& parameters, ClassTileFiller& filler,
                       const ConstructionOptions& options)
-        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)),
-          stages_(boundary_stages(parameters)), pieces_(p_.classes.count(), PieceStore(parameters)),
+        : p_(parameters), shared_(border_parameters(parameters)), filler_(filler), options_(options),
+          regions_(regions_of(shared_)), stages_(boundary_stages(shared_)),
+          pieces_(p_.classes.count(), PieceStore(shared_)),
           interiors_(p_.classes.count(), std::vector<PiecePoints>(parameters.tiles))
     {}
 
-    ConstructedTileSet run()
+    ConstructedTileSet run(JointEngine* joint)
     {
         for (const BoundaryStage& stage : stages_) make_pieces(stage, stage.tori, 0);
         std::vector<std::uint32_t> open(p_.tiles);
@@ -44,9 +59,16 @@ public:
             if (round + 1 == max_rounds)
                 give_up(fmt::format("tile {}", failed.front()), max_rounds * max_tile_attempts,
                         reached_[failed.front()]);
-            open = remake_edges(failed, round + 1);
+            open = remake_pieces(failed, round + 1);
         }
-        return {made_set(), report_};
+        StripPieces made = made_pieces();
+        if (are_relaxed_together(p_)) {
+            const auto mender = make_class_mender(p_, filler_);
+            relax_together(made, p_, {*mender, *joint}, options_, report_);
+        }
+        ConstructedTileSet constructed{tile_set_of(made, p_), report_};
+        constructed.set.class_squared_distances.resize(class_pair_count(p_.classes.count()));
+        return constructed;
     }
 
 private:
@@ -60,7 +82,7 @@ private:
         for (const PlacedPiece& piece : tori.front().held)
             fill_stage.active.cells &= ~(CellSet{1} << cell_number(piece, p_.dimension));
 
-        ClassPieceChoice choice(p_, regions_, pieces_, stage.is_last);
+        ClassPieceChoice choice(shared_, regions_, pieces_, stage.is_last);
         std::vector<std::size_t> open(tori.size());
         std::iota(open.begin(), open.end(), std::size_t{0});
         for (std::uint32_t attempt = 0; !open.empty(); ++attempt) {
@@ -143,7 +165,7 @@ private:
     /// Returns nothing where there are too many points of a class around the interior.
     std::optional<ClassFillProblem> interior_problem(std::uint32_t tile) const
     {
-        ClassFillProblem problem{.held = placed(pieces_around(p_, tile)), .active = {}, .stream = tile};
+        ClassFillProblem problem{.held = placed(border_of(tile)), .active = {}, .stream = tile};
         for (std::size_t of = 0; of < pieces_.size(); ++of) {
             const auto inside = static_cast<std::uint32_t>(std::ranges::count_if(problem.held[of], is_in_tile));
             if (inside > p_.classes.points[of]) return {};
@@ -152,14 +174,14 @@ private:
         return problem;
     }
 
-    /// New edges for tiles that could not be filled, one each. Returns all tiles that have these.
-    std::vector<std::uint32_t> remake_edges(const std::vector<std::uint32_t>& failed, std::uint32_t round)
+    /// New last pieces for tiles that could not be filled, one each. Returns all tiles that have these.
+    std::vector<std::uint32_t> remake_pieces(const std::vector<std::uint32_t>& failed, std::uint32_t round)
     {
         std::set<std::pair<std::uint8_t, std::uint32_t>> remade;
         for (const std::uint32_t tile : failed) {
-            const std::vector<PlacedPiece> edges = edges_of(tile);
-            const PlacedPiece& edge = edges[(tile + round) % edges.size()];
-            remade.emplace(edge.axes, edge.variant);
+            const std::vector<PlacedPiece> last = last_pieces(tile);
+            const PlacedPiece& piece = last[(tile + round) % last.size()];
+            remade.emplace(piece.axes, piece.variant);
         }
         report_.remade += remade.size();
         const BoundaryStage& stage = stages_.back();
@@ -171,34 +193,57 @@ private:
         make_pieces(stage, tori, round);
         std::vector<std::uint32_t> open;
         for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
-            if (std::ranges::any_of(edges_of(tile), [&](const PlacedPiece& e) {
+            if (std::ranges::any_of(last_pieces(tile), [&](const PlacedPiece& e) {
                     return remade.contains({e.axes, e.variant});
                 }))
                 open.push_back(tile);
         return open;
     }
 
-    std::vector<PlacedPiece> edges_of(std::uint32_t tile) const
+    std::vector<PlacedPiece> border_of(std::uint32_t tile) const
     {
-        std::vector<PlacedPiece> pieces = pieces_around(p_, tile);
-        std::erase_if(pieces, [&](const PlacedPiece& piece) { return std::popcount(piece.axes) != 1; });
+        return pieces_around(shared_, tile % shared_.tiles);
+    }
+
+    /// The pieces around a tile that are made last: edges, of edge tiles corners.
+    std::vector<PlacedPiece> last_pieces(std::uint32_t tile) const
+    {
+        std::vector<PlacedPiece> pieces = border_of(tile);
+        const int extent = p_.kind == PoissonTileKind::edge ? 0 : 1;
+        std::erase_if(pieces, [&](const PlacedPiece& piece) { return std::popcount(piece.axes) != extent; });
         return pieces;
     }
 
-    PoissonTileSet made_set() const
+    /// All pieces, whose points know their class.
+    StripPieces made_pieces() const
     {
-        PoissonTileSet set{p_, 0, {}};
-        const auto append = [&](const TilePosition& point) {
-            for (std::size_t k = 0; k < static_cast<std::size_t>(p_.dimension); ++k)
-                set.points.push_back(static_cast<std::uint16_t>(point[k]));
+        const auto add = [](PiecePoints& all, const PiecePoints& own, std::size_t of) {
+            for (const TilePosition& point : own) all.push_back({point[0], point[1], static_cast<std::int32_t>(of)});
         };
-        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
-            for (std::size_t of = 0; of < pieces_.size(); ++of) {
-                for (const TilePosition& point : own_border_points(pieces_[of], p_, tile)) append(point);
-                for (const TilePosition& point : interiors_[of][tile]) append(point);
-            }
-        set.class_squared_distances.resize(class_pair_count(p_.classes.count()));
-        return set;
+        StripPieces made{PieceStore(shared_), std::vector<PiecePoints>(p_.tiles)};
+        for (std::size_t of = 0; of < pieces_.size(); ++of) {
+            for (std::uint8_t axes = 0; axes < all_axes(p_.dimension); ++axes)
+                for (std::uint32_t variant = 0; variant < piece_count(shared_, axes); ++variant)
+                    add(made.borders.at(axes, variant), pieces_[of].at(axes, variant), of);
+            for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) add(made.interiors[tile], interiors_[of][tile], of);
+        }
+        return p_.kind == PoissonTileKind::frame ? in_frame(made) : made;
+    }
+
+    /// The pieces by the regions of template tiles, whose corners are smaller.
+    StripPieces in_frame(const StripPieces& made) const
+    {
+        const TileRegions frame = regions_of(p_);
+        StripPieces framed{PieceStore(p_), {}};
+        std::vector<TilePosition> points = made.borders.placed(border_of(0));
+        for (const std::uint8_t axes : std::array<std::uint8_t, 3>{0, 1, 2})
+            framed.borders.at(axes, 0) = cut_out(points, frame, axes, {}, false);
+        const PiecePoints border_inside = cut_out(points, frame, all_axes(2), {}, false);
+        for (const PiecePoints& interior : made.interiors) {
+            framed.interiors.push_back(border_inside);
+            framed.interiors.back().insert(framed.interiors.back().end(), interior.begin(), interior.end());
+        }
+        return framed;
     }
 
     // Filling, telling, and giving up.
@@ -228,7 +273,7 @@ private:
                                      fmt::join(p_.classes.points, ", "), what, reached, attempts));
     }
 
-    const PoissonTileParameters p_;
+    const PoissonTileParameters p_, shared_; ///< of tiles, and of what they share
     ClassTileFiller& filler_;
     const ConstructionOptions& options_;
     TileRegions regions_;
@@ -242,17 +287,19 @@ private:
 }
 
 ConstructedTileSet construct_class_tiles(const PoissonTileParameters& parameters, ClassTileFiller& filler,
-                                         const ConstructionOptions& options)
+                                         const ConstructionOptions& options, JointEngine* joint)
 {
     check(parameters);
-    return ClassConstruction(parameters, filler, options).run();
+    if (are_relaxed_together(parameters) && !joint) throw std::logic_error("joint iterations need their engine");
+    return ClassConstruction(parameters, filler, options).run(joint);
 }
 
 DeviceMemory class_construction_memory(const PoissonTileParameters& p)
 {
     std::size_t tori = p.tiles;
-    for (const BoundaryStage& stage : boundary_stages(p)) tori = std::max(tori, stage.tori.size());
-    return class_filling_memory(p.classes.count(), tori, std::size_t{p.points_per_tile} << p.dimension);
+    for (const BoundaryStage& stage : boundary_stages(border_parameters(p))) tori = std::max(tori, stage.tori.size());
+    return class_filling_memory(p.classes.count(), tori, std::size_t{p.points_per_tile} << p.dimension) +
+           joint_memory_of(p);
 }
 
 }

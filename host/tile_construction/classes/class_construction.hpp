@@ -1,4 +1,4 @@
-// The construction of corner tiles whose points have classes: trees, bushes, stones without end.
+// The construction of tiles in the plane whose points have classes: trees, bushes, stones without end.
 //
 // Wei, Multi-class blue noise sampling, SIGGRAPH 2010 (a distance for each pair of classes); Lagae, Tile-Based Methods
 // in Computer Graphics, 2007, section 4.5 (corner-based tiles). The stages are those of tile_construction.hpp, corners,
@@ -13,11 +13,12 @@
 
 namespace poissonlab {
 
-/// Points come class after class in each tile. `options.record` is not told of anything. Throws InputError for
+/// Points come class after class in each tile. `options.record` is not told of anything. `joint` is needed where
+/// are_relaxed_together(). Throws InputError for
 /// parameters that check() refuses, and where a piece or a tile does not keep the wanted distances: which one, and what
 /// part of them was reached.
 ConstructedTileSet construct_class_tiles(const PoissonTileParameters& parameters, ClassTileFiller& filler,
-                                         const ConstructionOptions& options = {});
+                                         const ConstructionOptions& options = {}, JointEngine* joint = nullptr);
 
 /// The memory that the construction takes on a device, nearly.
 DeviceMemory class_construction_memory(const PoissonTileParameters& parameters);

@@ -31,6 +31,21 @@ std::size_t point_count(const ClassedPositions& points)
     return count;
 }
 
+std::vector<TilePosition> with_classes(const ClassedPositions& points)
+{
+    std::vector<TilePosition> all;
+    for (std::size_t of = 0; of < points.size(); ++of)
+        for (const TilePosition& point : points[of]) all.push_back({point[0], point[1], static_cast<std::int32_t>(of)});
+    return all;
+}
+
+ClassedPositions by_class(std::span<const TilePosition> points, std::size_t classes)
+{
+    ClassedPositions own(classes);
+    for (const TilePosition& point : points) own[static_cast<std::size_t>(point[2])].push_back({point[0], point[1], 0});
+    return own;
+}
+
 std::uint32_t ClassFillProblem::active_points() const { return std::reduce(active.begin(), active.end()); }
 
 ClassFillSettings class_fill_settings(const PoissonTileParameters& p)

@@ -21,6 +21,12 @@ using ClassedPositions = std::vector<std::vector<TilePosition>>;
 
 std::size_t point_count(const ClassedPositions& points);
 
+/// Points in one list, class after class, with their class as third coordinate.
+std::vector<TilePosition> with_classes(const ClassedPositions& points);
+
+/// The inverse of with_classes(); points of a class stay in their order.
+ClassedPositions by_class(std::span<const TilePosition> points, std::size_t classes);
+
 /// The part of the squared distances that are asked for, all of it, in the units that parts are counted in.
 inline constexpr std::uint32_t whole_part = 1U << 16;
 

@@ -18,6 +18,12 @@
 
 namespace poissonlab {
 
+/// The class of a point, which is its third coordinate in the plane where points have classes; 0 where they have none.
+inline std::uint32_t class_of(const TilePosition& point, const PoissonTileParameters& parameters)
+{
+    return parameters.classes.is_empty() ? 0 : static_cast<std::uint32_t>(point[2]);
+}
+
 /// The places into which darts are thrown: allowed cells, inside of a box.
 struct DartZone
 {
@@ -56,6 +62,9 @@ struct FillProblem
 
     /// The moments of active points, in units from the middle of the tile at (0, 0), as monomials_up_to() lists them.
     std::vector<std::int64_t> moments = {};
+
+    /// The active points of each class, where points have classes.
+    std::vector<std::uint32_t> classes = {};
 };
 
 struct FilledTorus

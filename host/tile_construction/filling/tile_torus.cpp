@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -140,10 +141,22 @@ TilePosition pushed_out(const TileRegions& regions, const TilePosition& position
     return result;
 }
 
+TilePosition limited_movement(const std::array<double, 3>& sum, double limit, int dimension)
+{
+    const auto axes = static_cast<std::size_t>(dimension);
+    double squared = 0;
+    for (std::size_t k = 0; k < axes; ++k) squared += sum[k] * sum[k];
+    const double length = std::sqrt(squared);
+    const double scale = length > limit ? limit / length : 1;
+    TilePosition movement{};
+    for (std::size_t k = 0; k < axes; ++k) movement[k] = static_cast<std::int32_t>(std::nearbyint(scale * sum[k]));
+    return movement;
+}
+
 TilePosition allowed_end(const Zone& zone, const TilePosition& start, const TilePosition& movement, bool slides)
 {
     const auto moved = [&](std::int32_t part) { // in 4,096ths
-        TilePosition end{};
+        TilePosition end = start;
         for (int k = 0; k < zone.regions.dimension; ++k) end[k] = wrapped(start[k] + (movement[k] * part >> 12));
         return end;
     };

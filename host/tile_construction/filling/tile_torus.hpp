@@ -6,6 +6,7 @@
 
 #include "tiles/poisson/tile_regions.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -51,8 +52,12 @@ bool is_allowed(const Zone& zone, const TilePosition& position);
 /// position.
 TilePosition pushed_out(const TileRegions& regions, const TilePosition& position);
 
-/// The end of a movement from an allowed position. A movement that would end elsewhere slides out of regions by the
-/// shortest way, three times at most, or is shortened to the last position that is allowed.
+/// Shortens a movement to `limit` at most, and rounds it to whole units.
+TilePosition limited_movement(const std::array<double, 3>& sum, double limit, int dimension);
+
+/// The end of a movement from an allowed position; in the plane the third coordinate, which may be a class, stays. A
+/// movement that would end elsewhere slides out of regions by the shortest way, three times at most, or is shortened to
+/// the last position that is allowed.
 TilePosition allowed_end(const Zone& zone, const TilePosition& start, const TilePosition& movement, bool slides);
 
 }

@@ -6,6 +6,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace poissonlab {
 namespace {
 
@@ -190,18 +192,23 @@ private:
     void precondition()
     {
         const std::size_t size = count_ * (count_ + 1) / 2;
-        factors_.resize(p_.tiles * size);
+        factors_.resize(groups() * side_by_side * size);
         softness_.resize(p_.tiles * count_);
         tbb::parallel_for(std::size_t{0}, std::size_t{p_.tiles}, [&](std::size_t tile) {
-            const auto triangle = std::span(factors_).subspan(tile * size, size);
+            std::vector<double> triangle(size);
             add_squares(tile, triangle);
             for (std::size_t c = 0, diagonal = 0; c < count_; ++c, diagonal += c + 1) {
                 softness_[tile * count_ + c] = conditions_.softness(c) * triangle[diagonal];
                 triangle[diagonal] += softness_[tile * count_ + c];
             }
             factorize(triangle, count_);
+            double* const in_group = &factors_[tile / side_by_side * side_by_side * size + tile % side_by_side];
+            for (std::size_t i = 0; i < size; ++i) in_group[i * side_by_side] = triangle[i];
         });
     }
+
+    /// The number of groups of tiles whose systems are solved side by side; the last one may have places without tiles.
+    std::size_t groups() const { return (p_.tiles + side_by_side - 1) / side_by_side; }
 
     /// Products of slopes of the points of a tile.
     void add_squares(std::size_t tile, std::span<double> triangle) const
@@ -218,10 +225,17 @@ private:
 
     std::vector<double> preconditioned(const std::vector<double>& residual) const
     {
-        const std::size_t size = count_ * (count_ + 1) / 2;
-        std::vector<double> result = residual;
-        for_each(p_.tiles, [&](std::size_t tile) {
-            solve(std::span(factors_).subspan(tile * size, size), std::span(result).subspan(tile * count_, count_));
+        const std::size_t size = count_ * (count_ + 1) / 2 * side_by_side;
+        std::vector<double> result(residual.size());
+        tbb::parallel_for(std::size_t{0}, groups(), [&](std::size_t group) {
+            const std::size_t first = group * side_by_side;
+            const std::size_t tiles = std::min<std::size_t>(side_by_side, p_.tiles - first);
+            std::vector<double> values(count_ * side_by_side);
+            for (std::size_t i = 0; i < tiles * count_; ++i)
+                values[i % count_ * side_by_side + i / count_] = residual[first * count_ + i];
+            solve_side_by_side(std::span(factors_).subspan(group * size, size), values);
+            for (std::size_t i = 0; i < tiles * count_; ++i)
+                result[first * count_ + i] = values[i % count_ * side_by_side + i / count_];
         });
         return result;
     }
@@ -241,7 +255,8 @@ private:
     std::vector<std::uint32_t> entries_; ///< the stored points that move, tile after tile
     std::vector<std::size_t> first_entry_;
     std::vector<double> slopes_; ///< by entry, axis, condition
-    std::vector<double> lacking_, factors_;
+    std::vector<double> lacking_;
+    std::vector<double> factors_;  ///< by group, entry and tile
     std::vector<double> softness_; ///< by tile, condition
 };
 

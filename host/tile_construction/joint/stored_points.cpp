@@ -1,5 +1,6 @@
 #include "host/tile_construction/joint/stored_points.hpp"
 
+#include "host/tile_construction/filling/tile_filling.hpp"
 #include "host/tile_construction/joint/joint_moments.hpp"
 #include "host/tile_construction/joint/joint_tiling.hpp"
 
@@ -12,6 +13,12 @@ std::size_t StoredPoints::add(std::span<const UnitPosition> points, double weigh
     for (const UnitPosition& point : points) mean_tile_.push_back({point, weight, moves});
     first_.push_back(mean_tile_.size());
     return first_.size() - 2;
+}
+
+void StoredPoints::add(std::span<const WeightedPoint> points)
+{
+    mean_tile_.insert(mean_tile_.end(), points.begin(), points.end());
+    first_.push_back(mean_tile_.size());
 }
 
 JointTorus StoredPoints::torus(int dimension, std::uint32_t side, std::span<const std::uint32_t> tiles,
@@ -81,13 +88,93 @@ void add_evening(std::vector<Displacement>& displacements, JointEngine& engine, 
     if (p.equal_moments > 0) add_moment_step(displacements, points, own_points, p);
 }
 
+/// The stored points of one class, in as many pieces.
+struct PointsOfClass
+{
+    StoredPoints points;
+    std::vector<std::size_t> numbers; ///< of its points among all
+    std::vector<std::uint32_t> own;   ///< of all points among its points, if they are of the class
+};
+
+PointsOfClass points_of_class(const StoredPoints& all, std::uint32_t of, const PoissonTileParameters& p)
+{
+    PointsOfClass result;
+    result.own.resize(all.count());
+    for (std::size_t piece = 0; piece < all.pieces(); ++piece) {
+        std::vector<WeightedPoint> own;
+        for (std::size_t i = all.first(piece); i < all.end(piece); ++i) {
+            if (class_of(all.mean_tile()[i].position, p) != of) continue;
+            result.own[i] = static_cast<std::uint32_t>(result.numbers.size());
+            result.numbers.push_back(i);
+            own.push_back(all.mean_tile()[i]);
+        }
+        result.points.add(own);
+    }
+    return result;
+}
+
+/// The parameters of a set of one class alone, or of all points without their classes.
+PoissonTileParameters without_classes(PoissonTileParameters p, std::uint32_t points_per_tile)
+{
+    p.points_per_tile = points_per_tile;
+    p.classes = {};
+    return p;
+}
+
+/// A point goes half of the way to where all points would have it, and half to where those of its class would: blue
+/// noise of the class and of all. Nulling is for the mean tile of all points and for those of classes; moments are
+/// those of each class.
+std::vector<Displacement> class_displacements(JointEngine& engine, const StoredPoints& points,
+                                              const OwnPieces& own_pieces, const OwnPoints& own_points,
+                                              const PoissonTileParameters& p, const std::vector<std::uint32_t>& tiles)
+{
+    constexpr double share_of_all = 0.5;
+    const auto centred = [&](const StoredPoints& of) {
+        return engine.mean_displacements(of.torus(p.dimension, joint_side(p), tiles, own_pieces), of.count());
+    };
+    std::vector<Displacement> displacements = centred(points);
+    std::vector<PointsOfClass> classes;
+    for (std::uint32_t of = 0; of < p.classes.count(); ++of) {
+        classes.push_back(points_of_class(points, of, p));
+        if (p.classes.count() == 1) break;
+        const std::vector<Displacement> alone = centred(classes.back().points);
+        for (std::size_t i = 0; i < alone.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                double& x = displacements[classes.back().numbers[i]][k];
+                x = share_of_all * x + (1 - share_of_all) * alone[i][k];
+            }
+    }
+    if (p.null_peaks && p.classes.count() > 1)
+        add_nulling(displacements, engine, moved(points.mean_tile(), displacements),
+                    without_classes(p, p.points_per_tile), nulling_reach);
+    for (std::uint32_t of = 0; of < p.classes.count(); ++of) {
+        const PointsOfClass& own = classes[of];
+        std::vector<Displacement> parts;
+        for (const std::size_t number : own.numbers) parts.push_back(displacements[number]);
+        const auto own_points_of_class = [&](std::uint32_t tile) {
+            std::vector<OwnPoint> kept;
+            for (OwnPoint point : own_points(tile)) {
+                if (class_of(points.mean_tile()[point.stored].position, p) != of) continue;
+                point.stored = own.own[point.stored];
+                kept.push_back(point);
+            }
+            return kept;
+        };
+        add_evening(parts, engine, own.points, own_points_of_class, without_classes(p, p.classes.points[of]));
+        for (std::size_t i = 0; i < parts.size(); ++i) displacements[own.numbers[i]] = parts[i];
+    }
+    return displacements;
+}
+
 }
 
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
                                               const OwnPieces& own_pieces, const OwnPoints& own_points,
                                               const PoissonTileParameters& p, std::uint32_t iteration)
 {
-    const JointTorus torus = points.torus(p.dimension, joint_side(p), joint_tiling(p, iteration), own_pieces);
+    const std::vector<std::uint32_t> tiles = joint_tiling(p, iteration);
+    if (!p.classes.is_empty()) return class_displacements(engine, points, own_pieces, own_points, p, tiles);
+    const JointTorus torus = points.torus(p.dimension, joint_side(p), tiles, own_pieces);
     std::vector<Displacement> displacements = engine.mean_displacements(torus, points.count());
     add_evening(displacements, engine, points, own_points, p);
     return displacements;

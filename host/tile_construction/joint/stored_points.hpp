@@ -30,7 +30,11 @@ public:
     /// the share of tiles that do. Returns its number.
     std::size_t add(std::span<const UnitPosition> points, double weight, bool moves);
 
+    /// Adds a piece by points as mean_tile() has them.
+    void add(std::span<const WeightedPoint> points);
+
     std::size_t count() const { return mean_tile_.size(); }
+    std::size_t pieces() const { return first_.size() - 1; }
 
     /// The number of a piece's first point.
     std::size_t first(std::size_t piece) const { return first_[piece]; }
@@ -54,7 +58,8 @@ private:
 double longest_joint_move(const PoissonTileParameters& parameters);
 
 /// The movements of all stored points in a joint iteration: the mean of what Lloyd relaxation does to their copies on
-/// that iteration's torus and, if asked for, nulling, and then a step to equal moments.
+/// that iteration's torus and, if asked for, nulling, and then a step to equal moments. Points with classes: for all
+/// points together, and for those of each class.
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
                                               const OwnPieces& own_pieces, const OwnPoints& own_points,
                                               const PoissonTileParameters& parameters, std::uint32_t iteration);

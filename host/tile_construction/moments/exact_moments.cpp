@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 namespace poissonlab {
@@ -67,9 +68,13 @@ public:
     {
         if (!settle_first_moments()) return false;
         approach();
+        std::vector<UprightWay> upright; // depends on the points that are searched alone
+        std::optional<std::array<Half, 2>> before;
         return std::ranges::any_of(search_sizes, [&](const SearchSize& size) {
             choose_points(size);
-            return search(upright_ways(), level_ways());
+            if (before != halves_) upright = upright_ways();
+            before = halves_;
+            return search(upright, level_ways());
         });
     }
 
@@ -222,13 +227,14 @@ private:
     static void for_each_way(const std::array<Half, 2>& halves, int reach, const Change& change, const Product& product,
                              std::uint64_t wanted, const Visit& visit)
     {
-        const WayTable table(halves[0].changes(reach, change));
-        const auto first = halves[0].changes(reach, product), second = halves[1].changes(reach, product);
-        const auto changes = halves[1].changes(reach, change);
-        for (std::size_t way = 0; way < changes.size(); ++way)
-            table.for_each(wanted - changes[way], [&](std::size_t other) {
+        static thread_local WayTable table; // of megabytes, for many tiles
+        table.fill(halves[0].changes(reach, change));
+        const Sums first = halves[0].changes(reach, product), second = halves[1].changes(reach, product);
+        halves[1].changes(reach, change).for_each([&](std::size_t way, std::uint64_t changed) {
+            table.for_each(wanted - changed, [&](std::size_t other) {
                 visit(Ways{other, way}, static_cast<std::int64_t>(first[other] + second[way]));
             });
+        });
     }
 
     /// Moves points by the first ways that make the sum of products right as well; false: there are none.

@@ -2,6 +2,8 @@
 
 #include "kernels/common/tiles/tile_filling.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace poissonlab {
@@ -49,6 +51,50 @@ void solve(std::span<const double> factor, std::span<double> values)
         double sum = values[i];
         for (std::size_t k = i + 1; k < rows; ++k) sum -= factor[triangle_index(k, i)] * values[k];
         values[i] = factor[triangle_index(i, i)] > 0 ? sum / factor[triangle_index(i, i)] : 0;
+    }
+}
+
+namespace {
+
+/// The numbers of all systems in the same place.
+using Lanes = std::array<double, side_by_side>;
+
+Lanes lanes_at(std::span<const double> numbers, std::size_t index)
+{
+    Lanes lanes;
+    std::copy_n(&numbers[index * side_by_side], side_by_side, lanes.begin());
+    return lanes;
+}
+
+void subtract_products(Lanes& sums, const double* a, const double* b)
+{
+    for (std::size_t lane = 0; lane < side_by_side; ++lane) sums[lane] -= a[lane] * b[lane];
+}
+
+void put_quotients(const Lanes& sums, const double* divisors, double* quotients)
+{
+    for (std::size_t lane = 0; lane < side_by_side; ++lane)
+        quotients[lane] = divisors[lane] > 0 ? sums[lane] / divisors[lane] : 0;
+}
+
+}
+
+void solve_side_by_side(std::span<const double> factors, std::span<double> values)
+{
+    const std::size_t rows = values.size() / side_by_side;
+    const auto factor = [&](std::size_t row, std::size_t column) {
+        return &factors[triangle_index(row, column) * side_by_side];
+    };
+    const auto value = [&](std::size_t row) { return &values[row * side_by_side]; };
+    for (std::size_t i = 0; i < rows; ++i) {
+        Lanes sums = lanes_at(values, i);
+        for (std::size_t k = 0; k < i; ++k) subtract_products(sums, factor(i, k), value(k));
+        put_quotients(sums, factor(i, i), value(i));
+    }
+    for (std::size_t i = rows; i-- > 0;) {
+        Lanes sums = lanes_at(values, i);
+        for (std::size_t k = i + 1; k < rows; ++k) subtract_products(sums, factor(k, i), value(k));
+        put_quotients(sums, factor(i, i), value(i));
     }
 }
 

@@ -26,6 +26,13 @@ void factorize(std::span<double> triangle, std::size_t rows);
 /// Replaces a right-hand side by the solution, for the factor that factorize() leaves.
 void solve(std::span<const double> factor, std::span<double> values);
 
+/// The number of systems that solve_side_by_side() solves.
+inline constexpr std::size_t side_by_side = 8;
+
+/// Solves several systems as solve() does each, to the same bits, so that none waits for its own last subtraction.
+/// `factors` and `values` have each entry of all systems one after the other.
+void solve_side_by_side(std::span<const double> factors, std::span<double> values);
+
 class MomentStep
 {
 public:

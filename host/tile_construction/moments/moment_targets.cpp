@@ -1,5 +1,7 @@
 #include "host/tile_construction/moments/moment_targets.hpp"
 
+#include "host/tile_construction/filling/tile_filling.hpp"
+
 #include <cmath>
 
 namespace poissonlab {
@@ -29,6 +31,17 @@ std::vector<std::int64_t> mean_moments(const PoissonTileSet& set, const std::vec
     return mean;
 }
 
+/// Their mean, where a square is odd if its number is: so are sums of them.
+std::vector<std::int64_t> wanted_moments(const PoissonTileSet& set, const std::vector<Monomial>& monomials)
+{
+    std::vector<std::int64_t> wanted = mean_moments(set, monomials);
+    const auto axes = static_cast<std::size_t>(set.parameters.dimension);
+    for (std::size_t m = 0; m < monomials.size(); ++m)
+        for (std::size_t k = 0; k < axes; ++k)
+            if (monomials[m][k] == 2 && order_of(monomials[m]) == 2) wanted[m] += (wanted[m] - wanted[k]) & 1;
+    return wanted;
+}
+
 }
 
 double moment_margin(const PoissonTileParameters& p)
@@ -39,15 +52,13 @@ double moment_margin(const PoissonTileParameters& p)
 }
 
 MomentTargets::MomentTargets(const PoissonTileSet& set, std::uint32_t order)
-    : p_(set.parameters), order_(order), monomials_(monomials_up_to(order, p_.dimension)),
-      wanted_(mean_moments(set, monomials_))
+    : p_(set.parameters), order_(order), monomials_(monomials_up_to(order, p_.dimension))
 {
-    if (order < 2) return;
-    // A square is odd where its number is: so are sums of them.
-    const auto axes = static_cast<std::size_t>(p_.dimension);
-    for (std::size_t m = 0; m < monomials_.size(); ++m)
-        for (std::size_t k = 0; k < axes; ++k)
-            if (monomials_[m][k] == 2 && order_of(monomials_[m]) == 2) wanted_[m] += (wanted_[m] - wanted_[k]) & 1;
+    const auto add = [&](const PoissonTileSet& of) {
+        for (const std::int64_t moment : wanted_moments(of, monomials_)) wanted_.push_back(moment);
+    };
+    if (p_.classes.is_empty()) add(set);
+    for (std::uint32_t of = 0; of < p_.classes.count(); ++of) add(class_subset(set, of));
 }
 
 StoredFromMiddle MomentTargets::stored(const UnitPosition& position) const
@@ -63,7 +74,8 @@ std::vector<std::int64_t> MomentTargets::left(std::span<const UnitPosition> othe
     std::vector<std::int64_t> result = wanted_;
     for (const UnitPosition& other : others) {
         const StoredFromMiddle at = stored(other);
-        for (std::size_t m = 0; m < monomials_.size(); ++m) result[m] -= value_of(monomials_[m], at);
+        const std::size_t first = class_of(other, p_) * monomials_.size();
+        for (std::size_t m = 0; m < monomials_.size(); ++m) result[first + m] -= value_of(monomials_[m], at);
     }
     return result;
 }
@@ -71,20 +83,37 @@ std::vector<std::int64_t> MomentTargets::left(std::span<const UnitPosition> othe
 std::vector<std::int64_t> MomentTargets::left_in_units(std::span<const UnitPosition> others) const
 {
     std::vector<std::int64_t> result = left(others);
-    for (std::size_t m = 0; m < monomials_.size(); ++m)
-        result[m] *= integer_power(stored_scale(p_.border).step, order_of(monomials_[m]));
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] *= integer_power(stored_scale(p_.border).step, order_of(monomials_[i % monomials_.size()]));
     return result;
 }
 
 bool MomentTargets::make_exact(std::vector<UnitPosition>& inside, std::span<const UnitPosition> others) const
 {
+    const std::vector<std::int64_t> all_left = left(others);
+    for (std::uint32_t of = 0; of < class_count(); ++of)
+        if (!make_exact(inside, of, all_left)) return false;
+    return true;
+}
+
+/// Moves the points of one class.
+bool MomentTargets::make_exact(std::vector<UnitPosition>& inside, std::uint32_t of,
+                               const std::vector<std::int64_t>& all_left) const
+{
+    std::vector<std::size_t> own;
     std::vector<StoredFromMiddle> points;
-    for (const UnitPosition& point : inside) points.push_back(stored(point));
-    if (!make_moments_exact(points, left(others), order_, p_.dimension)) return false;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (class_of(inside[i], p_) != of) continue;
+        own.push_back(i);
+        points.push_back(stored(inside[i]));
+    }
+    const auto first = all_left.begin() + static_cast<std::ptrdiff_t>(of * monomials_.size());
+    const std::vector<std::int64_t> wanted(first, first + static_cast<std::ptrdiff_t>(monomials_.size()));
+    if (!make_moments_exact(points, wanted, order_, p_.dimension)) return false;
     const std::int32_t step = stored_scale(p_.border).step;
-    for (std::size_t i = 0; i < inside.size(); ++i)
+    for (std::size_t i = 0; i < own.size(); ++i)
         for (std::size_t k = 0; k < static_cast<std::size_t>(p_.dimension); ++k)
-            inside[i][k] = static_cast<std::int32_t>(points[i][k]) * step + tile_middle;
+            inside[own[i]][k] = static_cast<std::int32_t>(points[i][k]) * step + tile_middle;
     return true;
 }
 

@@ -1,8 +1,11 @@
 #include "host/tile_construction/moments/ways_to_move.hpp"
 
-namespace poissonlab {
+#include <span>
 
-std::vector<std::uint64_t> all_sums(const std::vector<std::vector<std::uint64_t>>& terms)
+namespace poissonlab {
+namespace {
+
+std::vector<std::uint64_t> all_sums(std::span<const std::vector<std::uint64_t>> terms)
 {
     std::vector<std::uint64_t> sums{0};
     for (const auto& list : terms) {
@@ -14,5 +17,12 @@ std::vector<std::uint64_t> all_sums(const std::vector<std::vector<std::uint64_t>
     }
     return sums;
 }
+
+}
+
+Sums::Sums(const std::vector<std::vector<std::uint64_t>>& terms)
+    : low_(all_sums(std::span(terms).first(terms.size() / 2))),
+      high_(all_sums(std::span(terms).subspan(terms.size() / 2)))
+{}
 
 }

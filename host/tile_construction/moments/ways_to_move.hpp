@@ -13,14 +13,38 @@ inline std::uint64_t mixture(std::int64_t a, std::int64_t b)
     return static_cast<std::uint64_t>(a) * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(b) * 0xd1b54a32d192ed03;
 }
 
-/// All sums of one term of each list; the first list's number counts fast.
-std::vector<std::uint64_t> all_sums(const std::vector<std::vector<std::uint64_t>>& terms);
+/// All sums of one term of each list, by their numbers, in which the first list counts fast. Sums of the first lists
+/// and of the last ones are kept, which fit into a fast memory; there are millions of all.
+class Sums
+{
+public:
+    explicit Sums(const std::vector<std::vector<std::uint64_t>>& terms);
+
+    std::size_t size() const { return low_.size() * high_.size(); }
+    std::uint64_t operator[](std::size_t number) const
+    {
+        return low_[number % low_.size()] + high_[number / low_.size()];
+    }
+
+    /// Visits the number and the sum of each, in order.
+    template <class Visit>
+    void for_each(const Visit& visit) const
+    {
+        std::size_t number = 0;
+        for (const std::uint64_t high : high_)
+            for (const std::uint64_t low : low_) visit(number++, low + high);
+    }
+
+private:
+    std::vector<std::uint64_t> low_, high_;
+};
 
 /// Finds the ways that make a change. Most changes are found to be made by none in a small sieve.
 class WayTable
 {
 public:
-    explicit WayTable(const std::vector<std::uint64_t>& changes)
+    /// Forgets the ways that were there. A table that is used again keeps its memory.
+    void fill(const Sums& changes)
     {
         unsigned bits = 8;
         while (std::size_t{1} << bits < 2 * changes.size()) ++bits;
@@ -28,14 +52,14 @@ public:
         ways_.assign(std::size_t{1} << bits, none);
         changes_.resize(ways_.size());
         sieve_.assign((ways_.size() << sieve_bits) / 64, 0);
-        for (std::uint32_t way = 0; way < changes.size(); ++way) {
-            std::size_t place = mixed(changes[way]) >> shift_;
+        changes.for_each([&](std::size_t way, std::uint64_t change) {
+            std::size_t place = mixed(change) >> shift_;
             while (ways_[place] != none) place = (place + 1) % ways_.size();
-            ways_[place] = way;
-            changes_[place] = changes[way];
-            const std::uint64_t bit = mixed(changes[way]) >> (shift_ - sieve_bits);
+            ways_[place] = static_cast<std::uint32_t>(way);
+            changes_[place] = change;
+            const std::uint64_t bit = mixed(change) >> (shift_ - sieve_bits);
             sieve_[bit / 64] |= std::uint64_t{1} << bit % 64;
-        }
+        });
     }
 
     template <class Visit>
@@ -63,6 +87,8 @@ struct Half
 {
     std::vector<std::size_t> points;
 
+    bool operator==(const Half&) const = default;
+
     /// The movement of a point in one of the ways.
     static std::int64_t movement(std::size_t point, std::size_t way, int reach)
     {
@@ -72,14 +98,14 @@ struct Half
 
     /// The mixtures of what ways change, for the mixture of a single movement.
     template <class Change>
-    std::vector<std::uint64_t> changes(int reach, const Change& change) const
+    Sums changes(int reach, const Change& change) const
     {
         std::vector<std::vector<std::uint64_t>> terms;
         for (const std::size_t point : points) {
             terms.emplace_back();
             for (int by = -reach; by <= reach; ++by) terms.back().push_back(change(point, by));
         }
-        return all_sums(terms);
+        return Sums(terms);
     }
 };
 

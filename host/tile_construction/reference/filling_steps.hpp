@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -37,19 +36,6 @@ inline std::uint32_t squared_between(const TilePosition& a, const TilePosition& 
         sum += static_cast<std::uint32_t>(length * length);
     }
     return sum;
-}
-
-/// Shortens a movement to `limit` at most, and rounds it to whole units.
-inline TilePosition limited_movement(const std::array<double, 3>& sum, double limit, int dimension)
-{
-    const auto axes = static_cast<std::size_t>(dimension);
-    double squared = 0;
-    for (std::size_t k = 0; k < axes; ++k) squared += sum[k] * sum[k];
-    const double length = std::sqrt(squared);
-    const double scale = length > limit ? limit / length : 1;
-    TilePosition movement{};
-    for (std::size_t k = 0; k < axes; ++k) movement[k] = static_cast<std::int32_t>(std::nearbyint(scale * sum[k]));
-    return movement;
 }
 
 }

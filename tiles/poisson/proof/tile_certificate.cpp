@@ -204,6 +204,7 @@ TileCertificate certify(const PoissonTileSet& set)
     check_ranks(set);
     TileCertificate result = p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
     result.moments = tile_moments(set);
+    result.class_moments = class_moments(set);
     return result;
 }
 
@@ -231,6 +232,11 @@ void check_promises(const PoissonTileParameters& parameters, std::uint64_t store
                                      parameters.relative_radius, std::floor(certificate.relative_radius * 1e6) / 1e6,
                                      nearest));
     check_moments(parameters, certificate.moments);
+    PoissonTileParameters own = parameters; // those of a class
+    for (std::size_t of = 0; of < certificate.class_moments.size(); ++of) {
+        own.points_per_tile = parameters.classes.points[of];
+        check_moments(own, certificate.class_moments[of], fmt::format("class {} in ", of));
+    }
 }
 
 }

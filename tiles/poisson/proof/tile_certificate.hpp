@@ -59,7 +59,8 @@ struct TileCertificate
 
     std::vector<ClassPairProof> classes; ///< of each pair of classes, by class_pair()
 
-    TileMoments moments; ///< that all tiles have, which prove how fast spectra fall off
+    TileMoments moments;                    ///< that all tiles have, which prove how fast spectra fall off
+    std::vector<TileMoments> class_moments; ///< of the points of each class, for the spectra of these
 
     std::array<RegionCounts, 4> regions{}; ///< by the dimension of the cell: corners first, the interior last
 
