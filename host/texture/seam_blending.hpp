@@ -41,8 +41,11 @@ std::vector<double> seam_changes(const TextureSet& set);
 /// Blends the seams of a set that shows its sources.
 void blend_seams(TextureSet& set);
 
-/// Proves that each pixel of a blended set is its source's, blended: the blend is made again. Throws InputError for the
-/// first that is not.
-void certify_blend(const TextureSet& set);
+/// Levels the light of tiles (joint/tile_levels.hpp), whose seams may be blended.
+void level_tiles(TextureSet& set);
+
+/// Proves that each pixel of a blended or levelled set is its source's, blended and levelled: that is done again. Throws
+/// InputError for the first that is not.
+void certify_changes(const TextureSet& set);
 
 }

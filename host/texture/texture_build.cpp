@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/random/random.hpp"
 #include "host/texture/corner_texture.hpp"
+#include "host/texture/joint/tile_levels.hpp"
 #include "host/texture/judged_texture.hpp"
 #include "host/texture/seam_blending.hpp"
 #include "host/texture/wang_texture.hpp"
@@ -287,13 +288,8 @@ BuiltTexture chosen_texture(const TextureRequest& request, const PngPixels& exem
     return std::move(kept);
 }
 
-}
-
-BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
-                           const HarmonicSolver& solve)
+void blend_where_asked(const TextureRequest& request, const PngPixels& exemplar, BuiltTexture& built)
 {
-    check(request);
-    BuiltTexture built = chosen_texture(request, exemplar, progress, solve);
     if (request.blend ? *request.blend : is_smooth(exemplar) && can_blend(request)) {
         blend_seams(built.set);
         built.set.parameters["blend"] = "true";
@@ -303,14 +299,41 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     } else if (!request.blend && !request.smooth && is_smooth(exemplar)) {
         built.notes.push_back(fmt::format("the picture is smooth, but seams are not blended: that {}", blended_sets()));
     }
+}
+
+void level_where_asked(const TextureRequest& request, BuiltTexture& built)
+{
+    if (!request.level.value_or(can_blend(request))) return;
+    const SquareVariances before = square_variances(built.set);
+    if (!request.level && !before.is_uneven()) return;
+    level_tiles(built.set);
+    built.set.parameters["level"] = "true";
+    built.notes.push_back(fmt::format(
+        "the light of tiles is levelled: means over squares of {} pixels had {:.1f} % of the variance, in the picture "
+        "{:.1f} %, and have {:.1f} % now{}",
+        request.size, 100 * before.tiling, 100 * before.exemplar, 100 * square_variances(built.set).tiling,
+        request.level ? "" : " (--level off keeps it)"));
+}
+
+}
+
+BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                           const HarmonicSolver& solve)
+{
+    check(request);
+    BuiltTexture built = chosen_texture(request, exemplar, progress, solve);
+    blend_where_asked(request, exemplar, built);
+    level_where_asked(request, built);
     return built;
 }
 
 void add_companions(BuiltTexture& built, std::vector<CompanionMap> companions)
 {
     built.set.companions = std::move(companions);
-    if (built.set.is_blended && !built.set.companions.empty())
+    if (built.set.companions.empty()) return;
+    if (built.set.is_blended)
         built.notes.emplace_back("seams of companions, and of the exemplar's own numbers, are not blended");
+    if (built.set.is_levelled) built.notes.emplace_back("companions, and the exemplar's own numbers, are not levelled");
 }
 
 }

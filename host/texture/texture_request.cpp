@@ -188,6 +188,7 @@ void check(const TextureRequest& r)
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
     if (r.blend.value_or(false) && !can_blend(r)) refuse("blend", "true", blended_sets());
+    if (r.level.value_or(false) && !can_blend(r)) refuse("level", "true", blended_sets());
     const std::size_t pixels = pixels_of(r);
     if (pixels > most_atlas_pixels)
         refuse("size", std::to_string(r.size),

@@ -77,6 +77,7 @@ struct TextureRequest
     int rounds = 12;            ///< joint: how often a better window is looked for at each corner, edge and tile
     bool smooth = false;        ///< corner and omega: the middles of tiles take on the colours around them
     std::optional<bool> blend;  ///< seams become slopes (seam_blending.hpp); nothing: where the exemplar is smooth
+    std::optional<bool> level;  ///< tiles are equally light (joint/tile_levels.hpp); nothing: where they are uneven
     std::uint64_t seed = 1;
 
     /// Classes of colours: marked or not.

@@ -107,7 +107,7 @@ private:
     /// Pixels are those of their sources, unless they were changed.
     void check_values() const
     {
-        if (set_.is_blended) return;
+        if (set_.is_changed()) return;
         const auto channels = static_cast<std::size_t>(set_.exemplar.channels);
         for (std::size_t tile = 0; tile < set_.tiles.size(); ++tile)
             for (std::size_t pixel = 0; pixel < set_.pixels_a_tile(); ++pixel) {

@@ -69,6 +69,7 @@ struct TextureSet
     int marked_column = 0;    ///< of two classes: where the exemplar of marked corners begins; 0: not known
     bool is_smoothed = false; ///< whether pixels inside of the ring differ from their sources
     bool is_blended = false;  ///< whether all pixels may, those of the ring in all tiles alike
+    bool is_levelled = false; ///< the same for smooth fields that make tiles equally light
     PngPixels exemplar;       ///< of one or three channels
     std::vector<TextureTile> tiles;
     std::vector<SourcePixel> sources;              ///< T^2 a tile, tile after tile
@@ -77,6 +78,7 @@ struct TextureSet
     std::vector<CompanionMap> companions;
 
     bool has_corners() const { return kind != TextureKind::wang; }
+    bool is_changed() const { return is_blended || is_levelled; }
     std::size_t pixels_a_tile() const { return static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
     std::span<const SourcePixel> sources_of(std::size_t tile) const
     {

@@ -75,6 +75,7 @@ void members(JsonMembers& m, Set& stored)
     m.if_any("marked_column", stored.set.marked_column);
     m.member("smoothed", stored.set.is_smoothed);
     if (m.is_there("blended", stored.set.is_blended)) m.member("blended", stored.set.is_blended);
+    if (m.is_there("levelled", stored.set.is_levelled)) m.member("levelled", stored.set.is_levelled);
     m.member("channels", stored.channels, 1);
     m.member("atlas_columns", stored.columns, 1);
     m.member("atlas_rows", stored.rows, 1);
@@ -242,6 +243,7 @@ void write_texture_files(const std::function<fs::path(const std::string& name)>&
     stored.set.marked_column = set.marked_column;
     stored.set.is_smoothed = set.is_smoothed;
     stored.set.is_blended = set.is_blended;
+    stored.set.is_levelled = set.is_levelled;
     stored.set.parameters = set.parameters;
     for (const CompanionMap& map : set.companions)
         stored.set.companions.push_back({map.picture_file, map.atlas_file, map.is_original, map.hash, {}});

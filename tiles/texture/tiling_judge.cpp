@@ -91,7 +91,7 @@ TilingJudgement TilingJudge::judge(const TextureSet& set, std::uint64_t seed) co
     const int step = std::max(1, picture.width / judged_patches);
     for (std::size_t i = 0; i < sides_.size(); ++i)
         if (patches_[i])
-            found.novelty[i] = set.is_smoothed || set.is_blended ? patches_[i]->share(picture, 2 * step)
+            found.novelty[i] = set.is_smoothed || set.is_changed() ? patches_[i]->share(picture, 2 * step)
                                                                  : patches_[i]->share(picture, step, sources);
     found.slow = slow_powers(picture, exemplar_, size_);
     if (2 * feature_ > size_) return found;

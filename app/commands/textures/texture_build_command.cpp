@@ -40,7 +40,8 @@ has its own numbers.
 Bricks, planks and threads that are regular, also seen at an angle: --straighten makes their courses straight and a whole
 number for each tile, and their joints run through. exemplar.png is the straightened picture then.
 Light that differs over more than a tile is evened (--flatten off keeps it), and exemplar.png is the flattened picture then;
-companions stay as they are. Seams of smooth pictures are blended (--blend off leaves them).
+companions stay as they are. Seams of smooth pictures are blended (--blend off leaves them). Tiles whose light
+differs more than that of squares of the picture are levelled (--level off keeps it).
 Without --colors and --size the picture decides, as texture advise says; or a line says where they are against that.
   poissonlab texture build corner --exemplar gravel.png --out gravel)";
 

@@ -18,7 +18,8 @@ constexpr auto texture_verify_notes =
     R"(Compares every pair of tiles that may lie side by side, pixel by pixel, through their places in the exemplar:
 each pixel continues its neighbour across the border, or has the joint that the shared colours have everywhere. The pixels of
 all rings with the same colours are the same, and all pixels those of their places; so are those of companions (--also) and
-of exemplars with more than 8 bits, bit for bit. Seams that were blended are blended again. Exit status 2 if anything is not so.
+of exemplars with more than 8 bits, bit for bit. Seams that were blended are blended again, and tiles
+that were levelled are levelled again. Exit status 2 if anything is not so.
 Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
 larger than their own; conspicuous steps are larger than 95 % of those of the exemplar. A line runs between two columns
@@ -39,7 +40,7 @@ TextureCertificate proof_of(const std::filesystem::path& folder, const TextureSe
 {
     try {
         const TextureCertificate proof = certify_texture(set);
-        if (set.is_blended) certify_blend(set);
+        if (set.is_changed()) certify_changes(set);
         return proof;
     } catch (const InputError& error) {
         throw error.moved_to({folder.string()});

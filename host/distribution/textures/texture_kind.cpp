@@ -110,6 +110,8 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_advised = false)
     keys.flag("blend", r.blend,
               "give both sides of each seam a part of their difference, over the length at which the picture changes")
         .otherwise("auto: where the picture is smooth");
+    keys.flag("level", r.level, "make tiles equally light by smooth fields that fit together, and change no seam")
+        .otherwise("auto: where tiles differ more than squares of the picture");
 }
 
 void marked_exemplar_key(Keys& keys, TextureSettings& s)
@@ -203,11 +205,11 @@ void check_keys_of_kind(const Keys& keys, const TextureSettings& s)
             if (keys.is_given(name)) throw keys.invalid(name, allowed);
     };
     if (s.endless) {
-        refuse({"colors",     "vertical_colors", "tiles",           "ring",  "diversity", "search",     "stages",
-                "candidates", "attempts",        "weight",          "cut",   "overlap",   "core",       "joint",
-                "rounds",     "smooth",          "marked_exemplar", "marks", "also",      "straighten", "flatten",
-                "blend"},
-               "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
+        refuse(
+            {"colors",          "vertical_colors", "tiles", "ring",       "diversity", "search", "stages", "candidates",
+             "attempts",        "weight",          "cut",   "overlap",    "core",      "joint",  "rounds", "smooth",
+             "marked_exemplar", "marks",           "also",  "straighten", "flatten",   "blend",  "level"},
+            "is for tiles: kind = \"corner\", \"wang\" or \"omega\"");
         check_keys_of_method(keys, s.endless->method, "kind");
     } else {
         refuse({"cell", "exponent", "falloff", "gain", "restored", "tileable", "block", "tolerance"},

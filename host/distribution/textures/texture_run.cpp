@@ -150,7 +150,7 @@ std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& 
     };
     if (!settings.marked_exemplar.empty())
         parameters.push_back({"marked_exemplar", settings.marked_exemplar.stem().string()});
-    for (const char* key : {"straighten", "flatten", "blend"})
+    for (const char* key : {"straighten", "flatten", "blend", "level"})
         if (set.parameters.contains(key)) parameters.push_back({key, set.parameters.at(key)});
     for (const auto& [key, value] : parameters_of(settings.request)) {
         const auto is_there = [&](const DistributionParameter& parameter) { return parameter.key == key; };

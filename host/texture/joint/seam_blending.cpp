@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/texture/joint/set_cover.hpp"
+#include "host/texture/joint/tile_levels.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -188,31 +189,55 @@ std::vector<double> seam_changes(const TextureSet& set)
     return changes;
 }
 
-void blend_seams(TextureSet& set)
+namespace {
+
+/// Shows sources, blended and levelled as the set says.
+void show_changes(TextureSet& set)
 {
-    const std::vector<double> changes = seam_changes(set);
     const auto channels = static_cast<std::size_t>(set.exemplar.channels);
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        const SourcePixel source = set.sources[i / channels];
-        const double value =
-            set.exemplar.values[set.exemplar.at(source.x, source.y, static_cast<int>(i % channels))] + changes[i];
-        set.values[i] = static_cast<std::uint8_t>(std::clamp(std::floor(value + 0.5), 0.0, 255.0));
-    }
-    set.is_blended = true;
+    std::vector<double> shown;
+    shown.reserve(set.values.size());
+    for (const SourcePixel& source : set.sources)
+        for (std::size_t c = 0; c < channels; ++c)
+            shown.push_back(set.exemplar.values[set.exemplar.at(source.x, source.y, static_cast<int>(c))]);
+    const auto add = [&](const std::vector<double>& changes) {
+        for (std::size_t i = 0; i < shown.size(); ++i) shown[i] += changes[i];
+    };
+    if (set.is_blended) add(seam_changes(set));
+    if (set.is_levelled) add(level_changes(set, shown));
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        set.values[i] = static_cast<std::uint8_t>(std::clamp(std::floor(shown[i] + 0.5), 0.0, 255.0));
 }
 
-void certify_blend(const TextureSet& set)
+}
+
+void blend_seams(TextureSet& set)
 {
-    if (set.ring < 1) throw InputError("ring = 0: blended sets have a ring");
+    set.is_blended = true;
+    show_changes(set);
+}
+
+void level_tiles(TextureSet& set)
+{
+    set.is_levelled = true;
+    show_changes(set);
+}
+
+void certify_changes(const TextureSet& set)
+{
+    if (set.ring < 1) throw InputError("ring = 0: blended and levelled sets have a ring");
     TextureSet again = set;
-    blend_seams(again);
+    show_changes(again);
     const auto [first, other] = std::ranges::mismatch(set.values, again.values);
     if (first == set.values.end()) return;
     const auto pixel =
         static_cast<std::size_t>(first - set.values.begin()) / static_cast<std::size_t>(set.exemplar.channels);
     const std::size_t place = pixel % set.pixels_a_tile(), side = static_cast<std::size_t>(set.size);
-    throw InputError(fmt::format("tile {}: the pixel in column {}, row {} is not its source's, blended",
-                                 set.tiles[pixel / set.pixels_a_tile()].index, place % side, place / side));
+    throw InputError(fmt::format("tile {}: the pixel in column {}, row {} is not its source's, {}",
+                                 set.tiles[pixel / set.pixels_a_tile()].index, place % side, place / side,
+                                 !set.is_levelled  ? "blended"
+                                 : !set.is_blended ? "levelled"
+                                                   : "blended and levelled"));
 }
 
 }
