@@ -30,6 +30,12 @@ constexpr std::uint32_t file_window = 3;
 /// The largest double below 1.
 constexpr double below_one = 1 - 0x1p-53;
 
+InputError file_error(const Parameters& given, const std::string& what)
+{
+    return invalid_value(given.location(tiles_key), tiles_key, fmt::format("\"{}\"", given.texts(tiles_key).front()),
+                         what);
+}
+
 MonotilePointsFile given_file(const Parameters& given)
 {
     const std::filesystem::path path = one_file(given, tiles_key);
@@ -38,7 +44,7 @@ MonotilePointsFile given_file(const Parameters& given)
             throw InputError("must be a file of tiles build hat or tiles build spectre").moved_to({path.string()});
         return read_monotile_points(path);
     } catch (const InputError& error) {
-        throw given.error(tiles_key, error.what());
+        throw file_error(given, error.what());
     }
 }
 
@@ -55,7 +61,7 @@ public:
         try {
             distances_ = proven_monotile_table(file_, built_in_tiling(file_.tiling())).distances;
         } catch (const InputError& error) {
-            throw given.error(tiles_key, error.what());
+            throw file_error(given, error.what());
         }
         preparation_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
