@@ -35,23 +35,18 @@ std::vector<LeveledPoint> tile_points(const PoissonTileSet& tiles, double width,
     return points;
 }
 
-std::vector<LeveledPoint> monotile_points(const pmono_set& set, double width, double height, std::uint64_t seed)
+std::vector<LeveledPoint> monotile_points(const MonotilePointsFile& file, double width, double height,
+                                          std::uint64_t seed)
 {
-    constexpr double longest = 0x1p20;
+    constexpr auto longest = static_cast<double>(farthest_monotile_corner);
     if (width > longest || height > longest)
         throw InputError(fmt::format("a picture of {:.0f} by {:.0f} edges: must be at most {:.0f} along each axis",
                                      width, height, longest));
     const auto key = stream_key(seed, Purpose::tile_choice, 0);
     const std::array<std::int64_t, 2> origin{static_cast<std::int32_t>(key[0]), static_cast<std::int32_t>(key[1])};
-    const double low[2] = {0, 0}, high[2] = {width, height};
-    const auto find = [&](std::vector<pmono_point>& all) {
-        return pmono_in_window(&set, key[0], origin.data(), low, high, all.data(), all.size(), 1);
-    };
-    std::vector<pmono_point> all;
-    all.resize(find(all));
-    find(all);
     std::vector<LeveledPoint> points;
-    for (const pmono_point& p : all) points.push_back({p.position[0], p.position[1], p.level});
+    for (const pmono_point& p : file.in_window(key[0], origin, {0, 0}, {width, height}))
+        points.push_back({p.position[0], p.position[1], p.level});
     return points;
 }
 
@@ -75,7 +70,7 @@ double RankedSet::relative_radius() const
 std::vector<LeveledPoint> RankedSet::points(double width, double height, std::uint64_t seed) const
 {
     if (const auto* monotile = std::get_if<MonotilePointsFile>(&set_))
-        return monotile_points(monotile->set(), width, height, seed);
+        return monotile_points(*monotile, width, height, seed);
     return tile_points(std::get<PoissonTileSet>(set_), width, height, seed);
 }
 

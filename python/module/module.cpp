@@ -47,5 +47,6 @@ PYBIND11_MODULE(_poissonlab, module)
     poissonlab::add_analysis(module);
     poissonlab::add_results(module);
     poissonlab::add_tile_sets(module);
+    poissonlab::add_monotile_sets(module);
     poissonlab::add_kinds(module);
 }

@@ -12,6 +12,7 @@ void add_point_files(pybind11::module_& module);
 void add_analysis(pybind11::module_& module);
 void add_results(pybind11::module_& module);
 void add_tile_sets(pybind11::module_& module);
+void add_monotile_sets(pybind11::module_& module);
 void add_kinds(pybind11::module_& module);
 
 /// Returns the name of a parameter's kind, for hints of types.

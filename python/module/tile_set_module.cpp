@@ -1,11 +1,10 @@
 // Poisson disk tile sets for Python: what runtime/poisson_tiles.h does, for arrays, and the proof of the minimum
 // distance.
 #include "base/errors/errors.hpp"
-#include "base/regions/region_source.hpp"
-#include "base/regions/region_text.hpp"
 #include "host/tile_points/tiled_region.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
+#include "python/module/tile_columns.hpp"
 #include "tiles/poisson/proof/tile_certificate.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -26,49 +25,6 @@ namespace {
 
 using Corner = std::array<double, 3>;
 
-/// Points of tilings as columns, in the order in which they were found.
-struct PointColumns
-{
-    explicit PointColumns(int dimension_) : dimension(static_cast<std::size_t>(dimension_)) {}
-
-    void add(const ptiles_point& point)
-    {
-        for (std::size_t axis = 0; axis < dimension; ++axis) {
-            positions.push_back(point.position[axis]);
-            tiles.push_back(point.tile[axis]);
-        }
-        indices.push_back(point.index);
-        ids.push_back(point.id);
-        levels.push_back(point.level);
-    }
-
-    std::size_t dimension;
-    std::vector<double> positions;
-    std::vector<std::int32_t> tiles;
-    std::vector<std::uint32_t> indices, ids;
-    std::vector<double> levels;
-};
-
-/// Maps points to the coordinates of a region's file.
-PointColumns in_files(const PlaneRegion& region, PointColumns points)
-{
-    if (is_mapped(region)) region.source->map->to_file(points.positions);
-    return points;
-}
-
-py::dict columns_of(PointColumns points)
-{
-    const auto count = static_cast<py::ssize_t>(points.ids.size());
-    const auto dimension = static_cast<py::ssize_t>(points.dimension);
-    py::dict columns;
-    columns["position"] = array_of(std::move(points.positions), {count, dimension});
-    columns["tile"] = array_of(std::move(points.tiles), {count, dimension});
-    columns["index"] = array_of(std::move(points.indices));
-    columns["id"] = array_of(std::move(points.ids));
-    columns["level"] = array_of(std::move(points.levels));
-    return columns;
-}
-
 class OpenTileSet
 {
 public:
@@ -85,6 +41,8 @@ public:
         parameters["colors"] = p.colors;
         parameters["tiles"] = p.tiles;
         parameters["points_per_tile"] = p.points_per_tile;
+        parameters["density"] = static_cast<double>(p.points_per_tile);
+        parameters["unit"] = "tiles";
         parameters["relative_radius"] = p.relative_radius;
         parameters["min_distance"] = std::sqrt(static_cast<double>(set_.squared_min_distance)) / 65536;
         parameters["exponent"] = 2 * (p.equal_moments + 1);
@@ -113,14 +71,8 @@ public:
                        double density) const
     {
         if (set_.parameters.dimension != 2) throw InputError("in_region: these are tiles in space");
-        const auto overlaps = polygon_overlap_names.find(overlap);
-        if (!overlaps)
-            throw InputError(fmt::format("in_region: overlap = {}: must be union or refuse", printable(overlap)));
-        if (!(buffer >= 0 && buffer <= 1e12))
-            throw InputError(fmt::format("in_region: buffer = {}: must be a number from 0 to 1e12", buffer));
         return columns_of(without_lock([&] {
-            const PlaneRegion plane =
-                read_region(text, {.is_planar = is_planar, .crs = crs, .overlap = *overlaps, .buffer = buffer});
+            const PlaneRegion plane = called_region(text, is_planar, crs, overlap, buffer);
             const auto region = std::make_shared<const FixedRegion>(plane);
             const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
             const RegionBox& box = region->box();
@@ -231,9 +183,7 @@ private:
             if (!(low[axis] < high[axis])) throw InputError("window: its sizes must be above 0");
             points *= high[axis] - low[axis];
         }
-        constexpr double most = 1 << 27;
-        if (points > most)
-            throw InputError(fmt::format("window: some {:.0f} points: must be at most {:.0f}", points, most));
+        check_window_points(points);
     }
 
     std::string file_;

@@ -1,4 +1,4 @@
-"""Poisson disk tile sets: endless point sets with a proven minimum distance, looked up wherever one likes."""
+"""Poisson disk tile sets, hats and spectres: endless point sets with a proven minimum distance, looked up anywhere."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from .toml import geojson_of
 class TilePoints(NamedTuple):
     """Points of a tiling, arrays with one item or row a point.
 
-    position: in tiles, shape (n, d), float64
-    tile: the place of its tile, shape (n, d), int32
+    position: in tiles (hats and spectres: in edges), shape (n, d), float64
+    tile: the place of its tile, shape (n, d), int32; hats and spectres have no such places: shape (n, 0)
     index: its number in the tile, uint32
     id: random bits that stay with the point, such as for its looks, uint32
     level: the density, from 0 to 1, above which the point is there, float64
@@ -43,7 +43,7 @@ class TilePoints(NamedTuple):
 class NearestPoints(NamedTuple):
     """The nearest points of positions, arrays with one item or row a position.
 
-    distance: in tiles, float64
+    distance: in the unit of positions, float64
     position, tile, index, id, level: of the nearest point, see TilePoints
     """
 
@@ -61,10 +61,11 @@ class NearestPoints(NamedTuple):
 class Certificate(NamedTuple):
     """The proof of a tile set, in exact integers: it holds for every tiling.
 
-    min_distance: no two points of any tiling are nearer, in tiles
-    squared_min_distance: its square, in units of 1/65536 tile
+    min_distance: no two points of any tiling are nearer, in tiles (hats and spectres: in edges)
+    squared_min_distance: its square, in units of 1/65536 tile or edge, rounded down
     relative_radius: of that distance
-    largest_empty_radius: no circle (ball) that is empty in any tiling has a larger radius, in tiles
+    largest_empty_radius: no circle (ball) that is empty in any tiling has a larger radius, in tiles; nan for hats and
+        spectres, of which it is not proven
     tiles, points_per_tile: the size of the set
     class_distances: the minimum distance of each pair of classes, in tiles, shape (classes, classes)
     """
@@ -95,12 +96,17 @@ class TileSet:
     Every seed is another tiling of all the plane (3D: of space). Lengths are in tiles. The points are those of
     runtime/poisson_tiles.h and of `poissonlab tiles points`, bit for bit. No OpenCL is needed.
 
-    kind: "corner", "edge", "template" or "sphere".
+    Sets of hats and spectres (docs/monotile-points.md) have the points of runtime/monotile_points.h. Lengths are in edges,
+    and the seed changes no point: it chooses those that a density leaves.
+
+    kind: "corner", "edge", "template", "sphere", "hat" or "spectre".
     dimension: 2 or 3.
-    colors, tiles, points_per_tile: how many there are.
-    relative_radius: of the least distance that was asked for when the set was built.
-    min_distance: the least distance between points of any tiling that the file promises, in tiles, which verify() proves;
-        0: none.
+    colors, tiles, points_per_tile: how many there are; 1 colour and 1 tile where one tile never repeats.
+    density: the number of points per unit of area (3D: of volume).
+    unit: of lengths, "tiles" or "edges".
+    relative_radius: of the least distance that was asked for when the set was built; of hats and spectres that of the
+        distance that the file promises.
+    min_distance: the least distance between points of any tiling that the file promises, which verify() proves; 0: none.
     exponent: power goes to 0 with this power of the frequency, at least; see docs/chain-tiles.md.
     ranked: whether any density is spread evenly.
     class_points: the points of each class in a tile; empty where points have no classes.
@@ -111,6 +117,8 @@ class TileSet:
     colors: int
     tiles: int
     points_per_tile: int
+    density: float
+    unit: str
     relative_radius: float
     min_distance: float
     exponent: int
@@ -118,36 +126,41 @@ class TileSet:
     class_points: list[int]
 
     def __init__(self, file: str | os.PathLike[str]) -> None:
-        self._set = _poissonlab.TileSet(file)
+        opened = _poissonlab.MonotileSet if _poissonlab.is_monotile_set(file) else _poissonlab.TileSet
+        self._set = opened(file)
         for name, value in self._set.parameters().items():
             setattr(self, name, value)
 
-    def window(self, *window: float, seed: int = 1, density: Density = 1.0) -> numpy.ndarray:
+    def window(self, *window: float, seed: int = 1, density: Density = 1.0, origin: tuple[int, int] = (0, 0)) -> numpy.ndarray:
         """The positions of all points in a window.
 
-        window: x, y, width, height, in tiles; in 3D x, y, z, width, height, depth. Points at the lower borders are
+        window: x, y, width, height; in 3D x, y, z, width, height, depth. Points at the lower borders are
             inside, those at the upper ones are not.
         seed: which tiling, 32 bits. Windows of the same seed fit together.
         density: the part of the points that is there, above 0 and at most 1; or a function of the coordinates (arrays
             x, y and, in 3D, z) that says it for each place. More density adds points and moves none; ranked sets are
             spread evenly at any density.
-        Returns a float64 array of shape (n, d). Rows of tiles from south to north, in each from west to east.
+        origin: of hats and spectres: two integers from -2**40 to 2**40, the place from which the window and positions are
+            seen, (X, Y) for spectres and (X, sqrt(3) Y) for hats. Windows reach up to 2**20 edges from there.
+        Returns a float64 array of shape (n, d). Rows of tiles from south to north, in each from west to east; hats and
+        spectres in the order of their divisions.
         """
-        return self.points(*window, seed=seed, density=density).position
+        return self.points(*window, seed=seed, density=density, origin=origin).position
 
-    def points(self, *window: float, seed: int = 1, density: Density = 1.0) -> TilePoints:
+    def points(self, *window: float, seed: int = 1, density: Density = 1.0, origin: tuple[int, int] = (0, 0)) -> TilePoints:
         """The same points with their tiles, numbers, random bits and levels: TilePoints."""
         axes = self.dimension
         if len(window) != 2 * axes:
             names = "x, y, width, height" if axes == 2 else "x, y, z, width, height, depth"
-            raise InputError(f"window: must be {names}, in tiles")
+            raise InputError(f"window: must be {names}, in {self.unit}")
         low = [float(value) for value in window[:axes]]
         high = [start + float(size) for start, size in zip(low, window[axes:])]
         number = 1.0 if callable(density) else float(density)
         if not 0 < number <= 1:
             raise InputError(f"window: density = {density}: must be a number above 0 and at most 1, or a function")
-        padding = [0.0] * (3 - axes)
-        found = TilePoints(**self._set.window(low + padding, high + padding, checked_seed(seed), number))
+        padding = [0.0] * (3 - axes if self.unit == "tiles" else 0)
+        found = TilePoints(**self._set.window(low + padding, high + padding, checked_seed(seed), number,
+                                              *self._origin("window", origin)))
         if not callable(density):
             return found
         kept = found.level < numpy.asarray(density(*found.position.T), dtype=float)
@@ -161,7 +174,8 @@ class TileSet:
         region: a file or a text, as distribute.darts takes them, GeoJSON as a dict, or an object with a `__geo_interface__`.
         min_distance: in the region's units, which the proven distance of the tiles becomes.
         points: instead, how many there are; a number is found that is nearest to it where chance lets none be exact.
-        seed: which tiling. Regions beside each other fit together at the same min_distance and seed.
+        seed: which tiling. Regions beside each other fit together at the same min_distance and seed. Hats and spectres lie
+            where the region's coordinates are: move these for other points.
         density: as in window(), of coordinates of the region; a function needs min_distance.
         planar: whether coordinates that look like longitude and latitude are lengths.
         crs: the system of the region's coordinates, such as "EPSG:4326"; default: what the region says. Longitudes and
@@ -189,13 +203,26 @@ class TileSet:
         kept = columns.level < numpy.asarray(density(*columns.position.T), dtype=float)
         return TilePoints(*(column[kept] for column in columns))
 
-    def nearest(self, positions: ArrayLike, *, seed: int = 1) -> NearestPoints:
+    def nearest(self, positions: ArrayLike, *, seed: int = 1, origin: tuple[int, int] = (0, 0)) -> NearestPoints:
         """The nearest point of each position: a Worley texture without a table of its own.
 
-        positions: in tiles, shape (n, d), or (d,) for one.
+        positions: shape (n, d), or (d,) for one.
+        origin: of hats and spectres, as in window().
         Returns NearestPoints; of one position, arrays of one item.
         """
-        return NearestPoints(**self._set.nearest(numpy.atleast_2d(positions), checked_seed(seed)))
+        return NearestPoints(**self._set.nearest(numpy.atleast_2d(positions), checked_seed(seed),
+                                                 *self._origin("nearest", origin)))
+
+    def _origin(self, function, origin):
+        """What functions of hats and spectres are told of an origin; those of square tiles are told nothing."""
+        numbers = [operator.index(number) for number in origin]
+        if len(numbers) != 2:
+            raise InputError(f"{function}: origin: must be two integers")
+        if self.unit == "edges":
+            return [[max(-2**62, min(2**62, number)) for number in numbers]]
+        if any(numbers):
+            raise InputError(f"{function}: origin: is for hats and spectres")
+        return []
 
     def class_of(self, index: ArrayLike) -> numpy.ndarray:
         """The classes of points by their numbers in their tiles: tiles.class_of(tiles.points(0, 0, 9, 9).index).
@@ -218,6 +245,8 @@ class TileSet:
         return Certificate(**self._set.verify())
 
     def __repr__(self):
+        if self.unit == "edges":
+            return f"<poissonlab.TileSet {self.kind}: {self.points_per_tile} points in a tile, ranked>"
         return (f"<poissonlab.TileSet {self.kind}: {self.colors} colours, {self.tiles} tiles of {self.points_per_tile} "
                 f"points{', ranked' if self.ranked else ''}>")
 

@@ -11,6 +11,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -83,6 +87,36 @@ TEST_F(TilesPointsCommand, WritesWindowsOfHatsAndSpectres)
         }
     }
     expect_error(source_folder() + "/runtime/tile_sets/hat-n4.ptiles --torus 3 --out a.txt", "never close");
+}
+
+/// Regions of hats and spectres keep the distance that was asked for, or have as many points as were asked for; files
+/// of longitudes and latitudes have places in them.
+TEST_F(TilesPointsCommand, FillsRegionsWithHatsAndSpectres)
+{
+    for (const std::string word : {"hat", "spectre"}) {
+        const std::string set = fmt::format("{}/runtime/tile_sets/{}-n4.ptiles", source_folder(), word);
+        const Outcome distance = run(set + " --region \"disk 5000 -7000 30\" --min-distance 2 --json --out points.txt");
+        ASSERT_EQ(distance.status, 0) << distance.error;
+        const auto said = nlohmann::json::parse(distance.out);
+        EXPECT_EQ(said["min_distance"], 2);
+        EXPECT_NEAR(said["edge"], 2 / pmono_min_distance(&read_monotile_points(set).set()), 1e-8);
+        const PointSet points = read_points(folder_.path() / "points.txt", CoordinateRange{-8000, 8000}).at(0);
+        EXPECT_EQ(points.size(), said["points"]);
+        double least = 1e9;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto at = [&](std::size_t k, std::size_t axis) {
+                return points.coordinates[2 * k + axis] * 16000 - 8000;
+            };
+            EXPECT_LE(std::hypot(at(i, 0) - 5000, at(i, 1) + 7000), 30 + 1e-6);
+            for (std::size_t j = 0; j < i; ++j)
+                least = std::min(least, std::hypot(at(i, 0) - at(j, 0), at(i, 1) - at(j, 1)));
+        }
+        EXPECT_GT(least, 2 - 1e-9);
+        EXPECT_LT(least, 2.05);
+        const Outcome many = run(set + " --region \"disk 0 0 1\" --points 1234 --density 0.5 --out points.npy");
+        ASSERT_EQ(many.status, 0) << many.error;
+        EXPECT_EQ(read_points(folder_.path() / "points.npy", CoordinateRange{-1, 1}).at(0).size(), 1234U);
+    }
 }
 
 /// Both engines write equal bytes, of windows, tori and parts of the points.

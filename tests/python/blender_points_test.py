@@ -84,6 +84,7 @@ class BlenderPoints(FolderTest):
         good = (FOLDER / "corner-c3-n64-r075.ptiles").read_bytes()
         for data, words in ((good[:99], "shorter than the header of a tile set file"), (b"X" + good[1:], "not a tile set file"),
                             (good[:8] + b"\x09" + good[9:], "an unknown version of the file format"),
+                            ((FOLDER / "hat-n4.ptiles").read_bytes(), "an unknown version of the file format"),
                             (good[:20] + b"\x03" + good[21:], "numbers of colours, tiles and points that do not fit together"),
                             (good[:108] + b"\x02" + good[109:], "an unknown kind of borders or ranks"),
                             (good + b"\x00", "too short or too long for its points")):

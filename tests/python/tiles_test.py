@@ -19,7 +19,7 @@ class TileSets(FolderTest):
 
     def test_have_the_points_of_the_program_bit_for_bit(self):
         files = sorted(set(FOLDER.glob("*.ptiles")) - set(FOLDER.glob("hat-*")) - set(FOLDER.glob("spectre-*")))
-        self.assertEqual(len(files), 11) # those of square tiles, which TileSet reads
+        self.assertEqual(len(files), 11) # those of square tiles; monotiles_test.py reads the others
         self.assertEqual([file.name for file in files if pl.TileSet(file).class_points],
                          ["corner-classes-c3-n8-16-40-r070.ptiles"])
         for file in files:

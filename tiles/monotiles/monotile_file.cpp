@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t header_size = 128, checksum_offset = 120;
+constexpr std::size_t header_size = 128, promise_offset = 40, checksum_offset = 120;
 
 /// Appends the lowest bytes of a number, which may be negative, the lowest one first.
 void put(std::string& bytes, std::int64_t value, int size)
@@ -116,6 +116,34 @@ std::string monotile_file_bytes(const MonotileTable& table, std::uint32_t levels
     return bytes.replace(checksum_offset, sum.size(), sum);
 }
 
+/// Returns the exact squared distances that a file states.
+std::vector<SquaredLength> stored_distances(const pmono_set& set)
+{
+    const auto number = [&](std::size_t i) {
+        const unsigned char* at = set.distances + 8 * i;
+        return static_cast<std::int64_t>(pmono_word(at) | std::uint64_t{pmono_word(at + 4)} << 32);
+    };
+    std::vector<SquaredLength> distances;
+    for (std::size_t i = 0; i < set.points_per_tile; ++i) distances.push_back({number(2 * i), number(2 * i + 1)});
+    return distances;
+}
+
+/// Says whether some points could have the distances of a table: more points are not farther apart, and none are
+/// farther apart than in the densest packing. Numbers are also so small that doubles hold them.
+bool can_be_true(const MonotileTable& table)
+{
+    constexpr std::int64_t largest = std::int64_t{1} << 52;
+    constexpr double rounding = 1e-6;
+    for (std::uint32_t i = 0; i < table.points; ++i) {
+        const SquaredLength& squared = table.distances[i];
+        if (std::min(squared.whole, squared.root) < -largest || std::max(squared.whole, squared.root) > largest ||
+            squared <= SquaredLength{} || squared.length() > densest_distance(table, i + 1) * (1 + rounding))
+            return false;
+        if (i > 0 && squared > table.distances[i - 1]) return false;
+    }
+    return true;
+}
+
 }
 
 std::string built_monotile_file(const PolygonTiling& tiling, std::uint32_t points, std::uint32_t levels,
@@ -130,23 +158,25 @@ MonotileTable proven_monotile_table(const MonotilePointsFile& file, const Polygo
 {
     const pmono_set& set = file.set();
     const auto refused = [&](const std::string& what) { return InputError(what).moved_to({file.name()}); };
-    MonotileTable table{monotile_states(tiling, file.levels()), set.points_per_tile, {}, {}};
+    const InputError other_distances = refused("promises other distances than are proven");
+    MonotileTable table{monotile_states(tiling, file.levels()), set.points_per_tile, {}, stored_distances(set)};
     if (table.states.parts.size() != set.states)
         throw refused(fmt::format("{} states: must be {} for this tiling", set.states, table.states.parts.size()));
-    for (std::size_t i = 0; i < std::size_t{set.states} * set.points_per_tile; ++i)
-        table.places.push_back({pmono_signed_word(set.place + 8 * i), pmono_signed_word(set.place + 8 * i + 4)});
-    table.distances = distances_of_prefixes(least_distances(table), table.points);
-    std::vector<std::uint16_t> ranks(std::size_t{set.parts} * set.points_per_tile);
-    for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] = static_cast<std::uint16_t>(pmono_half(set.rank + 2 * i));
     std::size_t parts = 0;
     for (const auto& own : table.states.parts) parts += own.size();
     if (parts != set.parts) throw refused(fmt::format("{} parts: must be {} for this tiling", set.parts, parts));
+    for (std::size_t i = 0; i < std::size_t{set.states} * set.points_per_tile; ++i)
+        table.places.push_back({pmono_signed_word(set.place + 8 * i), pmono_signed_word(set.place + 8 * i + 4)});
+    // The proof takes long, and most files that lie are refused before it.
+    if (!can_be_true(table)) throw other_distances;
+    if (!are_near_their_tiles(table)) throw refused("has points far from their tiles");
+    std::vector<std::uint16_t> ranks(std::size_t{set.parts} * set.points_per_tile);
+    for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] = static_cast<std::uint16_t>(pmono_half(set.rank + 2 * i));
     const std::string expected = monotile_file_bytes(table, file.levels(), ranks), &found = file.bytes();
-    const std::size_t proven = header_size, tables = proven + 16 * std::size_t{table.points};
-    if (found.substr(40, 8) != expected.substr(40, 8) ||
-        found.substr(proven, tables - proven) != expected.substr(proven, tables - proven))
-        throw refused("promises other distances than are proven");
+    if (found.substr(promise_offset, 8) != expected.substr(promise_offset, 8)) throw other_distances;
     if (found != expected) throw refused("has tables that are not those of the tiling");
+    if (distances_of_prefixes(least_distances(table, table.distances), table.points) != table.distances)
+        throw other_distances;
     return table;
 }
 

@@ -214,11 +214,6 @@ private:
     double overhang_ = overhang_of(table_);
 };
 
-double spacing_of(const MonotileTable& table, std::uint32_t kept)
-{
-    return max_min_distance(1, 2) / std::sqrt(monotile_density(table, kept));
-}
-
 constexpr SquaredLength no_distance{std::numeric_limits<std::int64_t>::max(), 0};
 
 /// Returns the numbers of points in the order of the table: the last ones are left out first.
@@ -267,6 +262,20 @@ SquaredLength squared_length(const PolygonTiling& tiling, const RingPlace& diffe
     return {first * even + second * odd + 3 * both, 0};
 }
 
+double densest_distance(const MonotileTable& table, std::uint32_t kept)
+{
+    return max_min_distance(1, 2) / std::sqrt(monotile_density(table, kept));
+}
+
+bool are_near_their_tiles(const MonotileTable& table)
+{
+    double reach = 0;
+    for (const RingPlace& corner : table.states.tiling->prototiles[0].corners)
+        reach = std::max(reach, length_of(point_of(*table.states.tiling, corner)));
+    constexpr double rounding = 1e-3;
+    return overhang_of(table) <= reach + longest_correction * densest_distance(table, table.points) + rounding;
+}
+
 double monotile_density(const MonotileTable& table, std::uint32_t kept)
 {
     return kept / area_of(*table.states.tiling, 0);
@@ -279,13 +288,14 @@ TileStates monotile_states(const PolygonTiling& tiling, std::uint32_t levels)
     return states;
 }
 
-std::vector<SquaredLength> least_distances(const MonotileTable& table)
+std::vector<SquaredLength> least_distances(const MonotileTable& table, const std::vector<SquaredLength>& promised)
 {
     // Some points are at most as far apart as in the densest packing, and tiles farther apart have no such points.
     const TileStates& states = table.states;
     const RootRing& ring = states.tiling->ring;
-    const double reach = spacing_of(table, 1) + 2 * overhang_of(table);
+    const double reach = densest_distance(table, 1) + 2 * overhang_of(table);
     std::vector<SquaredLength> least(std::size_t{table.points} * table.points, no_distance);
+    bool is_broken = false; // a promise
     const auto look = [&](const StatePair& pair) {
         const TileMotion motion = motion_between(states, pair);
         if (length_of(point_of(*states.tiling, motion.at)) > reach) return;
@@ -299,11 +309,16 @@ std::vector<SquaredLength> least_distances(const MonotileTable& table)
                 const SquaredLength found = squared_length(*states.tiling, there - here);
                 for (SquaredLength* known : {&least[i * table.points + j], &least[j * table.points + i]})
                     *known = std::min(*known, found);
+                is_broken = is_broken || (!promised.empty() && found < promised[std::max(i, j)]);
             }
         }
     };
     for (std::uint32_t state = 0; state < states.parts.size(); ++state) look({state, {state, {}}});
-    for (const StatePair& pair : pairs_within(states, reach).pairs) look(pair);
+    if (is_broken) return least;
+    for (const StatePair& pair : pairs_within(states, reach).pairs) {
+        look(pair);
+        if (is_broken) break;
+    }
     return least;
 }
 
@@ -330,7 +345,7 @@ MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t po
     for (std::size_t i = 0; i < table.states.parts.size(); ++i)
         table.places.insert(table.places.end(), places.begin(), places.end());
     report("points of all tiles together");
-    const std::vector<PairVector> moves = relaxed_points(TablePairs(table, spacing_of(table, points)).points());
+    const std::vector<PairVector> moves = relaxed_points(TablePairs(table, densest_distance(table, points)).points());
     for (std::size_t i = 0; i < moves.size(); ++i) {
         const PlanePlace place = in_plane(tiling, table.places[i]);
         table.places[i] = rounded(tiling, {place[0] + moves[i].x, place[1] + moves[i].y});

@@ -63,11 +63,19 @@ MonotileTable build_monotile_table(const PolygonTiling& tiling, std::uint32_t po
 /// Returns the states of a table: collars, and the parts of `levels` ancestors.
 TileStates monotile_states(const PolygonTiling& tiling, std::uint32_t levels);
 
-/// Returns [i * points + j]: the least squared distance of points with numbers i and j in any tiling.
-std::vector<SquaredLength> least_distances(const MonotileTable& table);
+/// Returns [i * points + j]: the least squared distance of points with numbers i and j in any tiling. Where `promised`
+/// has what `distances` of the table are said to be, the search ends at the first pair that is nearer.
+std::vector<SquaredLength> least_distances(const MonotileTable& table, const std::vector<SquaredLength>& promised = {});
 
 /// Returns what `distances` of the table must be, from its least_distances().
 std::vector<SquaredLength> distances_of_prefixes(const std::vector<SquaredLength>& least, std::uint32_t points);
+
+/// Says whether all points lie where build_monotile_table() may put them: farther away, they would be near the points
+/// of so many tiles that a proof takes long.
+bool are_near_their_tiles(const MonotileTable& table);
+
+/// Returns the distance of the densest packing with so many points in each tile.
+double densest_distance(const MonotileTable& table, std::uint32_t kept);
 
 /// Returns the number of points per unit of area.
 double monotile_density(const MonotileTable& table, std::uint32_t kept);

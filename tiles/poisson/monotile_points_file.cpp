@@ -65,6 +65,22 @@ double MonotilePointsFile::relative_radius() const
     return pmono_min_distance(&set_) * std::sqrt(density()) / max_min_distance(1, 2);
 }
 
+std::vector<pmono_point> MonotilePointsFile::in_window(std::uint32_t seed, const std::array<std::int64_t, 2>& origin,
+                                                       const std::array<double, 2>& low,
+                                                       const std::array<double, 2>& high, double density) const
+{
+    const auto find = [&](std::vector<pmono_point>& points) {
+        return pmono_in_window(&set_, seed, origin.data(), low.data(), high.data(), points.data(), points.size(),
+                               density);
+    };
+    std::vector<pmono_point> points;
+    points.resize(find(points));
+    find(points);
+    return points;
+}
+
+std::array<double, 2> MonotilePointsFile::step() const { return {1, set_.tiling == 0 ? std::sqrt(3.0) : 1}; }
+
 MonotilePointsFile read_monotile_points(const std::filesystem::path& path)
 {
     return {read_whole_file(path), path.string()};

@@ -4,6 +4,8 @@
 
 #include "runtime/monotile_points.h"
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +13,11 @@
 #include <vector>
 
 namespace poissonlab {
+
+// These are the limits of windows in edges: the place of an origin, and the distance of a window's corners from it.
+
+inline constexpr std::int64_t farthest_monotile_origin = std::int64_t{1} << 40;
+inline constexpr std::int64_t farthest_monotile_corner = std::int64_t{1} << 20;
 
 /// True if these are the first bytes of such a file.
 bool is_monotile_points(std::string_view bytes);
@@ -34,6 +41,15 @@ public:
     double density() const;
 
     double relative_radius() const; ///< of the minimum distance that the file promises
+
+    /// Returns the points p with low <= p < high along each axis and a level below the density, seen from an origin:
+    /// see pmono_in_window(), which has none where places are too far away.
+    std::vector<pmono_point> in_window(std::uint32_t seed, const std::array<std::int64_t, 2>& origin,
+                                       const std::array<double, 2>& low, const std::array<double, 2>& high,
+                                       double density = 1) const;
+
+    /// The length of a step of an origin along each axis, in edges.
+    std::array<double, 2> step() const;
 
 private:
     std::shared_ptr<const std::string> bytes_; ///< which the set points to

@@ -5,6 +5,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
+#include "reports/engine/monotile_page.hpp"
 #include "tiles/monotiles/monotile_file.hpp"
 
 #include <fmt/format.h>
@@ -17,37 +18,21 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::int64_t farthest_origin = std::int64_t{1} << 40, largest_side = std::int64_t{1} << 20;
 constexpr double points_per_strip = 0x1p20;
 
-/// Checks the options of `tiles points`. Returns the window's lowest corner and its size.
+/// Returns the window's lowest corner and its size.
 std::array<std::int64_t, 4> checked_monotile_window(const TilesPointsOptions& options)
 {
-    check_region_options(options, 2);
-    if (options.torus > 0)
-        throw InputError("tiles points: --torus: tilings with one tile that never repeats never close");
-    if (!options.region.empty()) throw InputError("tiles points: --region: needs a set of square tiles");
-    if (options.window.empty()) throw InputError("tiles points: needs --window X Y W H");
     const std::string option = fmt::format("tiles points: --window {}", fmt::join(options.window, " "));
     if (options.window.size() != 4) throw InputError(option + ": must be X Y W H");
     std::array<std::int64_t, 4> window{};
     std::ranges::copy(options.window, window.begin());
     for (std::size_t axis = 0; axis < 2; ++axis)
-        if (window[axis] < -farthest_origin || window[axis] > farthest_origin || window[axis + 2] < 1 ||
-            window[axis + 2] > largest_side)
-            throw InputError(
-                fmt::format("{}: places are from -2^40 to 2^40, and sizes from 1 to {}", option, largest_side));
+        if (window[axis] < -farthest_monotile_origin || window[axis] > farthest_monotile_origin ||
+            window[axis + 2] < 1 || window[axis + 2] > farthest_monotile_corner)
+            throw InputError(fmt::format("{}: places are from -2^40 to 2^40, and sizes from 1 to {}", option,
+                                         farthest_monotile_corner));
     return window;
-}
-
-std::string comment_of_window(const TilesPointsOptions& options)
-{
-    std::vector<std::string> words{file_word(options.file.string()), "--window"};
-    for (const std::int64_t number : options.window) words.push_back(std::to_string(number));
-    if (options.density != "1") words.insert(words.end(), {"--density", options.density});
-    if (options.density_from != "light") words.insert(words.end(), {"--density-from", options.density_from});
-    return command_comment("tiles points", words, options.seed,
-                           "coordinates in edges, from the lowest corner of the window");
 }
 
 }
@@ -87,47 +72,106 @@ void verify_monotile(const std::filesystem::path& path, bool as_json)
         line(fmt::format("first {} of each tile", kept), fmt::format("minimum distance {:.6f}", distances[kept - 1]));
 }
 
-MonotileWindow::MonotileWindow(const TilesPointsOptions& options)
-    : options_(options), file_(read_monotile_points(options.file)),
-      window_(checked_monotile_window(options)), size_{static_cast<double>(window_[2]),
-                                                       static_cast<double>(window_[3])},
-      density_(options.density, options.density_from, {{}, size_}, 2, options.work.is_quiet())
+std::string monotile_page(const std::string& bytes, const std::string& name)
 {
-    strip_ = std::max(1.0, std::floor(points_per_strip / (size_[0] * file_.density())));
-    pieces_ = static_cast<std::uint32_t>(std::ceil(size_[1] / strip_));
+    const MonotilePointsFile file(bytes, name);
+    std::vector<std::array<std::int64_t, 4>> outline;
+    for (const RingPlace& corner : built_in_tiling(file.tiling()).prototiles[0].corners)
+        outline.push_back({corner.c[0], corner.c[1], corner.c[2], corner.c[3]});
+    return render_monotile_page(bytes, name, outline);
+}
+
+MonotileWindow::MonotileWindow(const TilesPointsOptions& options)
+    : options_(options), file_(read_monotile_points(options.file))
+{
+    check_region_options(options, 2);
+    if (options.torus > 0)
+        throw InputError("tiles points: --torus: tilings with one tile that never repeats never close");
+    if (options.window.empty() == options.region.empty())
+        throw InputError("tiles points: needs one of --window and --region");
     out = checked_output("tiles points", "--out", options.out, point_formats());
     head.dimension = 2;
-    head.side = std::max(size_[0], size_[1]);
-    head.fills_square = window_[2] == window_[3];
-    head.comment = comment_of_window(options);
+    if (options.region.empty())
+        set_up_window();
+    else
+        set_up_region();
     check_head(out, head);
 }
 
-std::uint64_t MonotileWindow::count(std::uint32_t piece)
+void MonotileWindow::set_up_window()
 {
-    make(piece, counted_, nullptr);
-    return counted_.size() / 2;
+    window_ = checked_monotile_window(options_);
+    const std::array<double, 2> size{static_cast<double>(window_[2]), static_cast<double>(window_[3])};
+    density_.emplace(options_.density, options_.density_from, DensityArea{{}, size}, 2, options_.work.is_quiet());
+    strip_ = std::max(1.0, std::floor(points_per_strip / (size[0] * file_.density())));
+    pieces_ = static_cast<std::uint32_t>(std::ceil(size[1] / strip_));
+    head.side = std::max(size[0], size[1]);
+    head.fills_square = window_[2] == window_[3];
+    head.comment = comment_of(options_, "coordinates in edges, from the lowest corner of the window");
 }
+
+void MonotileWindow::set_up_region()
+{
+    plane_ = read_points_region(options_);
+    const auto region = std::make_shared<const FixedRegion>(plane_);
+    const RegionBox& box = region->box();
+    density_.emplace(options_.density, options_.density_from, DensityArea{box.low, {box.width(), box.height()}}, 2,
+                     options_.work.is_quiet());
+    head.side = 0;
+    head.unit = file_units(plane_);
+    const auto lay_tiles = [&](double edge) {
+        laid_.emplace(file_, region, edge);
+        pieces_ = laid_->strips();
+    };
+    try {
+        if (options_.points == 0)
+            lay_tiles(edge_for(options_.min_distance, file_, box));
+        else
+            lay_tiles(tile_width_for_points(
+                options_.points, std::sqrt(region->area() * file_.density() / static_cast<double>(options_.points)),
+                [&](double edge) {
+                    lay_tiles(edge);
+                    return count_all();
+                }));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+    }
+    head.comment = comment_of(options_, fmt::format("in {}; an edge is {} long", head.unit, laid_->edge()));
+}
+
+double MonotileWindow::min_distance() const
+{
+    if (!laid_) return pmono_min_distance(&file_.set());
+    return options_.points == 0 ? options_.min_distance : min_distance_with(laid_->edge(), file_, box_of(plane_));
+}
+
+std::optional<double> MonotileWindow::edge() const { return laid_ ? std::optional(laid_->edge()) : std::nullopt; }
+
+std::vector<pmono_point> MonotileWindow::points_of(std::uint32_t piece) const
+{
+    if (laid_) return laid_->points(piece, options_.seed);
+    const std::array<double, 2> size{static_cast<double>(window_[2]), static_cast<double>(window_[3])};
+    return file_.in_window(options_.seed, {window_[0], window_[1]}, {0, piece * strip_},
+                           {size[0], std::min(size[1], (piece + 1) * strip_)});
+}
+
+std::vector<double> MonotileWindow::kept_points(std::uint32_t piece) const
+{
+    stop_if_interrupted();
+    std::vector<double> coordinates;
+    for (const pmono_point& point : points_of(piece))
+        if (density_->is_full() || density_->keeps(point.position, point.level))
+            coordinates.insert(coordinates.end(), {point.position[0], point.position[1]});
+    return coordinates;
+}
+
+std::uint64_t MonotileWindow::count(std::uint32_t piece) { return kept_points(piece).size() / 2; }
 
 void MonotileWindow::make(std::uint32_t piece, std::vector<double>& coordinates,
                           std::vector<std::uint32_t>* /*classes*/)
 {
-    stop_if_interrupted();
-    const std::array<double, 2> low{0, piece * strip_};
-    const std::array<double, 2> high{size_[0], std::min(size_[1], (piece + 1) * strip_)};
-    const auto find = [&] {
-        return pmono_in_window(&file_.set(), options_.seed, window_.data(), low.data(), high.data(), found_.data(),
-                               found_.size(), 1);
-    };
-    std::uint64_t count = find();
-    if (count > found_.size()) {
-        found_.resize(count);
-        count = find();
-    }
-    coordinates.clear();
-    for (std::size_t i = 0; i < count; ++i)
-        if (density_.is_full() || density_.keeps(found_[i].position, found_[i].level))
-            coordinates.insert(coordinates.end(), {found_[i].position[0], found_[i].position[1]});
+    coordinates = kept_points(piece);
+    if (laid_ && is_mapped(plane_)) plane_.source->map->to_file(coordinates);
 }
 
 }

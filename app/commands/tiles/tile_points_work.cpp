@@ -80,33 +80,6 @@ void check_class_target(const std::filesystem::path& out)
                                      printable(out.string()), fmt::join(class_file_ends(), ", ")));
 }
 
-/// The comment of the file.
-std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region, const std::string& units = "")
-{
-    std::vector<std::string> words{file_word(options.file.string())};
-    const auto add = [&](bool is_given, const char* option, const std::string& value) {
-        if (!is_given) return;
-        words.emplace_back(option);
-        if (!value.empty()) words.push_back(value);
-    };
-    add(!options.window.empty(), "--window", "");
-    for (const std::int64_t number : options.window) words.push_back(std::to_string(number));
-    add(options.torus > 0, "--torus", std::to_string(options.torus));
-    add(region != nullptr, "--region", options.region);
-    add(options.reading.is_planar, "--planar", "");
-    add(!options.reading.crs.empty(), "--crs", options.reading.crs);
-    add(!options.overlap.empty(), "--overlap", options.overlap);
-    add(options.reading.buffer > 0, "--buffer", fmt::format("{}", options.reading.buffer));
-    add(options.min_distance > 0, "--min-distance", fmt::format("{}", options.min_distance));
-    add(options.points > 0, "--points", std::to_string(options.points));
-    add(options.density != "1", "--density", options.density);
-    add(options.density_from != "light", "--density-from", options.density_from);
-    return command_comment("tiles points", words, options.seed,
-                           region ? fmt::format("in {}; a tile is {} wide", units, region->tile_width())
-                                  : fmt::format("coordinates in tiles, from the lowest corner of the {}",
-                                                options.torus > 0 ? "torus" : "window"));
-}
-
 }
 
 void check_region_options(const TilesPointsOptions& options, int dimension)
@@ -136,6 +109,41 @@ void check_region_options(const TilesPointsOptions& options, int dimension)
             fmt::format("tiles points: --overlap {}: must be union or refuse", printable(options.overlap)));
 }
 
+std::string comment_of(const TilesPointsOptions& options, const std::string& coordinates)
+{
+    std::vector<std::string> words{file_word(options.file.string())};
+    const auto add = [&](bool is_given, const char* option, const std::string& value) {
+        if (!is_given) return;
+        words.emplace_back(option);
+        if (!value.empty()) words.push_back(value);
+    };
+    add(!options.window.empty(), "--window", "");
+    for (const std::int64_t number : options.window) words.push_back(std::to_string(number));
+    add(options.torus > 0, "--torus", std::to_string(options.torus));
+    add(!options.region.empty(), "--region", options.region);
+    add(options.reading.is_planar, "--planar", "");
+    add(!options.reading.crs.empty(), "--crs", options.reading.crs);
+    add(!options.overlap.empty(), "--overlap", options.overlap);
+    add(options.reading.buffer > 0, "--buffer", fmt::format("{}", options.reading.buffer));
+    add(options.min_distance > 0, "--min-distance", fmt::format("{}", options.min_distance));
+    add(options.points > 0, "--points", std::to_string(options.points));
+    add(options.density != "1", "--density", options.density);
+    add(options.density_from != "light", "--density-from", options.density_from);
+    return command_comment("tiles points", words, options.seed, coordinates);
+}
+
+PlaneRegion read_points_region(const TilesPointsOptions& options)
+{
+    check_crs(options.reading.crs);
+    RegionReading reading = options.reading;
+    if (!options.overlap.empty()) reading.overlap = *polygon_overlap_names.find(options.overlap);
+    try {
+        return read_region(options.region, reading);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+    }
+}
+
 TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(options)
 {
     const int places = !options.window.empty() + (options.torus > 0) + !options.region.empty();
@@ -148,7 +156,8 @@ TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(opt
     if (options.region.empty()) {
         set_up_block();
     } else {
-        read_plane();
+        plane_ = read_points_region(options);
+        region_ = std::make_shared<const FixedRegion>(plane_);
         set_up_region();
     }
 }
@@ -165,24 +174,12 @@ void TilePointsWork::set_up_block()
     head.side = std::ranges::max(block.size); // of the square (cube) that the points are in
     for (int k = 0; k < head.dimension; ++k)
         head.fills_square = head.fills_square && block.size[static_cast<std::size_t>(k)] == head.side;
-    head.comment = comment_of(options_, nullptr);
+    head.comment = comment_of(options_, fmt::format("coordinates in tiles, from the lowest corner of the {}",
+                                                    options_.torus > 0 ? "torus" : "window"));
     check_particles(options_, block, head);
     set_density({{}, {static_cast<double>(block.size[0]), static_cast<double>(block.size[1])}});
     open_stream(block);
     points.emplace(stream_, tiles_, WindowOfTiling{block, options_.torus, options_.seed}, *density_);
-}
-
-void TilePointsWork::read_plane()
-{
-    check_crs(options_.reading.crs);
-    RegionReading reading = options_.reading;
-    if (!options_.overlap.empty()) reading.overlap = *polygon_overlap_names.find(options_.overlap);
-    try {
-        plane_ = read_region(options_.region, reading);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
-    }
-    region_ = std::make_shared<const FixedRegion>(plane_);
 }
 
 void TilePointsWork::set_up_region()
@@ -206,7 +203,7 @@ void TilePointsWork::set_up_region()
     } catch (const InputError& error) {
         throw InputError(fmt::format("tiles points: --region: {}", error.what()));
     }
-    head.comment = comment_of(options_, tiled_.get(), head.unit);
+    head.comment = comment_of(options_, fmt::format("in {}; a tile is {} wide", head.unit, tiled_->tile_width()));
 }
 
 /// The region's points with tiles of this width.

@@ -38,6 +38,12 @@ struct TilesPointsOptions
 /// the command.
 void check_region_options(const TilesPointsOptions& options, int dimension);
 
+/// Returns the line of a file that says how it was made. `coordinates` are words on what they are.
+std::string comment_of(const TilesPointsOptions& options, const std::string& coordinates);
+
+/// Reads the region of --region. Throws InputError, a line that begins with the command.
+PlaneRegion read_points_region(const TilesPointsOptions& options);
+
 /// Reads the tile set and checks the options. With --points it looks for the width of tiles.
 class TilePointsWork
 {
@@ -64,7 +70,6 @@ public:
 
 private:
     void set_up_block();
-    void read_plane();
     void set_up_region();
     void lay_tiles(double width);
     void set_density(const DensityArea& area);

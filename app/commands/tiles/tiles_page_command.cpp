@@ -1,6 +1,7 @@
 // poissonlab tiles page: a page that shows the endless tiling of a tile set.
 #include "app/commands/command.hpp"
 #include "app/commands/output_file.hpp"
+#include "app/commands/tiles/monotile_work.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/pages/page_endless.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr auto tiles_page_notes =
     R"help(The page needs nothing but itself: it opens from the disk, in any browser. It shows the same points as
-`tiles points` for the same seed, at any place of the plane.
+`tiles points` for the same seed, at any place of the plane. Of hats and spectres it shows the tiles as well.
   poissonlab tiles page ranked.ptiles --out ranked.html)help";
 
 struct TilesPageOptions
@@ -20,7 +21,8 @@ struct TilesPageOptions
 void write_tiles_page(const TilesPageOptions& options)
 {
     const std::filesystem::path out = checked_output("tiles page", "--out", options.out, {{".html"}});
-    write_whole_file(out, render_endless_page(read_whole_file(options.file), options.file.filename().string()));
+    const std::string bytes = read_whole_file(options.file), name = options.file.filename().string();
+    write_whole_file(out, is_monotile_points(bytes) ? monotile_page(bytes, name) : render_endless_page(bytes, name));
 }
 
 }

@@ -142,7 +142,8 @@ Of tiles whose points have classes (tiles build --class-points) each point's cla
 classes does: .csv (columns x, y, class), .ply (vertices with a class), .npy (records x, y, class) or .geojson
 (features with the property class).
 Of sets of one tile that never repeats (tiles build hat, spectre) --window is in edges: X and Y are integers up to 2^40,
-Y in steps of sqrt 3 for hats, and W and H are up to 2^20. The seed chooses which points --density leaves.
+Y in steps of sqrt 3 for hats, and W and H are up to 2^20. The seed chooses which points --density leaves. Regions are
+filled as by square tiles, at the place of the tiling where their coordinates are: move them for other points.
   poissonlab tiles points corner.ptiles --region park.geojson --min-distance 4 --out trees.csv
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
   poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5
@@ -162,19 +163,44 @@ void print_json(const TilesPointsOptions& options, const TilePointsWork& work, s
     fmt::print("{}\n", json.dump(2));
 }
 
-/// Writes the window of a tiling with an aperiodic monotile. To be called by all processes.
-void write_monotile_window(const TilesPointsOptions& options, Crew& crew)
+void print_json(const TilesPointsOptions& options, const MonotileWindow& window, std::uint64_t count)
+{
+    nlohmann::ordered_json json{{"file", printable(options.out.string())}, {"points", count}, {"dimension", 2}};
+    if (window.edge())
+        json["edge"] = *window.edge();
+    else
+        json["domain"] = {0.0, window.head.side};
+    json["min_distance"] = window.min_distance();
+    fmt::print("{}\n", json.dump(2));
+}
+
+/// Says what was made of the region's file.
+void print_notes(const TilesPointsOptions& options, const Crew& crew, const std::vector<std::string>& notes)
+{
+    if (!crew.leads() || options.work.is_quiet()) return;
+    for (const std::string& note : notes) fmt::print(stderr, "poissonlab: note: {}\n", note);
+}
+
+/// Says how many points were made, where others were asked for, and what --json asks for. `scale` is in words.
+template <class Work>
+void print_result(const TilesPointsOptions& options, const Crew& crew, const Work& work, std::uint64_t count,
+                  const char* scale)
+{
+    if (!crew.leads()) return;
+    if (options.points > 0 && count != options.points && !options.work.is_quiet())
+        fmt::print(stderr, "poissonlab: note: {} {}: no {} has exactly {}\n", count, noun(count, "point"), scale,
+                   options.points);
+    if (options.as_json) print_json(options, work, count);
+}
+
+/// Writes the window or region of a tiling with an aperiodic monotile. To be called by all processes.
+void write_monotile_points(const TilesPointsOptions& options, Crew& crew)
 {
     std::optional<MonotileWindow> window;
     if (!crew.together([&] { window.emplace(options); })) return;
-    const std::uint64_t count = write_window(window->out, window->head, *window, crew, nullptr);
-    if (!crew.leads() || !options.as_json) return;
-    const nlohmann::ordered_json json{{"file", printable(options.out.string())},
-                                      {"points", count},
-                                      {"dimension", 2},
-                                      {"domain", {0.0, window->head.side}},
-                                      {"min_distance", window->min_distance()}};
-    fmt::print("{}\n", json.dump(2));
+    print_notes(options, crew, window->notes());
+    const std::uint64_t count = write_window(window->out, window->head, *window, crew, window->plane());
+    print_result(options, crew, *window, count, "length of edges");
 }
 
 void write_tile_points(const TilesPointsOptions& options)
@@ -183,19 +209,14 @@ void write_tile_points(const TilesPointsOptions& options)
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
     if (!crew->leads()) say_nothing_when_interrupted();
-    if (is_monotile_points_file(options.file)) return write_monotile_window(options, *crew);
+    if (is_monotile_points_file(options.file)) return write_monotile_points(options, *crew);
     std::optional<TilePointsWork> work;
     if (!crew->together([&] { work.emplace(options); })) return;
-    if (crew->leads() && !options.work.is_quiet())
-        for (const std::string& note : work->notes()) fmt::print(stderr, "poissonlab: note: {}\n", note);
+    print_notes(options, *crew, work->notes());
     const std::uint64_t count = work->has_classes()
                                     ? write_class_window(work->out, work->head, *work->points, *crew, work->plane())
                                     : write_window(work->out, work->head, *work->points, *crew, work->plane());
-    if (!crew->leads()) return;
-    if (options.points > 0 && count != options.points && !options.work.is_quiet())
-        fmt::print(stderr, "poissonlab: note: {} {}: no width of tiles has exactly {}\n", count, noun(count, "point"),
-                   options.points);
-    if (options.as_json) print_json(options, *work, count);
+    print_result(options, *crew, *work, count, "width of tiles");
 }
 
 }

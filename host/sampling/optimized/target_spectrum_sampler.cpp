@@ -1,9 +1,9 @@
 // The sampler "target-spectrum": what the config can ask of it.
-#include "base/files/file_glob.hpp"
 #include "base/files/number_table.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/one_file.hpp"
 #include "host/sampling/optimized/target_spectrum.hpp"
 #include "host/sampling/started_sampler.hpp"
 #include "results/curve_tables.hpp"
@@ -13,20 +13,6 @@
 
 namespace poissonlab {
 namespace {
-
-std::filesystem::path curve_file(const Parameters& parameters)
-{
-    const std::string& entry = parameters.texts("curve").front();
-    const auto folder = std::filesystem::path(parameters.location("curve").file).parent_path();
-    const auto files = named_files(folder, entry);
-    if (files.empty())
-        throw invalid_value(parameters.location("curve"), "curve", fmt::format("\"{}\"", entry),
-                            no_such_file(folder, entry));
-    if (files.size() > 1)
-        throw invalid_value(parameters.location("curve"), "curve", fmt::format("\"{}\"", entry),
-                            "must be one file; several match");
-    return files.front();
-}
 
 /// The rows of a table, with two columns as people draw curves, or as in radial.csv: frequency and power come first.
 std::vector<std::vector<double>> curve_rows(const std::filesystem::path& file)
@@ -65,7 +51,7 @@ TargetCurve target_of(const Parameters& parameters, std::size_t points)
     const double of_points = parameters.is_given("curve_points")
                                  ? static_cast<double>(parameters.integer("curve_points"))
                                  : static_cast<double>(points);
-    return curve_of(curve_file(parameters), of_points);
+    return curve_of(one_file(parameters, "curve"), of_points);
 }
 
 /// Buffers on a device: none.
@@ -151,7 +137,7 @@ SamplerSpec target_spectrum_sampler()
     spec.memory_growth = MemoryGrowth::none;
     spec.outside_input = [](const Parameters& parameters) -> std::uint64_t {
         Xxh64 hash;
-        if (parameters.is_given("curve")) hash.add(read_whole_file(curve_file(parameters)));
+        if (parameters.is_given("curve")) hash.add(read_whole_file(one_file(parameters, "curve")));
         return hash.value();
     };
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,

@@ -9,6 +9,7 @@
 #include "host/sampling/classics/plain_spec.hpp"
 #include "host/settings/tile_sets/tile_set_keys.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
+#include "host/tile_sampling/monotiles/monotile_file_sampler.hpp"
 #include "tiles/polyominoes/polyomino_table.hpp"
 
 #include <fmt/format.h>
@@ -135,17 +136,23 @@ SamplerSpec monotile_sampler(const std::string& tiling, const std::string& title
                        .maximum = 16,
                        .symbol = "k",
                        .unless_given = "all"});
+    for (ParameterSpec& parameter : monotile_file_parameters()) parameters.push_back(std::move(parameter));
     SamplerSpec spec = plain_spec(tiling + "-tiles", title, summary, {2}, std::move(parameters));
-    spec.check = [](const Parameters& given, const SampleRequest&, const SourceLocation&) {
-        if (given.is_given(kept_key) && given.integer(kept_key) > given.integer(points_key))
+    spec.check = [tiling](const Parameters& given, const SampleRequest&, const SourceLocation&) {
+        check_monotile_file(tiling, given);
+        if (!has_monotile_file(given) && given.is_given(kept_key) &&
+            given.integer(kept_key) > given.integer(points_key))
             throw given.error(kept_key,
                               fmt::format("must be at most {}, which is {}", points_key, given.integer(points_key)));
     };
+    spec.outside_input = monotile_file_hash;
     // A window cuts tiles: the number differs by at most about the points in a border of one tile's width.
     spec.most_points = [](const Parameters&, const SampleRequest& request) -> std::size_t {
         return request.points + static_cast<std::size_t>(8 * std::sqrt(static_cast<double>(request.points))) + 512;
     };
-    spec.create = [tiling](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
+    spec.create = [tiling](const Parameters& given, const SampleRequest& request, Engine,
+                           const DeviceProvider&) -> std::unique_ptr<Sampler> {
+        if (has_monotile_file(given)) return monotile_file_sampler(given, request);
         return std::make_unique<MonotileSampler>(tiling, given, request);
     };
     return spec;
