@@ -23,7 +23,7 @@ mv "$folder/first" "$folder/moved"
 prefix=$folder/moved
 cd "$folder"
 
-for module in pictures particles; do
+for module in pictures particles globe; do
   [[ -n $(find "$prefix" -name "libpoissonlab_$module.so") ]] || fail "no module of $module"
 done
 

@@ -33,31 +33,17 @@ inline constexpr const char* geojson_system = "OGC:CRS84";
 /// latitude.
 MapSystem map_system(const std::string& text);
 
-/// Maps longitude and latitude to Lambert's azimuthal equal-area plane around a place of the system's ellipsoid, in
-/// metres: areas are exact, and lengths the less so the farther they are from there.
-class LocalPlane final : public PlaneMap
+/// Lambert's azimuthal equal-area plane around a place of a system's ellipsoid, in metres: areas are exact, and lengths
+/// the less so the farther they are from there.
+class LocalPlane : public PlaneMap
 {
 public:
-    LocalPlane(const MapSystem& system, std::array<double, 2> middle);
-    ~LocalPlane() override;
-    LocalPlane(const LocalPlane&) = delete;
-    LocalPlane& operator=(const LocalPlane&) = delete;
-
-    void to_plane(std::span<double> places) const override;
-    void to_file(std::span<double> places) const override;
-    std::array<double, 2> middle() const override { return middle_; }
-
     /// The part by which lengths at a place are longer or shorter in the plane than on the ellipsoid, in the direction
     /// where it is most.
-    double distortion_at(const std::array<double, 2>& place) const;
-
-private:
-    struct Projection;
-
-    MapSystem system_;
-    std::array<double, 2> middle_;
-    std::unique_ptr<Projection> projection_;
+    virtual double distortion_at(const std::array<double, 2>& place) const = 0;
 };
+
+std::shared_ptr<const LocalPlane> local_plane(const MapSystem& system, std::array<double, 2> middle);
 
 /// A function that changes places x, y, x, y, ... of one system into those of another. Throws InputError where PROJ
 /// knows no way. One thread may use it.

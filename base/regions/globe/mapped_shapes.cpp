@@ -268,14 +268,14 @@ std::shared_ptr<const LocalPlane> plane_around(const Obstacles& shapes, const Ma
     constexpr int steps = 2; // the middle of the box around what is mapped hardly moves after the first
     MappedPlace middle = first_middle(shapes, 2 * std::numbers::pi / system.angle);
     for (int step = 0; step < steps; ++step) {
-        const LocalPlane plane(system, middle);
-        const RegionBox box = mapped_box(shapes, [&](std::span<double> places) { plane.to_plane(places); });
+        const auto plane = local_plane(system, middle);
+        const RegionBox box = mapped_box(shapes, [&](std::span<double> places) { plane->to_plane(places); });
         MappedPlace next = middle_of(box);
-        plane.to_file(next);
+        plane->to_file(next);
         if (!std::isfinite(next[0]) || !std::isfinite(next[1])) break; // opposite to the middle: far too large
         middle = next;
     }
-    return std::make_shared<const LocalPlane>(system, rounded(middle));
+    return local_plane(system, rounded(middle));
 }
 
 double largest_distortion(const Obstacles& shapes, const LocalPlane& plane)
