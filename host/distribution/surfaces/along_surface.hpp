@@ -18,7 +18,7 @@
 
 namespace poissonlab {
 
-/// The same points as positions on triangles_of(surface).
+/// Gives the points as positions on triangles_of(surface).
 std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points);
 
 /// Makes an engine that throws darts by distances along the surface. The rule's normals do not matter.

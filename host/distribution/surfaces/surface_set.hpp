@@ -51,7 +51,7 @@ enum class SurfaceOrder
 inline constexpr WordTable<SurfaceOrder, 2> surface_orders{
     {{{SurfaceOrder::own, "own"}, {SurfaceOrder::elimination, "sample-elimination"}}}};
 
-/// How distances of points are measured.
+/// The measure of the distances between points.
 enum class SurfaceMetric
 {
     space,  ///< straight through space, between points that see each other

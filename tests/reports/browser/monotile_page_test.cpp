@@ -86,7 +86,7 @@ TEST_P(MonotilePage, HasThePointsOfTheHeader)
     EXPECT_EQ(shown(), expected(4'000'000'000, 0.3));
 }
 
-/// What is drawn of the view is what is found in it, however it was moved there.
+/// The page draws the points that the view has, however the view was moved there.
 TEST_P(MonotilePage, SeesTheSamePointsAfterMoving)
 {
     open("tile=-70000000000,123456789012&zoom=25");
