@@ -5,10 +5,10 @@
 # tests, benchmarks and the Python package take all.
 set(lab_host_modules
   methods own_methods tiles other_tiles tilings textures regions distributions classes surfaces surface_textures
-  surface_spectra geometry_tiles recursive_tiles sphere)
+  surface_spectra surface_classes geometry_tiles recursive_tiles sphere)
 set(lab_command_modules
   results tiles tilings textures regions distributions classes surfaces surface_textures
-  recursive_tiles large_sets manual)
+  surface_classes recursive_tiles large_sets manual)
 # These modules are built when work needs them, because no command and no key names them: files of HDF5, points in files
 # other than text, processes of MPI, the sequential twins of kernels, sets in 3D, measures of tiled sets, the zone plate.
 set(lab_wordless_modules particles point_formats processes reference space tile_measures zone_plate)
@@ -28,6 +28,7 @@ set(lab_needs_of_classes methods regions)
 set(lab_needs_of_textures methods)
 set(lab_needs_of_surfaces methods point_formats)
 set(lab_needs_of_surface_spectra surfaces)
+set(lab_needs_of_surface_classes classes surfaces)
 set(lab_needs_of_surface_textures distributions textures surfaces)
 set(lab_needs_of_geometry_tiles distributions surfaces)
 set(lab_needs_of_recursive_tiles distributions other_tiles)

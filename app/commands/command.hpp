@@ -134,6 +134,7 @@ Command distribute_warp_command();
 Command distribute_rank_command();
 Command distribute_classes_command();
 Command distribute_surface_command();
+Command distribute_surface_classes_command();
 Command distribute_darts_command();
 Command distribute_points_command();
 Command distribute_dither_mask_command();

@@ -41,6 +41,7 @@ std::vector<GroupedCommand> distributions_commands(const ProgramContext& context
 std::vector<GroupedCommand> recursive_tiles_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surfaces_commands(const ProgramContext& context);
 std::vector<GroupedCommand> classes_commands(const ProgramContext& context);
+std::vector<GroupedCommand> surface_classes_commands(const ProgramContext& context);
 std::vector<GroupedCommand> surface_textures_commands(const ProgramContext& context);
 std::vector<GroupedCommand> large_sets_commands(const ProgramContext& context);
 std::vector<GroupedCommand> manual_commands(const ProgramContext& context);

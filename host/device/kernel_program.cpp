@@ -68,6 +68,7 @@ const std::vector<KernelFile>& kernel_files()
         {"sample_elimination.cl", "sample-elimination", doubles, {dimension, {"FACTORS", {"0", "1"}}, listed}},
         {"sector_darts.cl", "sector-darts", doubles, {}},
         {"self_similar.cl", "distribute rank", {}, {}},
+        {"surfaces/class_surface_darts.cl", "distribute surface-classes", {}, {}},
         {"surfaces/surface_darts.cl", "distribute surface", {}, {}},
         {"surfaces/surface_elimination.cl", "distribute surface", doubles, {}},
         {"textures/endless_map.cl",

@@ -41,6 +41,7 @@ void add_surfaces(Laboratory& laboratory);
 void add_classes(Laboratory& laboratory);
 void add_surface_textures(Laboratory& laboratory);
 void add_surface_spectra(Laboratory& laboratory);
+void add_surface_classes(Laboratory& laboratory);
 void add_geometry_tiles(Laboratory& laboratory);
 void add_recursive_tiles(Laboratory& laboratory);
 void add_sphere(Laboratory& laboratory);

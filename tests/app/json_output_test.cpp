@@ -63,6 +63,8 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"points lloyd", {"--points 20 --iterations 1 --quiet --out p.npy", "points", "20"}},
         {"points gaussian-blue-noise", {"--points 200 --iterations 1 --quiet --out p.npy", "iteration", "1"}},
         {"distribute classes", {"--points 5 20 --quiet --engine reference --out a.csv", "points", "25"}},
+        {"distribute surface-classes",
+         {"square.off --points 2 5 --quiet --engine reference --out a.ply", "points", "7"}},
         {"distribute surface", {"square.off --points 5 --quiet --engine reference --out a.ply", "area", "1"}},
         {"distribute mri-mask", {"--shape 32 32 --acceleration 4 --out a.npy", "samples", "256"}},
         {"distribute dither-mask", {"--size 16 --out a.png", "least_distance_4"}},

@@ -103,6 +103,7 @@ TEST_F(CoreProgram, NamesTheModuleThatAWordNeeds)
              {"[[distribution]]\nkind = \"darts\"\n", "regions"},
              {"[[distribution]]\nkind = \"stippling\"\n", "distributions"},
              {"[[distribution]]\nkind = \"mesh-set\"\n", "surface_spectra"},
+             {"[[distribution]]\nkind = \"surface-classes\"\n", "surface_classes"},
              {"[[distribution]]\nkind = \"class-set\"\n", "classes"},
              {"[[distribution]]\nkind = \"geometry-tiles\"\n", "geometry_tiles"},
              {"[[distribution]]\nkind = \"recursive-tiles\"\n", "recursive_tiles"},

@@ -51,7 +51,7 @@ link_alone() {
 }
 
 status=0
-for module in methods own_methods results tiles other_tiles tilings regions distributions classes textures surfaces surface_textures surface_spectra geometry_tiles recursive_tiles sphere \
+for module in methods own_methods results tiles other_tiles tilings regions distributions classes textures surfaces surface_textures surface_spectra surface_classes geometry_tiles recursive_tiles sphere \
   large_sets particles point_formats processes reference space tile_measures zone_plate; do
   if ! (link_alone "$module") >"$folder/$module.out" 2>&1; then
     echo "the program with the module $module alone does not link:"

@@ -15,6 +15,7 @@
 #include "kernels/common/optimized/gaussian_blue_noise.h"
 #include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/sectors/sector_darts.h"
+#include "kernels/common/surfaces/class_surface.h"
 #include "kernels/common/surfaces/surface.h"
 #include "kernels/common/surfaces/surface_elimination.h"
 #include "kernels/common/tile_sampling/averaged_tiles.h"
@@ -91,14 +92,22 @@ TEST(Contract, OfSurfaces)
     EXPECT_THAT(on_device(file, layout_of("Piece", "shares")), ElementsAreArray(piece));
     const std::size_t point[] = {LAYOUT_OF(SurfacePoint, next)};
     EXPECT_THAT(on_device(file, layout_of("SurfacePoint", "next")), ElementsAreArray(point));
-    const std::size_t rule[] = {LAYOUT_OF(SurfaceRule, bucket_mask)};
-    EXPECT_THAT(on_device(file, layout_of("SurfaceRule", "bucket_mask")), ElementsAreArray(rule));
+    const std::size_t rule[] = {LAYOUT_OF(SurfaceRule, first)};
+    EXPECT_THAT(on_device(file, layout_of("SurfaceRule", "first")), ElementsAreArray(rule));
     const std::size_t batch[] = {LAYOUT_OF(SurfaceBatch, bucket_mask)};
     EXPECT_THAT(on_device(file, layout_of("SurfaceBatch", "bucket_mask")), ElementsAreArray(batch));
     using contract::surface_elimination::Elimination;
     const std::size_t elimination[] = {LAYOUT_OF(Elimination, points)};
     EXPECT_THAT(on_device("kernels/common/surfaces/surface_elimination.h", layout_of("Elimination", "points")),
                 ElementsAreArray(elimination));
+    using namespace contract::class_surface;
+    const std::string of_classes = "kernels/common/surfaces/class_surface.h";
+    const std::size_t open[] = {LAYOUT_OF(OpenPieces, spread)};
+    EXPECT_THAT(on_device(of_classes, layout_of("OpenPieces", "spread")), ElementsAreArray(open));
+    const std::size_t slot[] = {LAYOUT_OF(SurfaceSlot, target)};
+    EXPECT_THAT(on_device(of_classes, layout_of("SurfaceSlot", "target")), ElementsAreArray(slot));
+    const std::size_t slots[] = {LAYOUT_OF(SurfaceSlots, key_y)};
+    EXPECT_THAT(on_device(of_classes, layout_of("SurfaceSlots", "key_y")), ElementsAreArray(slots));
 }
 
 TEST(Contract, OfDartThrowing)

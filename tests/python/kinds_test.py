@@ -211,7 +211,7 @@ class Kinds(unittest.TestCase):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
                           "darts", "points", "classes", "surface", "mri_mask", "dither_mask", "mask_picture", "line_set",
-                          "mesh_set", "class_set", "cells", "textured_surface", "surface_objects", "geometry_tiles",
+                          "mesh_set", "class_set", "surface_classes", "cells", "textured_surface", "surface_objects", "geometry_tiles",
                           "recursive_tiles", "sphere", "discrepancy"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)

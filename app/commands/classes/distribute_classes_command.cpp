@@ -29,6 +29,7 @@ has no room for its next point, until there is room for --points. With --tiles t
 tiles whose points have classes (tiles build --class-points), and each pair of classes keeps what is proven of the set.
 With --region points lie in polygons with holes, from GeoJSON, WKT, drawings, pictures or formulas, as with distribute darts.
 Distances are in the region's units, or in metres if it is in longitude and latitude; files have the region's coordinates.
+With --along they lie on its lines and outlines, --per-length of each class on a unit of length.
 Points keep --obstacle-distance from --obstacles. With --densities, once for each class, points of classes follow pictures or
 formulas in the region. With --feature-points or --feature-densities properties of the features of a GeoJSON file say how many
 points of each class lie in them; .geojson has the properties of each point's feature.
@@ -42,6 +43,7 @@ means over so many sets, and errors.
   poissonlab distribute classes --region park.geojson --distances 12 5 2 --out plants.geojson --out plants.png
   poissonlab distribute classes --region park.geojson --points 40 300 --densities trees.png --densities "exp(-x/50)" --out park.csv
   poissonlab distribute classes --region beds.geojson --feature-points trees shrubs --distances 6 2 --out plants.geojson
+  poissonlab distribute classes --region paths.geojson --along --per-length 0.02 0.05 --distances 15 6 --out lamps.geojson
   poissonlab distribute classes --matrix 0.05 0.02 0.02 0.05 --sets 10 --out two.npy --spectra two.csv)help";
 
 struct ClassOptions : KindOptions

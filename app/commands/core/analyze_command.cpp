@@ -194,13 +194,14 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
     const bool is_mesh = !options.surface.empty(), has_region = !options.region.empty();
     if (options.along && !has_region) throw InputError("analyze: --along needs --region");
     const bool has_others = is_picture ? is_mesh || has_region : !options.channel.empty() || (is_mesh && has_region);
-    if (has_others || !options.classes.empty() || !options.domain.empty() || options.particles != no_type ||
-        !options.periodic.empty() || options.gallery || options.in_pieces || options.files.size() > 1)
+    if (has_others || (!options.classes.empty() && !is_mesh) || !options.domain.empty() ||
+        options.particles != no_type || !options.periodic.empty() || options.gallery || options.in_pieces ||
+        options.files.size() > 1)
         throw InputError(fmt::format(
             "analyze: {}--out, --label, --set, --threads and --quiet can be given with it",
             is_picture
                 ? printable(file) + ": is a picture, which is measured alone, as a mask of thresholds: --channel, "
-            : is_mesh ? "--surface measures one file of points on a mesh: "
+            : is_mesh ? "--surface measures one file of points on a mesh: --classes, "
                       : "--along measures one file of points on lines: --region, "));
     if (is_picture) read_picture_header(file);
     std::string keys = fmt::format("kind = \"{}\"\n{} = {}\n",
@@ -208,8 +209,10 @@ void analyze_by_kind(const AnalyzeOptions& options, bool is_picture)
                                    : is_mesh  ? "mesh-set"
                                               : "line-set",
                                    is_picture ? "mask" : "set", quoted(file));
-    const std::initializer_list<std::pair<const char*, std::string>> others{
-        {"channel", options.channel}, {"region", options.region}, {"mesh", options.surface}};
+    const std::initializer_list<std::pair<const char*, std::string>> others{{"channel", options.channel},
+                                                                            {"region", options.region},
+                                                                            {"mesh", options.surface},
+                                                                            {"classes", options.classes}};
     for (const auto& [key, value] : others)
         if (!value.empty()) keys += fmt::format("{} = {}\n", key, quoted(value));
     for (const std::string& text : options.overrides)
@@ -347,7 +350,7 @@ Command analyze_command(const std::string& typed)
              {"--surface", &o->surface, "The mesh that points lie on, whose eigenfunctions give the spectrum", "MESH"},
              allowing({"--classes", &o->classes,
                        "The column or property that has the class of each point: classes are measured alone, together "
-                       "and in pairs",
+                       "and in pairs; with --surface by their nearest distances",
                        "COLUMN"},
                       "the name or the number of a column"),
              {"--channel", &o->channel, "The channel of a picture that is measured as a mask, such as G", "NAME"},

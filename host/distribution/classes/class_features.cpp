@@ -7,6 +7,7 @@
 #include "base/regions/region_features.hpp"
 #include "base/regions/region_source.hpp"
 #include "host/distribution/classes/class_points.hpp"
+#include "host/settings/keys/keys.hpp"
 #include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,38 @@ PlaneRegion region_of(const RegionFeature& feature)
 
 }
 
+void check_counts(const ClassSettings& settings, const std::vector<std::size_t>& asked,
+                  const std::vector<std::size_t>& counts, const std::string& where, int dimension)
+{
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (counts[i] == asked[i]) continue;
+        double share = 1;
+        for (std::size_t j = 0; j < counts.size(); ++j)
+            if (asked[j] > 0) share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(asked[j]));
+        const double scale = std::pow(share, 1.0 / dimension);
+        throw InputError(
+            fmt::format("{}class {} is full with {} of {} points: no further one fits; {} can be reached", where, i,
+                        counts[i], asked[i],
+                        settings.distances.empty() && settings.matrix.empty()
+                            ? fmt::format("a relative radius of about {:.3f}", 0.99 * scale * settings.relative_radius)
+                            : fmt::format("distances of about {:.3f} times as much", 0.99 * scale)));
+    }
+}
+
+void check_numbers(const ClassSettings& settings, const ClassSet& set)
+{
+    if (set.work.features->empty())
+        return check_counts(settings, settings.points, set.points.counts(), "", set.dimension());
+    std::size_t at = 0;
+    for (std::size_t part = 0; part < set.work.features->size(); ++part) {
+        const FeaturePart& feature = (*set.work.features)[part];
+        std::vector<std::size_t> counts(feature.points.size());
+        for (; at < set.points.part_ends[part]; ++at) ++counts[set.points.classes[at]];
+        check_counts(settings, feature.points, counts,
+                     fmt::format("{}: features[{}]: ", name_of_input(settings.place.region), feature.number), 2);
+    }
+}
+
 std::vector<FeaturePart> feature_parts(const FeatureNumbers& asked, const PlaneRegion& whole,
                                        const std::vector<RegionPolygon>& obstacles, const std::string& file)
 {
@@ -111,6 +144,7 @@ ClassedPoints ClassSet::in_units() const
 
 std::vector<std::string> ClassSet::features() const
 {
+    if (is_on_lines()) return features_on_lines;
     if (!work.land || !work.land->whole.source) return {};
     const std::vector<RegionFeature>& features = work.land->whole.source->features;
     std::vector<std::string> ids;

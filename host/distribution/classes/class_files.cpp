@@ -104,12 +104,11 @@ void write_class_file(const std::filesystem::path& file, const ClassedPoints& po
     write_class_pieces(file, points.points.dimension, count, comment, in_pieces, region, features);
 }
 
-void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points)
+void write_class_numbers(const std::filesystem::path& file, const std::vector<std::uint32_t>& classes)
 {
     write_whole_file(
-        file, npy_header_of(fmt::format("'{}u4'", npy_byte_order()), fmt::format("({},)", points.classes.size())) +
-                  std::string(reinterpret_cast<const char*>(points.classes.data()),
-                              points.classes.size() * sizeof(std::uint32_t)));
+        file, npy_header_of(fmt::format("'{}u4'", npy_byte_order()), fmt::format("({},)", classes.size())) +
+                  std::string(reinterpret_cast<const char*>(classes.data()), classes.size() * sizeof(std::uint32_t)));
 }
 
 }

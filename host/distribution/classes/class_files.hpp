@@ -35,6 +35,6 @@ void write_class_pieces(const std::filesystem::path& file, int dimension, std::s
                         const PlaneRegion* region = nullptr, const std::vector<std::string>& features = {});
 
 /// The classes alone, as a NumPy array of uint32.
-void write_class_numbers(const std::filesystem::path& file, const ClassedPoints& points);
+void write_class_numbers(const std::filesystem::path& file, const std::vector<std::uint32_t>& classes);
 
 }

@@ -6,6 +6,7 @@
 #include "base/geometry/torus.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/distribution/classes/class_density.hpp"
+#include "host/distribution/classes/class_lines.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
 
@@ -104,7 +105,8 @@ void append_names(std::string& text, const std::vector<std::uint32_t>& used, con
 
 double radius_of(double least, std::size_t points, int dimension)
 {
-    return points < 2 ? 0 : relative_radius(least, points, dimension);
+    if (points < 2) return 0;
+    return dimension == 1 ? least * static_cast<double>(points) : relative_radius(least, points, dimension);
 }
 
 }
@@ -194,6 +196,7 @@ std::vector<std::string> density_notes(const ClassSet& set)
 
 ClassDistances least_distances(const ClassSet& set)
 {
+    if (set.is_on_lines()) return least_in_plane(set.points);
     const std::size_t classes = set.points.is_full.size();
     std::vector<PointSet> sets;
     for (std::uint32_t i = 0; i < classes; ++i) sets.push_back(set.points.of_class(i));
@@ -209,18 +212,24 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set)
     const ClassDistances least = least_distances(set);
     const std::vector<std::size_t> counts = set.points.counts();
     const std::size_t all = set.points.points.size();
-    const int d = set.work.request.dimension;
+    const int d = set.dimension();
     const double unit = std::pow(set.size(), 1.0 / d);
     const ClassDistances kept = set.kept();
     double least_of_all = INFINITY;
     std::vector<DistributionNumber> numbers;
     numbers.push_back({"points", "Points", static_cast<double>(all), "of all classes"});
+    if (set.is_on_lines())
+        numbers.push_back(
+            {"length", "Length", set.size(), "of the lines that obstacles leave, in units of the region"});
     for (std::size_t i = 0; i < counts.size(); ++i) {
         numbers.push_back({fmt::format("points_{}", i), fmt::format("Points of class {}", i),
                            static_cast<double>(counts[i]),
                            set.points.is_full[i] ? "no further one fits" : "as asked for"});
         numbers.push_back({fmt::format("relative_radius_{}", i), fmt::format("Relative radius of class {}", i),
-                           radius_of(least.at(i, i) / unit, counts[i], d), "of its points alone"});
+                           radius_of(least.at(i, i) / unit, counts[i], d),
+                           set.is_on_lines()
+                               ? "of its points alone: least distance over the length of the lines for each point"
+                               : "of its points alone"});
         for (std::size_t j = 0; j <= i; ++j) least_of_all = std::min(least_of_all, least.at(i, j));
     }
     numbers.push_back({"relative_radius", "Relative radius", radius_of(least_of_all / unit, all, d), "of all points"});

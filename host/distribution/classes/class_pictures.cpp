@@ -1,6 +1,7 @@
 #include "host/distribution/classes/class_pictures.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/regions/region_source.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
 
 #include <fmt/format.h>
@@ -80,7 +81,9 @@ MarkPicture picture_in_region(const ClassSet& set)
     for (std::uint32_t i = 0; i < kept.classes(); ++i)
         dots.push_back({class_color(i), points.of_class(i), shown_radius * kept.at(i, i)});
     std::ranges::stable_sort(dots, std::greater{}, &LandDots::radius);
-    return land_picture(*set.work.land, set.work.request.region->box(), dots);
+    return land_picture(*set.work.land,
+                        set.is_on_lines() ? box_around(lines_of(set.work.land->whole)) : set.work.request.region->box(),
+                        dots);
 }
 
 /// Draws the mean radial power of each class and of all points.

@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/classes/class_density.hpp"
+#include "host/distribution/classes/class_lines.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
 #include "host/sampling/classes/class_cells.hpp"
 #include "host/settings/keys/keys.hpp"
@@ -16,23 +17,6 @@
 
 namespace poissonlab {
 namespace {
-
-/// Returns the matrix of the settings, or the one that follows from them and from the distances that classes have at a
-/// relative radius of 1.
-ClassDistances asked_distances(const ClassSettings& settings, const std::vector<double>& largest)
-{
-    const std::size_t classes = settings.classes();
-    if (!settings.matrix.empty()) {
-        ClassDistances given(classes);
-        for (std::size_t i = 0; i < classes; ++i)
-            for (std::size_t j = 0; j < classes; ++j) given.set(i, j, settings.matrix[i * classes + j]);
-        return given;
-    }
-    if (!settings.distances.empty()) return wei_distances(settings.distances, settings.dimension);
-    std::vector<double> distances;
-    for (const double each : largest) distances.push_back(settings.relative_radius * each);
-    return wei_distances(distances, settings.dimension);
-}
 
 /// Returns the distance of the densest packing of as many points of each class on the torus, at most its side.
 std::vector<double> packing_distances(const ClassSettings& settings)
@@ -165,7 +149,7 @@ void place_in_region(const ClassSettings& settings, ClassWork& work)
     }
     const bool follows = settings.distances.empty() && settings.matrix.empty();
     const auto distances = follows ? packing_distances(settings, densities, work) : std::vector<double>{};
-    work.asked = asked_distances(settings, distances);
+    work.asked = asked_distances(settings, distances, 2);
     DartSettings place = settings.place; // as for a saturated set at the largest distance
     place.points.reset();
     place.min_distance = largest_of(work.asked);
@@ -203,38 +187,21 @@ void check_count(const ClassWork& work)
         throw InputError(fmt::format("there would be {} points; at most {} are possible", points, max_points));
 }
 
-/// Full classes have fewer points than were asked for.
-void check_numbers(const ClassSettings& settings, const std::vector<std::size_t>& asked,
-                   const std::vector<std::size_t>& counts, const std::string& where)
-{
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        if (counts[i] == asked[i]) continue;
-        double share = 1;
-        for (std::size_t j = 0; j < counts.size(); ++j)
-            if (asked[j] > 0) share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(asked[j]));
-        const double scale = std::pow(share, 1.0 / settings.dimension);
-        throw InputError(
-            fmt::format("{}class {} is full with {} of {} points: no further one fits; {} can be reached", where, i,
-                        counts[i], asked[i],
-                        settings.distances.empty() && settings.matrix.empty()
-                            ? fmt::format("a relative radius of about {:.3f}", 0.99 * scale * settings.relative_radius)
-                            : fmt::format("distances of about {:.3f} times as much", 0.99 * scale)));
-    }
 }
 
-void check_numbers(const ClassSettings& settings, const ClassSet& set)
+ClassDistances asked_distances(const ClassSettings& settings, const std::vector<double>& largest, int dimension)
 {
-    if (set.work.features->empty()) return check_numbers(settings, settings.points, set.points.counts(), "");
-    std::size_t at = 0;
-    for (std::size_t part = 0; part < set.work.features->size(); ++part) {
-        const FeaturePart& feature = (*set.work.features)[part];
-        std::vector<std::size_t> counts(feature.points.size());
-        for (; at < set.points.part_ends[part]; ++at) ++counts[set.points.classes[at]];
-        check_numbers(settings, feature.points, counts,
-                      fmt::format("{}: features[{}]: ", name_of_input(settings.place.region), feature.number));
+    const std::size_t classes = settings.classes();
+    if (!settings.matrix.empty()) {
+        ClassDistances given(classes);
+        for (std::size_t i = 0; i < classes; ++i)
+            for (std::size_t j = 0; j < classes; ++j) given.set(i, j, settings.matrix[i * classes + j]);
+        return given;
     }
-}
-
+    if (!settings.distances.empty()) return wei_distances(settings.distances, dimension);
+    std::vector<double> distances;
+    for (const double each : largest) distances.push_back(settings.relative_radius * each);
+    return wei_distances(distances, dimension);
 }
 
 std::size_t ClassSettings::classes() const
@@ -252,17 +219,20 @@ ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uin
                                .factor = settings.factor,
                                .stream = stream_key(seed, Purpose::class_darts, number)},
                    .asked = {}};
-    if (settings.has_region()) {
+    if (settings.is_along()) {
+        place_on_lines(settings, work);
+    } else if (settings.has_region()) {
         place_in_region(settings, work);
     } else {
-        work.asked = asked_distances(settings, packing_distances(settings));
+        work.asked = asked_distances(settings, packing_distances(settings), settings.dimension);
         if (settings.factor < 1) work.asked = within_packings(work.asked, settings);
         work.request.distances = work.asked;
     }
     if (!settings.has_numbers())
         for (std::size_t i = 0; i < work.asked.classes(); ++i)
-            work.request.shares.push_back(std::pow(work.asked.at(i, i), -settings.dimension));
-    check_count(work);
+            work.request.shares.push_back(
+                std::pow(work.asked.at(i, i), settings.is_along() ? -1 : -settings.dimension));
+    if (!settings.is_along()) check_count(work);
     return work;
 }
 
@@ -276,6 +246,11 @@ ClassSet throw_classes(const ClassSettings& settings, std::uint64_t seed, const 
 {
     if (settings.has_tiles()) return tiled_classes(settings, seed, place, number);
     ClassSet set{class_work(settings, seed, number), {}};
+    if (settings.is_along()) {
+        set = throw_line_classes(settings, std::move(set.work));
+        check_numbers(settings, set);
+        return set;
+    }
     set.work.request.on_filled = [&](std::size_t, const ClassPart& part, const ClassedPoints& points) {
         set.density_errors.push_back(density_errors(part, points));
     };

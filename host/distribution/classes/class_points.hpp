@@ -36,10 +36,11 @@ struct ClassSettings
     FeatureNumbers features{};       ///< of points in the region's features; empty: those of `points`
     std::vector<std::string> densities{};      ///< that classes follow in a region: pictures or formulas; empty: none
     std::vector<std::string> densities_from{}; ///< of pictures: one for all, or of each class; empty: light
-    std::vector<double> distances; ///< of points of the same class, in sides of the torus or units of the region;
-                                   ///< empty: of `matrix`, or those of relative_radius
-    std::vector<double> matrix;    ///< of all pairs, row after row; empty: Wei's
-    double relative_radius = 0.62; ///< of each class, where there are no distances
+    std::vector<double> distances;    ///< of points of the same class, in sides of the torus or units of the region;
+                                      ///< empty: of `matrix`, or those of relative_radius
+    std::vector<double> matrix;       ///< of all pairs, row after row; empty: Wei's
+    std::vector<double> per_length{}; ///< on lines: points of each class on a unit of length, of which `points` follow
+    double relative_radius = 0.62;    ///< of each class, where there are no distances
     double factor = 1; ///< all distances are multiplied by it where a class with points to come is full; 1: an error
     int dimension = 2;
     std::uint32_t colors = 0; ///< of corner tiles that are built, whose points and distances these are; 0: none
@@ -52,6 +53,7 @@ struct ClassSettings
     std::size_t classes() const;
     bool has_tiles() const { return colors > 0 || !tiles.empty(); }
     bool has_region() const { return !place.region.empty(); }
+    bool is_along() const { return place.reading.is_along; }
     bool has_numbers() const { return !points.empty() || !features.is_empty(); }
 };
 
@@ -63,10 +65,23 @@ struct ClassWork
     ClassDartRequest request;
     ClassDistances asked;                     ///< in sides of the torus or units of the region
     double side = 1;                          ///< of the torus, in these units
+    double length = 0;                        ///< of the lines that points lie on; 0: they lie in an area
     std::shared_ptr<const RegionLand> land{}; ///< of a region
     /// Features whose points the parts of the request are; empty: the whole region.
     std::shared_ptr<const std::vector<FeaturePart>> features = std::make_shared<const std::vector<FeaturePart>>();
 };
+
+/// Returns the matrix of the settings, or the one that follows from them and from the distances that classes have at a
+/// relative radius of 1, on lines, in the plane or in space.
+ClassDistances asked_distances(const ClassSettings& settings, const std::vector<double>& largest, int dimension);
+
+/// Throws InputError, a line that begins with `where`, where full classes have fewer points than were asked for. It
+/// says by how much smaller distances would have to be, on lines, in the plane or in space.
+void check_counts(const ClassSettings& settings, const std::vector<std::size_t>& asked,
+                  const std::vector<std::size_t>& counts, const std::string& where, int dimension);
+
+/// Does so for a set, or for each of its features.
+void check_numbers(const ClassSettings& settings, const struct ClassSet& set);
 
 /// Prepares a set. Each `number` has random numbers of its own. Throws InputError if the torus, the region or the
 /// memory has no room for the set.
@@ -75,9 +90,10 @@ ClassWork class_work(const ClassSettings& settings, std::uint64_t seed, std::uin
 struct ClassSet
 {
     ClassWork work;
-    ClassedPoints points;                          ///< in coordinates of the torus, in a corner of which a region lies
-    std::shared_ptr<const PoissonTileSet> tiles{}; ///< of a tiling
+    ClassedPoints points; ///< in coordinates of the torus, in a corner of which a region lies; on lines in their units
+    std::shared_ptr<const PoissonTileSet> tiles{};     ///< of a tiling
     std::vector<std::vector<double>> density_errors{}; ///< of parts with densities: of each class, see density_errors()
+    std::vector<std::string> features_on_lines{};      ///< the id of each point's feature, as JSON, if there are any
 
     /// The distances that classes keep, in sides of the torus or units of the region.
     ClassDistances kept() const { return work.asked.scaled(points.scale); }
@@ -91,8 +107,10 @@ struct ClassSet
 
     const PlaneRegion* region() const { return work.land ? &work.land->whole : nullptr; }
 
-    /// The area, or volume, that the points lie in, in powers of these units.
-    double size() const { return work.request.region ? work.request.region->area() : 1; }
+    /// The length, area or volume that the points lie in, in powers of these units.
+    double size() const { return is_on_lines() ? work.length : work.request.region ? work.request.region->area() : 1; }
+    int dimension() const { return is_on_lines() ? 1 : work.request.dimension; }
+    bool is_on_lines() const { return work.length > 0; }
 };
 
 /// Throws the darts, or takes the points of a tiling. Throws InputError where a class is full before it has the points

@@ -8,6 +8,8 @@
 #include "base/regions/region_text.hpp"
 #include "host/distribution/classes/class_density.hpp"
 #include "host/distribution/classes/class_files.hpp"
+#include "host/distribution/classes/class_lines.hpp"
+#include "host/distribution/classes/class_lists.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
 #include "host/distribution/classes/class_points.hpp"
 #include "host/distribution/classes/class_tiling.hpp"
@@ -35,7 +37,7 @@ bool has_tiles(const Keys& keys)
     for (const char* key : {"joint_iterations", "equal_moments"})
         if (keys.is_given(key) && !keys.is_given("colors")) throw keys.invalid(key, "needs " + keys.name_of("colors"));
     for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors",
-                            "densities", "densities_from", "feature_points", "feature_densities"})
+                            "densities", "densities_from", "feature_points", "feature_densities", "per_length"})
         if (has_tiles && keys.is_given(key))
             throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
     return has_tiles;
@@ -61,46 +63,31 @@ void place_keys(Keys& keys, ClassSettings& s)
     keys.region("region", s.place.region, "the region that points lie in: a file, a formula, or a shape")
         .otherwise("the unit torus");
     region_reading_keys(keys, s.place.reading);
+    keys.flag("along", s.place.reading.is_along,
+              "whether points lie on the region's lines and outlines, at distances through the plane");
     obstacle_keys(keys, s.place.obstacles, s.place.obstacle_distance, "0");
     if (!keys.is_read()) return;
-    for (const char* key : {"planar", "crs", "overlap", "buffer", "obstacles"})
+    for (const char* key : {"along", "planar", "crs", "overlap", "buffer", "obstacles"})
         if (!s.has_region() && keys.is_given(key)) throw keys.invalid(key, "needs " + keys.name_of("region"));
     if (!s.has_region()) return;
     for (const char* key : {"dimension", "colors", "sets", "tiles", "torus"})
         if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("region"));
     if (s.place.is_in_space()) throw keys.invalid("region", "must be a region of the plane, and this one is of space");
+    for (const char* key : {"overlap", "buffer", "densities", "densities_from", "feature_points", "feature_densities"})
+        if (s.is_along() && keys.is_given(key))
+            throw keys.invalid(key, "cannot be combined with " + keys.name_of("along"));
     keys.check("region", [&] { read_region(s.place.region, s.place.reading); });
     keys.check(s.place.obstacles.empty() ? "region" : "obstacles", [&] { s.place.land = region_land(s.place); });
     if (!s.place.obstacle_distance && !s.place.land->obstacles.points.empty())
         throw keys.invalid("obstacles", "has points, which need " + keys.name_of("obstacle_distance"));
 }
 
-Keys::Said names_of_classes(Keys& keys, const std::string& key, std::vector<std::string>& values,
-                            const std::string& help)
-{
-    KeySpec spec{.value = {.key = key, .kind = ParameterSpec::Kind::text, .help = help},
-                 .count = most_classes,
-                 .own = "a list of names in quotes"};
-    return keys.texts(std::move(spec), values, "names in quotes, one of each class");
-}
-
 /// Reads what says how dense classes are, in places and in features.
 void density_keys(Keys& keys, ClassSettings& s)
 {
-    KeySpec spec{.value = {.key = "densities",
-                           .kind = ParameterSpec::Kind::text,
-                           .help = "the density of each class in the region, in any unit: a picture over its box, or a "
-                                   "formula in its x and y"},
-                 .count = most_classes,
-                 .is_file = true,
-                 .is_formula = true,
-                 .own = "a list of pictures' files and formulas in quotes"};
-    keys.texts(std::move(spec), s.densities, "pictures' files or formulas in quotes, one of each class")
-        .otherwise("classes are as dense everywhere");
-    names_of_classes(keys, "densities_from", s.densities_from,
-                     "what of the pictures of densities is meant: light, ink, or one of their channels; one for all, "
-                     "or one of each class")
-        .otherwise("light");
+    class_density_keys(keys, s,
+                       "the density of each class in the region, in any unit: a picture over its box, or a formula in "
+                       "its x and y");
     names_of_classes(keys, "feature_points", s.features.points,
                      "the property of the region's features that says how many points of the class they have, one of "
                      "each class")
@@ -137,25 +124,26 @@ void check_densities(const Keys& keys, const ClassSettings& s)
     check_count("feature_densities", s.features.densities.size());
 }
 
+/// Reads how many points classes have on a unit of length, and makes numbers of points of it.
+void number_keys_of_lines(Keys& keys, ClassSettings& s)
+{
+    class_list(keys, "per_length", s.per_length, {1e-12, 1e12}, "a number from 1e-12 to 1e12",
+               "with along: how many points of the class lie on a unit of length of the lines, on average")
+        .unit("1 / unit of the region")
+        .excludes("points")
+        .otherwise("points");
+    if (!keys.is_read() || !keys.is_given("per_length")) return;
+    if (!s.is_along()) throw keys.invalid("per_length", "needs " + keys.name_of("along"));
+    keys.check("per_length", [&] { s.points = points_on_lines(s); });
+}
+
 void class_keys(Keys& keys, ClassSettings& s)
 {
     place_keys(keys, s);
     // In regions distances are lengths of any size, and otherwise parts of the torus.
     const Interval lengths = s.has_region() ? Interval{1e-12, 1e12} : Interval{1e-6, 1};
-    class_counts(keys, "points", s.points, max_points, "how many points there are")
-        .otherwise("as many as there is room for");
-    class_list(keys, "distances", s.distances, lengths,
-               fmt::format("a number from {:g} to {:g}", lengths.low, lengths.high),
-               "the least distance of points of the same class")
-        .unit("sides of the torus; with region, in its units and up to 1e12")
-        .otherwise("those of relative_radius");
-    class_matrix(keys, "matrix", s.matrix, lengths)
-        .unit("sides of the torus; with region, in its units and up to 1e12")
-        .excludes("distances")
-        .otherwise("that of Wei 2010, from distances");
-    keys.number("relative_radius", s.relative_radius, {0.001, 1},
-                "of each class: its distance over that of the densest packing of as many points")
-        .excludes("distances");
+    class_list_keys(keys, s, lengths, "sides of the torus; with region, in its units and up to 1e12");
+    number_keys_of_lines(keys, s);
     density_keys(keys, s);
     keys.number("factor", s.factor, {0.5, 0.9999},
                 "what all distances are multiplied by where a class has no room for its points: relaxation")
@@ -174,26 +162,15 @@ void class_keys(Keys& keys, ClassSettings& s)
     if (keys.is_read() && s.sets > 1 && s.dimension != 2)
         throw keys.invalid("sets", "is about spectra, which are of the plane: dimension 2");
     if (!keys.is_read() || has_tiles(keys)) return;
-    if (keys.is_given("relative_radius") && !s.matrix.empty())
-        throw keys.invalid("relative_radius", "cannot be combined with " + keys.name_of("matrix"));
-    if (!s.has_numbers() && s.distances.empty() && s.matrix.empty())
-        throw keys.problem(fmt::format("needs {}, {} or {}", keys.name_of("points"), keys.name_of("distances"),
-                                       keys.name_of("matrix")));
-    if (keys.is_given("relative_radius") && !s.has_numbers())
-        throw keys.invalid("relative_radius", "needs " + keys.name_of("points"));
-    if (!s.points.empty() && s.points.size() != s.classes())
-        throw keys.invalid("points", fmt::format("must be {}, one of each class", s.classes()));
-    if (s.has_numbers() && !s.distances.empty())
-        if (const std::size_t classes = std::max(s.points.size(), s.features.names().size());
-            s.distances.size() != classes)
-            throw keys.invalid("distances", fmt::format("must be {}, one of each class", classes));
+    check_class_lists(keys, s);
     check_densities(keys, s);
     if (keys.is_given("factor") && (!s.has_numbers() || s.colors > 0))
         throw keys.invalid("factor",
                            fmt::format("needs {}, without {}", keys.name_of("points"), keys.name_of("colors")));
     if (s.colors > 0 && s.points.empty()) throw keys.problem("needs " + keys.name_of("points") + ", of each tile");
     if (s.colors > 0 && s.dimension != 2) throw keys.invalid("dimension", "must be 2 for tiles");
-    const std::string key = !s.points.empty()               ? "points"
+    const std::string key = !s.per_length.empty()           ? "per_length"
+                            : !s.points.empty()             ? "points"
                             : !s.features.points.empty()    ? "feature_points"
                             : !s.features.densities.empty() ? "feature_densities"
                             : s.matrix.empty()              ? "distances"
@@ -208,7 +185,7 @@ std::string class_label(const ClassSettings& s)
         return fmt::format("classes of {0}, {1} x {1} tiles", name_of_input(s.tiles.string()), s.torus);
     if (s.colors > 0)
         return fmt::format("classes of {0} x {0} corner tiles of {1} points", s.torus, fmt::join(s.points, ", "));
-    const std::string where = s.has_region() ? " in " + name_of_input(s.place.region) : "";
+    const std::string where = s.has_region() ? (s.is_along() ? " along " : " in ") + name_of_input(s.place.region) : "";
     if (!s.features.is_empty()) return fmt::format("{} classes{}, by features", s.classes(), where);
     return s.points.empty() ? fmt::format("{} classes{}, saturated", s.classes(), where)
                             : fmt::format("{} classes{}, {} points", s.classes(), where, fmt::join(s.points, ", "));
@@ -246,7 +223,7 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
         result.files.emplace_back(name);
     }
     write_points(files.add("points.npy"), in_files.points);
-    write_class_numbers(files.add("classes.npy"), set.points);
+    write_class_numbers(files.add("classes.npy"), set.points.classes);
     for (const char* name : {"points.npy", "classes.npy"}) result.files.emplace_back(name);
     if (settings.colors > 0) {
         write_tile_set(files.add("tiles.ptiles"), *set.tiles);
@@ -255,7 +232,10 @@ DistributionResult make_classes(const ClassSettings& settings, std::uint64_t see
     if (set.work.land) {
         for (const std::string& note : notes_of(set.work.land->whole)) result.facts.push_back(note);
         for (const std::string& note : density_notes(set)) result.facts.push_back(note);
-        add_region_curves(set.work.land->rest, set.in_units().points, files, result);
+        if (set.is_on_lines())
+            result.facts.push_back(fmt::format("lines of {:.6g}, without what is too near to obstacles", set.size()));
+        else
+            add_region_curves(set.work.land->rest, set.in_units().points, files, result);
     } else if (settings.dimension == 2)
         add_class_spectra(set.points.points.size(), averaged_spectra(settings, seed, place, set), {}, files, result);
     result.numbers = class_numbers(set);

@@ -8,6 +8,7 @@
 #include "base/programs/interrupt.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
+#include "host/distribution/classes/class_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
@@ -27,15 +29,6 @@ constexpr double most_comparisons = 5e8;
 
 /// The spectra of all classes together have at most this many frequencies, of 16 bytes each.
 constexpr double most_frequencies = 1 << 26;
-
-/// Numbers come before words, in rising order; `nan` is a word.
-bool comes_before(const std::string& a, const std::string& b)
-{
-    double x = 0, y = 0;
-    const bool is_a = parse_number(a, x) && !std::isnan(x), is_b = parse_number(b, y) && !std::isnan(y);
-    if (is_a && is_b && x != y) return x < y;
-    return is_a != is_b ? is_a : a < b;
-}
 
 PointDomain domain_of(const ClassSetSettings& s)
 {
@@ -223,31 +216,6 @@ std::vector<PointSet> ClassSetPoints::by_class() const
     return sets;
 }
 
-void number_classes(const std::vector<std::string>& class_of_point, const std::string& file, ClassSetPoints& to)
-{
-    std::map<std::string, std::uint8_t, bool (*)(const std::string&, const std::string&)> numbers(comes_before);
-    for (std::size_t i = 0; i < class_of_point.size(); ++i) {
-        if (class_of_point[i].empty()) throw InputError(fmt::format("{}: point {} has no class", file, i + 1));
-        if (!numbers.try_emplace(class_of_point[i]).second) continue;
-        if (printable(class_of_point[i]) != class_of_point[i])
-            throw InputError(fmt::format("{}: point {} has the class {}: names of classes must be printable UTF-8",
-                                         file, i + 1, printable(shortened(class_of_point[i], 40))));
-        if (numbers.size() > most_measured_classes)
-            throw InputError(
-                fmt::format("{}: has more than {} classes: {} and others; classes are words or numbers that "
-                            "many points share",
-                            file, most_measured_classes, printable(shortened(class_of_point[i], 40))));
-    }
-    if (numbers.size() == 1)
-        throw InputError(fmt::format("{}: all points have the class {}; there must be two classes or more", file,
-                                     printable(shortened(numbers.begin()->first, 40))));
-    for (auto& [name, number] : numbers) {
-        number = static_cast<std::uint8_t>(to.names.size());
-        to.names.push_back(name);
-    }
-    for (const std::string& name : class_of_point) to.classes.push_back(numbers.at(name));
-}
-
 std::shared_ptr<const ClassSetPoints> read_class_set(const ClassSetSettings& settings)
 {
     if (settings.read) return settings.read;
@@ -260,7 +228,7 @@ std::shared_ptr<const ClassSetPoints> read_class_set(const ClassSetSettings& set
     const std::string name = settings.set.string();
     if (class_of_point.size() != set.points.size())
         throw InputError(name + ": has no classes; only text, tables, PLY and GeoJSON can have them");
-    number_classes(class_of_point, name, set);
+    std::tie(set.classes, set.names) = number_classes(class_of_point, name);
     return std::make_shared<const ClassSetPoints>(std::move(set));
 }
 

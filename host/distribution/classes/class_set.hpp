@@ -46,13 +46,6 @@ struct ClassSetPoints
     std::vector<PointSet> by_class() const;
 };
 
-/// A file has at most this many classes.
-inline constexpr std::size_t most_measured_classes = 64;
-
-/// Numbers the classes of points by their names. Throws InputError for a point without one, for names that cannot be
-/// printed, for fewer than two and for more than most_measured_classes; `file` is for the message.
-void number_classes(const std::vector<std::string>& class_of_point, const std::string& file, ClassSetPoints& to);
-
 /// Reads both files, unless the settings have them. Throws InputError.
 std::shared_ptr<const ClassSetPoints> read_class_set(const ClassSetSettings& settings);
 

@@ -1,6 +1,7 @@
 #include "host/distribution/surface_spectra/mesh_set.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
 #include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"
 #include "host/sampling/surfaces/surface_elimination.hpp"
@@ -28,6 +29,19 @@ constexpr double rings_of_curve = 40;
 constexpr std::size_t random_for_each = 16, least_random = 4096, most_random = 1 << 18;
 
 MeshPoint mesh_point(std::span<const double> place) { return {place[0], place[1], place[2]}; }
+
+/// Reads the class of each point of the set.
+ClassNumbers classes_in(const MeshSetSettings& settings, std::size_t points)
+{
+    std::vector<std::string> class_of_point;
+    PointReading how;
+    how.domain = any_coordinates;
+    how.classes = {settings.classes, [&](std::string_view name) { class_of_point.emplace_back(name); }};
+    read_points(settings.set, how);
+    if (class_of_point.size() != points)
+        throw InputError(settings.set.string() + ": has no classes; only text, tables, PLY and GeoJSON can have them");
+    return number_classes(class_of_point, settings.set.string());
+}
 
 /// Locates a set on the mesh whose triangles are small.
 std::vector<MeshPosition> positions_of(const TriangleTree& tree, const PointSet& places)
@@ -149,6 +163,7 @@ std::shared_ptr<const MeshWithPoints> read_mesh_set(const MeshSetSettings& setti
     GivenPoints given = points_on_surface(surface, places, read.tolerance, settings.set);
     read.points = std::move(given.points);
     read.farthest = given.farthest;
+    if (!settings.classes.empty()) read.classes = classes_in(settings, places.size());
     return std::make_shared<const MeshWithPoints>(std::move(read));
 }
 

@@ -4,6 +4,7 @@
 
 #include "analysis/surfaces/mesh_eigenfunctions.hpp"
 #include "analysis/surfaces/surface_rings.hpp"
+#include "host/distribution/classes/class_names.hpp"
 #include "host/distribution/surface_spectra/mesh_pairs.hpp"
 #include "host/distribution/surfaces/surface_set.hpp"
 #include "host/kinds/kind.hpp"
@@ -29,6 +30,7 @@ struct MeshSetSettings
     std::uint32_t eigenfunctions = 5000;
     double normal_angle = 120;
     std::optional<double> tolerance;
+    std::string classes; ///< the column or the property with the class of each point; empty: points have none
     std::shared_ptr<const SurfaceMesh> surface{};        ///< the mesh, where it was read already
     std::shared_ptr<const struct MeshWithPoints> read{}; ///< and the points
 };
@@ -39,6 +41,7 @@ struct MeshWithPoints
     std::shared_ptr<const SurfaceMesh> surface;
     TriangleMesh mesh;                ///< the triangles of the surface
     std::vector<SurfacePoint> points; ///< none where a method is to make them
+    ClassNumbers classes;             ///< of the points, where these have some
     double tolerance = 0;             ///< the largest distance from the mesh that is accepted, in its units
     double farthest = 0;              ///< the largest distance of a point from the mesh
 };

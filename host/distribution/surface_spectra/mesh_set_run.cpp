@@ -4,6 +4,7 @@
 #include "base/text/noun.hpp"
 #include "host/distribution/surface_spectra/mesh_set.hpp"
 #include "host/distribution/surface_spectra/mesh_set_charts.hpp"
+#include "host/distribution/surfaces/surface_pairs.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -49,7 +50,12 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
     keys.number("tolerance", s.tolerance, {0, 1e100}, "the largest distance of a point from the mesh")
         .unit("units of the mesh")
         .otherwise("a tenth of the square root of the area per point");
+    keys.text("classes", s.classes,
+              "the column of a table or the property that has the class of each point: classes are compared by their "
+              "nearest-neighbour distances")
+        .otherwise("points have no classes");
     if (!keys.is_read()) return;
+    if (!s.classes.empty() && s.set.empty()) throw keys.invalid("classes", "needs " + keys.name_of("set"));
     std::vector<std::string> sorted = s.methods;
     std::ranges::sort(sorted);
     if (std::ranges::adjacent_find(sorted) != sorted.end()) throw keys.invalid("methods", "must have each method once");
@@ -140,6 +146,22 @@ DistributionNumbers numbers_of(const MeshWithPoints& points, const MeshSpectra& 
     return numbers;
 }
 
+/// Adds the number of points of each class, and the nearest distances within and between classes.
+void add_classes(const MeshWithPoints& points, const MeshSetSettings& settings, DistributionResult& result)
+{
+    const auto& [numbers, names] = points.classes;
+    if (names.empty()) return;
+    std::vector<std::vector<SurfacePoint>> by_class(names.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) by_class[numbers[i]].push_back(points.points[i]);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result.numbers.push_back({fmt::format("points_{}", i), fmt::format("Points of class {}", names[i]),
+                                  static_cast<double>(by_class[i].size()), "in the order of the names of classes"});
+    const std::vector<SurfacePair> pairs =
+        surface_pairs(points.surface->surface, by_class, least_cosine(settings.normal_angle));
+    append_pair_numbers(pairs, names, result.numbers);
+    result.tables.push_back(pair_table(pairs, names));
+}
+
 DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                    DistributionFiles& files)
 {
@@ -152,6 +174,7 @@ DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_
     result.facts = facts_of(points, spectra);
     result.numbers = numbers_of(points, spectra, !settings.set.empty());
     result.tables = {comparison_of(spectra, name, "on this mesh")};
+    add_classes(points, settings, result);
     const std::size_t count = points.points.size();
     files.add_curves(
         "power", spectrum_chart(spectra, name, count, {"power", 0, 4, 0.5}, 1, &RadialBin::power),
@@ -166,9 +189,13 @@ DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_
         result);
     const FixedSurface& surface = points.surface->surface;
     const SurfaceDots dots{std::isfinite(spectra.set.mean_nearest) ? spectra.set.mean_nearest : 0,
-                           surface.open_edges == 0};
+                           surface.open_edges == 0,
+                           {points.classes.first.begin(), points.classes.first.end()}};
     write_png(files.add("points.png"), surface_view(surface, points.points, dots));
-    result.pictures.push_back({"points.png", "The points on the mesh, from the front above and from behind above."});
+    result.pictures.push_back({"points.png", dots.classes.empty()
+                                                 ? "The points on the mesh, from the front above and from behind above."
+                                                 : "The points on the mesh, a colour for each class, from the "
+                                                   "front above and from behind above."});
     add_pairs(spectra, name, files, result);
     write_whole_file(files.add("radial.csv", result), radial_csv(spectra.set.rings));
     return result;

@@ -3,6 +3,7 @@
 
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/distribution/surfaces/surface_gltf.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,11 +39,13 @@ enum class ColumnType
 class SurfaceTable
 {
 public:
-    SurfaceTable(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const TriangleMesh* mesh)
-        : surface_(surface), points_(points), mesh_(mesh)
+    SurfaceTable(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceClasses* classes,
+                 const TriangleMesh* mesh)
+        : surface_(surface), points_(points), classes_(classes), mesh_(mesh)
     {
         add({"x", "y", "z"}, ColumnType::real);
         add({"nx", "ny", "nz"}, ColumnType::brief);
+        if (classes) add({"class"}, ColumnType::whole);
         if (!mesh) return;
         add({"face", "vertex_0", "vertex_1", "vertex_2"}, ColumnType::whole);
         add({"bary_0", "bary_1", "bary_2"}, ColumnType::real);
@@ -61,6 +64,7 @@ public:
         row.clear();
         for (std::size_t k = 0; k < 3; ++k) row.push_back(surface_.origin[k] + point.place[k] * surface_.unit);
         append(row, normal_of(surface_.triangles[point.triangle]));
+        if (classes_) row.push_back((*classes_)[i]);
         if (mesh_) read_mesh(point, row);
     }
 
@@ -114,6 +118,7 @@ private:
 
     const FixedSurface& surface_;
     const std::vector<SurfacePoint>& points_;
+    const SurfaceClasses* classes_; ///< null: points have none
     const TriangleMesh* mesh_;
     std::vector<std::pair<std::string, ColumnType>> columns_;
 };
@@ -174,47 +179,31 @@ void write_surface_csv(const std::filesystem::path& file, const SurfaceTable& ta
         [](const std::vector<double>& row, std::string& to) { to += fmt::format("{:.17g}\n", fmt::join(row, ",")); });
 }
 
-/// A part of a binary glTF file: its length, its name and its bytes, filled up to whole words.
-std::string glb_chunk(std::string_view name, std::string bytes, char filling)
+/// A group for each class, or one without a name.
+std::vector<GltfGroup> groups_of(const PointSet& places, const PointSet& normals, const SurfaceClasses* classes)
 {
-    bytes.resize((bytes.size() + 3) / 4 * 4, filling);
-    std::string chunk;
-    append_value(chunk, static_cast<std::uint32_t>(bytes.size()));
-    return chunk.append(name).append(bytes);
-}
-
-/// Describes a buffer of places and normals, which are drawn as points (mode 0). Floats are numbers of type 5126.
-std::string gltf_of_points(const std::vector<float>& places)
-{
-    std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+    std::vector<GltfGroup> groups(1);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        low[i % 3] = std::min(low[i % 3], places[i]);
-        high[i % 3] = std::max(high[i % 3], places[i]);
+        const std::size_t own = classes ? (*classes)[i] : 0;
+        groups.resize(std::max(groups.size(), own + 1));
+        groups[own].places.insert(groups[own].places.end(), places[i].begin(), places[i].end());
+        groups[own].normals.insert(groups[own].normals.end(), normals[i].begin(), normals[i].end());
     }
-    return fmt::format(
-        R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
-        R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}},"mode":0}}]}}],)"
-        R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{0},"type":"VEC3","min":[{2}],"max":[{3}]}},)"
-        R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}}],)"
-        R"("bufferViews":[{{"buffer":0,"byteLength":{1}}},{{"buffer":0,"byteOffset":{1},"byteLength":{1}}}],)"
-        R"("buffers":[{{"byteLength":{4}}}]}})",
-        places.size() / 3, 4 * places.size(), fmt::join(low, ","), fmt::join(high, ","), 8 * places.size());
+    for (std::size_t i = 0; classes && i < groups.size(); ++i) groups[i].name = fmt::format("class_{}", i);
+    return groups;
 }
 
-/// A file without points has no mesh, because glTF has no empty ones.
-void write_surface_glb(const std::filesystem::path& file, const PointSet& places, const PointSet& normals)
+void write_points_of(const std::filesystem::path& file, const FixedSurface& surface,
+                     const std::vector<SurfacePoint>& points, const SurfaceClasses* classes, const std::string& comment,
+                     const TriangleMesh* mesh)
 {
-    const std::vector<float> floats(places.coordinates.begin(), places.coordinates.end());
-    std::string binary;
-    for (const PointSet* set : {&places, &normals})
-        for (const double c : set->coordinates) append_value(binary, static_cast<float>(c));
-    std::string chunks =
-        glb_chunk("JSON", floats.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(floats), ' ');
-    if (!floats.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
-    std::string head = "glTF";
-    append_value(head, std::uint32_t{2});
-    append_value(head, static_cast<std::uint32_t>(12 + chunks.size()));
-    write_whole_file(file, head + chunks);
+    if (file.extension() == ".ply")
+        return write_surface_ply(file, SurfaceTable(surface, points, classes, mesh), comment);
+    if (file.extension() == ".csv") return write_surface_csv(file, SurfaceTable(surface, points, classes, mesh));
+    const PointSet places = points_of(surface, points);
+    if (file.extension() == ".glb")
+        return write_surface_glb(file, groups_of(places, normals_of(surface, points), classes));
+    write_points(file, places, comment);
 }
 
 }
@@ -222,11 +211,14 @@ void write_surface_glb(const std::filesystem::path& file, const PointSet& places
 void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
                           const std::vector<SurfacePoint>& points, const std::string& comment, const TriangleMesh* mesh)
 {
-    if (file.extension() == ".ply") return write_surface_ply(file, SurfaceTable(surface, points, mesh), comment);
-    if (file.extension() == ".csv") return write_surface_csv(file, SurfaceTable(surface, points, mesh));
-    const PointSet places = points_of(surface, points);
-    if (file.extension() == ".glb") return write_surface_glb(file, places, normals_of(surface, points));
-    write_points(file, places, comment);
+    write_points_of(file, surface, points, nullptr, comment, mesh);
+}
+
+void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
+                          const std::vector<SurfacePoint>& points, const SurfaceClasses& classes,
+                          const std::string& comment, const TriangleMesh* mesh)
+{
+    write_points_of(file, surface, points, &classes, comment, mesh);
 }
 
 bool has_surface_columns(const std::filesystem::path& file)

@@ -4,6 +4,7 @@
 #include "base/surfaces/triangle_mesh.hpp"
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ namespace poissonlab {
 void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
                           const std::vector<SurfacePoint>& points, const std::string& comment,
                           const TriangleMesh* mesh = nullptr);
+
+/// The classes of points, one for each.
+using SurfaceClasses = std::vector<std::uint32_t>;
+
+/// Writes points that have classes: .ply and .csv have the column class after the normals, and .glb a node and a mesh
+/// of points for each class that has some, named class_0, class_1, ...
+void write_surface_points(const std::filesystem::path& file, const FixedSurface& surface,
+                          const std::vector<SurfacePoint>& points, const SurfaceClasses& classes,
+                          const std::string& comment, const TriangleMesh* mesh = nullptr);
 
 /// Returns true for files that can have the further columns.
 bool has_surface_columns(const std::filesystem::path& file);

@@ -3,10 +3,12 @@
 #include "host/distribution/surfaces/surface_view.hpp"
 
 #include "base/surfaces/triangle_mesh.hpp"
+#include "results/pictures/curve_chart.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace poissonlab {
@@ -36,7 +38,8 @@ class SurfaceCanvas
 {
 public:
     SurfaceCanvas(const FixedSurface& surface, const Camera& camera, int side)
-        : surface_(surface), camera_(camera), side_(side), depth_(samples(), -INFINITY), grey_(samples(), 255.0F)
+        : surface_(surface), camera_(camera), side_(side), depth_(samples(), -INFINITY), grey_(samples(), 255.0F),
+          dots_(samples())
     {
         MeshPoint low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
         for (const SurfaceTriangle& t : surface.triangles)
@@ -62,16 +65,19 @@ public:
     }
 
     /// Dots of a radius in samples. Those of closed surfaces are on the outside only.
-    void draw_dots(const std::vector<SurfacePoint>& points, double radius, bool is_closed)
+    void draw_dots(const std::vector<SurfacePoint>& points, double radius, const SurfaceDots& dots)
     {
-        for (const SurfacePoint& point : points)
-            if (!is_closed || dot(camera_.back, normal_of(surface_.triangles[point.triangle])) > 0)
-                draw_dot(point, radius);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (!dots.is_closed || dot(camera_.back, normal_of(surface_.triangles[points[i].triangle])) > 0)
+                draw_dot(points[i], radius, dots.classes.empty() ? 0 : dots.classes[i]);
     }
 
     double scale() const { return scale_; }
     double needed_rows() const { return needed_; } ///< around the middle one
     float grey(int column, int row) const { return grey_[at(column, row)]; }
+
+    /// The class of the dot there, counted from 1; 0: there is none.
+    std::uint32_t dot_at(int column, int row) const { return dots_[at(column, row)]; }
 
 private:
     std::size_t samples() const { return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_); }
@@ -117,7 +123,7 @@ private:
     }
 
     /// A disk in the plane of the point's triangle.
-    void draw_dot(const SurfacePoint& point, double radius)
+    void draw_dot(const SurfacePoint& point, double radius, std::uint32_t own)
     {
         const MeshPoint normal = turned(normal_of(surface_.triangles[point.triangle]));
         const double facing = std::max(0.05, std::abs(normal[2])), sign = normal[2] < 0 ? -1 : 1;
@@ -131,8 +137,10 @@ private:
                 const double back = -sign * (normal[0] * right + normal[1] * up) / facing;
                 // A pixel's depth is that of its middle, and neighbouring triangles have other slopes.
                 if (right * right + up * up + back * back <= radius * radius &&
-                    c[2] + back + radius / 4 + 1 / facing >= depth_[at(column, row)])
+                    c[2] + back + radius / 4 + 1 / facing >= depth_[at(column, row)]) {
                     grey_[at(column, row)] = 0;
+                    dots_[at(column, row)] = own + 1;
+                }
             }
     }
 
@@ -142,6 +150,7 @@ private:
     double scale_ = 1, needed_ = 0;
     MeshPoint middle_{};
     std::vector<float> depth_, grey_;
+    std::vector<std::uint32_t> dots_; ///< see dot_at()
 };
 
 SurfaceCanvas drawn(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
@@ -150,8 +159,22 @@ SurfaceCanvas drawn(const FixedSurface& surface, const std::vector<SurfacePoint>
     SurfaceCanvas canvas(surface, camera, side);
     canvas.draw_triangles();
     const double radius = dots.distance / surface.unit * canvas.scale() / 6;
-    canvas.draw_dots(points, std::clamp(radius, 0.8, side / 60.0), dots.is_closed);
+    canvas.draw_dots(points, std::clamp(radius, 0.8, side / 60.0), dots);
     return canvas;
+}
+
+/// The colour of each class that has points, from 0 to 255.
+std::vector<std::array<float, 3>> colors_of(const SurfaceDots& dots)
+{
+    std::vector<std::array<float, 3>> colors;
+    for (const std::uint32_t own : dots.classes)
+        for (std::size_t i = colors.size(); i <= own; ++i) {
+            colors.emplace_back();
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                colors.back()[channel] =
+                    static_cast<float>(std::stoi(class_color(i).substr(1 + 2 * channel, 2), nullptr, 16));
+        }
+    return colors;
 }
 
 }
@@ -167,18 +190,24 @@ PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoi
         needed = std::max(needed, canvases.back().needed_rows() / view_samples);
     }
     const int height = std::min(side, static_cast<int>(std::ceil(needed))), top = (side - height) / 2;
-    PngPixels view{2 * side, height, 1, {}};
+    const std::vector<std::array<float, 3>> colors = colors_of(dots);
+    PngPixels view{2 * side, height, dots.classes.empty() ? 1 : 3, {}};
     view.values.resize(view.at(0, height, 0));
     for (int number = 0; number < 2; ++number)
         for (int row = 0; row < height; ++row)
-            for (int column = 0; column < side; ++column) {
-                float sum = 0;
-                for (int i = 0; i < view_samples * view_samples; ++i)
-                    sum += canvases[static_cast<std::size_t>(number)].grey(
-                        view_samples * column + i % view_samples, view_samples * (row + top) + i / view_samples);
-                view.values[view.at(number * side + column, row, 0)] =
-                    static_cast<std::uint8_t>(std::lround(sum / (view_samples * view_samples)));
-            }
+            for (int column = 0; column < side; ++column)
+                for (int channel = 0; channel < view.channels; ++channel) {
+                    const SurfaceCanvas& canvas = canvases[static_cast<std::size_t>(number)];
+                    float sum = 0;
+                    for (int i = 0; i < view_samples * view_samples; ++i) {
+                        const int x = view_samples * column + i % view_samples;
+                        const int y = view_samples * (row + top) + i / view_samples;
+                        const std::uint32_t own = colors.empty() ? 0 : canvas.dot_at(x, y);
+                        sum += own > 0 ? colors[own - 1][static_cast<std::size_t>(channel)] : canvas.grey(x, y);
+                    }
+                    view.values[view.at(number * side + column, row, channel)] =
+                        static_cast<std::uint8_t>(std::lround(sum / (view_samples * view_samples)));
+                }
     return view;
 }
 

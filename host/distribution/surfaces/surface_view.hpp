@@ -4,6 +4,7 @@
 #include "base/images/png_file.hpp"
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace poissonlab {
@@ -16,10 +17,12 @@ struct SurfaceDots
 {
     double distance = 0;    ///< in the mesh's units: dots are a third of it wide
     bool is_closed = false; ///< the surface has no open edges, and points on triangles that face away are hidden
+    std::vector<std::uint32_t> classes{}; ///< of each point, whose dots have a colour for each class; empty: black dots
 };
 
 /// Draws both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface
 /// does not hide them. z points upwards. The picture is as high as the views need, and no higher than half its width.
+/// It is grey unless points have classes.
 PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,
                        int pixels = default_view_pixels);
 

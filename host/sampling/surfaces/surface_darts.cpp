@@ -306,16 +306,23 @@ std::size_t surface_guide_size(std::size_t pieces)
 
 SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces)
 {
-    double area = 0;
-    for (const SurfacePiece& piece : pieces) area += area_of(surface, piece);
+    std::vector<double> areas;
+    areas.reserve(pieces.size());
+    for (const SurfacePiece& piece : pieces) areas.push_back(area_of(surface, piece));
+    return surface_piece_choice(areas);
+}
+
+SurfacePieceChoice surface_piece_choice(const std::vector<double>& weights)
+{
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     SurfacePieceChoice choice;
-    choice.ends.reserve(pieces.size());
+    choice.ends.reserve(weights.size());
     std::uint64_t end = 0;
-    for (const SurfacePiece& piece : pieces) {
-        end += std::max<std::uint64_t>(1, static_cast<std::uint64_t>(area_of(surface, piece) / area * 0x1p62));
+    for (const double weight : weights) {
+        end += std::max<std::uint64_t>(1, static_cast<std::uint64_t>(weight / sum * 0x1p62));
         choice.ends.push_back(end);
     }
-    choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(pieces.size()))) - 1;
+    choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(weights.size()))) - 1;
     __extension__ using Wide = unsigned __int128;
     std::uint32_t piece = 0;
     for (std::uint64_t i = 0; i < std::uint64_t{1} << choice.guide_bits; ++i) {
@@ -335,7 +342,7 @@ contract::surface::SurfaceRule surface_rule(const FixedSurface& surface, double 
             .least_cosine = least_cosine(angle),
             .cell = static_cast<std::uint32_t>(std::floor(2 * units)) + 2,
             .bucket_mask = 0,
-            .unused = 0};
+            .first = 0};
 }
 
 SurfaceDarts throw_surface_darts(const SurfaceDartRequest& request, SurfaceDartEngine& engine, std::size_t most,

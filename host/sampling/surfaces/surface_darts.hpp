@@ -100,6 +100,9 @@ RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiec
 /// There is one piece or more.
 SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces);
 
+/// One of pieces that have these weights in place of their areas.
+SurfacePieceChoice surface_piece_choice(const std::vector<double>& weights);
+
 struct SurfaceDartRequest
 {
     std::shared_ptr<const FixedSurface> surface;
@@ -155,6 +158,9 @@ SurfaceDarts throw_surface_darts(const SurfaceDartRequest& request, SurfaceDartE
 namespace reference {
 /// Plain and sequential: what the kernels must reproduce.
 std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request);
+
+/// The place of two random words on a piece.
+SurfacePoint surface_dart_on(const FixedSurface& surface, const SurfacePiece& piece, std::uint32_t u, std::uint32_t v);
 
 /// The dart of a number.
 SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,

@@ -67,7 +67,7 @@ struct SurfaceRule
     int least_cosine; ///< where their normals' product is no less
     uint cell;        ///< side of a cell: twice the distance at least
     uint bucket_mask; ///< a power of two less one
-    uint unused;
+    uint first;       ///< of several classes: the place of the other one's buckets among those of all
 };
 
 /// Darts that are thrown together.

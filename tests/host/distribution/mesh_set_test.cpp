@@ -190,5 +190,20 @@ TEST_F(MeshSets, OffTheMeshAreRefused)
     EXPECT_THAT(refusal({2, {0.5, 0.5, 0.2, 0.1}}), HasSubstr("three coordinates"));
 }
 
+/// The classes of a file's column, and what files without one are told.
+TEST_F(MeshSets, ReadTheClassesOfTheirPoints)
+{
+    MeshSetSettings settings = settings_of(square_mesh(), {3, {0.1, 0.1, 0, 0.9, 0.9, 0, 0.5, 0.2, 0}});
+    write_whole_file(settings.set, "x,y,z,kind\n0.1,0.1,0,oak\n0.9,0.9,0,elm\n0.5,0.2,0,oak\n");
+    settings.classes = "kind";
+    const auto read = read_mesh_set(settings);
+    EXPECT_EQ(read->classes.second, (std::vector<std::string>{"elm", "oak"}));
+    EXPECT_EQ(read->classes.first, (std::vector<std::uint8_t>{1, 0, 1}));
+    settings.classes = "genus";
+    EXPECT_THAT(message_of([&] { read_mesh_set(settings); }), HasSubstr("genus: is not a column with classes"));
+    write_whole_file(settings.set, "x,y,z,genus\n0.1,0.1,0,a\n0.9,0.9,0,a\n");
+    EXPECT_THAT(message_of([&] { read_mesh_set(settings); }), HasSubstr("all points have the class a"));
+}
+
 }
 }

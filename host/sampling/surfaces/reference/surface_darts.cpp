@@ -129,13 +129,10 @@ private:
 
 }
 
-SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
-                          const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number)
+SurfacePoint surface_dart_on(const FixedSurface& surface, const SurfacePiece& piece, std::uint32_t first,
+                             std::uint32_t second)
 {
-    const auto words =
-        philox({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0, 0}, stream);
-    const SurfacePiece& piece = pieces[choice.piece(std::uint64_t{words[0]} << 32 | words[1])];
-    std::int64_t u = words[2], v = words[3];
+    std::int64_t u = first, v = second;
     if (u + v > std::int64_t{UINT32_MAX}) {
         u = UINT32_MAX - u;
         v = UINT32_MAX - v;
@@ -150,6 +147,14 @@ SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<Surface
     const MeshPlace place = place_on(surface.triangles[dart.triangle], dart.shares[0], dart.shares[1]);
     for (std::size_t k = 0; k < 3; ++k) dart.place[k] = static_cast<std::int32_t>(place[k]);
     return dart;
+}
+
+SurfacePoint surface_dart(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
+                          const SurfacePieceChoice& choice, const StreamKey& stream, std::uint64_t number)
+{
+    const auto words =
+        philox({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), 0, 0}, stream);
+    return surface_dart_on(surface, pieces[choice.piece(std::uint64_t{words[0]} << 32 | words[1])], words[2], words[3]);
 }
 
 std::unique_ptr<SurfaceDartEngine> surface_dart_engine(const SurfaceDartRequest& request)
