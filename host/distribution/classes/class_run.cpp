@@ -34,8 +34,6 @@ bool has_tiles(const Keys& keys)
     const bool has_tiles = keys.is_given("tiles");
     if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
         throw keys.invalid("torus", fmt::format("needs {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
-    for (const char* key : {"joint_iterations", "equal_moments"})
-        if (keys.is_given(key) && !keys.is_given("colors")) throw keys.invalid(key, "needs " + keys.name_of("colors"));
     for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors",
                             "densities", "densities_from", "feature_points", "feature_densities", "per_length"})
         if (has_tiles && keys.is_given(key))
@@ -152,10 +150,6 @@ void class_keys(Keys& keys, ClassSettings& s)
     keys.integer("colors", s.colors, 1, 16,
                  "corner tiles of so many colors are built: points are those of a tile, distances in tiles")
         .otherwise("no tiles are built");
-    keys.integer("joint_iterations", s.joint_iterations, 0, 100'000,
-                 "with colors: how often all tiles are relaxed together");
-    keys.integer("equal_moments", s.equal_moments, 0, max_moment_order,
-                 "with colors: the order up to which the points of each class have the same moments in all tiles");
     keys.integer("sets", s.sets, 1, 1000, "sets whose spectra are averaged; points are those of the first");
     keys.tiles(s.tiles).otherwise("darts are thrown");
     keys.integer("torus", s.torus, 1, 4096, "with tiles or colors: so many along each axis, whose opposite edges fit");

@@ -61,8 +61,6 @@ PoissonTileParameters class_tile_parameters(const ClassSettings& settings, std::
     asked.values = Parameters(tile_set_parameters(asked.family));
     asked.values.set("colors", std::int64_t{settings.colors});
     asked.values.set("relative_radius", settings.relative_radius);
-    asked.values.set("joint_iterations", std::int64_t{settings.joint_iterations});
-    asked.values.set("equal_moments", std::int64_t{settings.equal_moments});
     asked.values.set("points_per_tile",
                      std::accumulate(settings.points.begin(), settings.points.end(), std::int64_t{0}));
     asked.class_distances = settings.distances;
