@@ -143,8 +143,8 @@ void check_monotile_file(const std::string& tiling, const Parameters& given)
         throw given.error(density_key, fmt::format("cannot be combined with {}", first_points_key));
     const MonotilePointsFile file = given_file(given);
     if (file.tiling() != tiling)
-        throw given.error(tiles_key,
-                          fmt::format("{} has {}s: sampler = \"{}-tiles\"", file.name(), file.tiling(), file.tiling()));
+        throw file_error(given,
+                         fmt::format("{} has {}s: sampler = \"{}-tiles\"", file.name(), file.tiling(), file.tiling()));
     if (given.is_given(first_points_key) && given.integer(first_points_key) > file.set().points_per_tile)
         throw given.error(first_points_key, fmt::format("must be at most {}, the points of a tile of {}",
                                                         file.set().points_per_tile, file.name()));
