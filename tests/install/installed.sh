@@ -29,6 +29,7 @@ done
 
 # The program finds its pictures module, and shipped configs and tile sets are what it reads.
 program=$prefix/bin/poissonlab
+[[ $(ldd "$program") != *libproj* ]] || fail "the program loads PROJ when it starts"
 "$program" --version >version
 grep -q '^poissonlab [0-9]' version || fail "no version"
 grep -q 'OpenImageIO' version || fail "the version does not say what was built in"
