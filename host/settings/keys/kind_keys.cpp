@@ -7,6 +7,7 @@
 #include "host/settings/config_tree.hpp"
 #include "host/settings/keys/keys.hpp"
 #include "host/settings/parameter_values.hpp"
+#include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
