@@ -116,7 +116,7 @@ void SquareForm::add_field_squares(const std::vector<double>& heights, double we
     for (std::size_t tile = 0; tile < parts_.tiles.size(); ++tile)
         for (std::size_t k = 0; k < 4; ++k) {
             const std::array<std::size_t, 4> at = hats_at(tile, k);
-            // Hats 1 and 3 are in the middle along y, hats 2 and 3 along x.
+            // The hats 1 and 3 are in the middle along y, 2 and 3 along x.
             for (std::size_t i = 0; i < 4; ++i)
                 for (std::size_t j = 0; j < 4; ++j)
                     slopes[at[i]] += part * products_[i / 2][j / 2] * products_[i % 2][j % 2] * heights[at[j]];
