@@ -2,7 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/texture/joint/set_cover.hpp"
-#include "host/texture/joint/tile_levels.hpp"
+#include "host/texture/tile_levels.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

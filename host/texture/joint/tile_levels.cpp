@@ -1,4 +1,4 @@
-#include "host/texture/joint/tile_levels.hpp"
+#include "host/texture/tile_levels.hpp"
 
 #include "host/texture/joint/square_form.hpp"
 #include "tiles/texture/square_means.hpp"

@@ -1,5 +1,5 @@
 // Levelled tiles: means over squares of tilings that chance lays.
-#include "host/texture/joint/tile_levels.hpp"
+#include "host/texture/tile_levels.hpp"
 
 #include "host/texture/seam_blending.hpp"
 #include "host/texture/texture_build.hpp"
