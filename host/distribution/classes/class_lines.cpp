@@ -92,7 +92,7 @@ private:
             free_.emplace_back(pieces_of(edges_, reach), box_,
                                std::max(reach + line_margin(reach, box_), obstacles.empty() ? 0 : from_points));
             for (const LinePlace& obstacle : obstacles) free_[i].keep_away(obstacle, from_points);
-            if (!obstacles.empty() && away >= reach / 1024 && free_[i].is_full()) // at any smaller reach as well
+            if (!obstacles.empty() && away >= reach / 1024 && free_[i].is_full()) // no smaller reach makes room
                 throw InputError("the lines have no room for a point among the obstacles");
         }
         for (std::size_t p = 0; p < made_.classes.size(); ++p)

@@ -48,7 +48,7 @@ PieceDisk disk_of(const FixedSurface& surface, const SurfacePiece& piece)
     return disk;
 }
 
-double longest_edge(const TriangleMesh& mesh)
+double longest_edge_in(const TriangleMesh& mesh)
 {
     double squared = 0;
     for (const MeshTriangle& corners : mesh.triangles)
@@ -65,7 +65,7 @@ class PathDarts final : public SurfaceDartEngine
 public:
     explicit PathDarts(const SurfaceDartRequest& request)
         : surface_(request.surface), stream_(request.stream), mesh_(triangles_of(*surface_)), paths_(mesh_, {}),
-          moved_(4e-9 * longest_edge(mesh_))
+          moved_(4e-9 * longest_edge_in(mesh_))
     {}
 
     void restart(const contract::surface::SurfaceRule& rule, const std::vector<SurfacePoint>& points,

@@ -37,7 +37,7 @@ double longest_edge_of(const std::array<MeshPlace, 3>& corners)
     return std::sqrt(static_cast<double>(squared));
 }
 
-bool is_small(const FixedSurface& surface, const SurfacePiece& piece, double area)
+bool is_small_enough(const FixedSurface& surface, const SurfacePiece& piece, double area)
 {
     const double own = area_of(surface, piece);
     if (own > piece_part * area) return false;
@@ -54,7 +54,7 @@ SurfaceCharges charges_of(const FixedSurface& surface, double area)
     std::vector<SurfacePiece> pieces = whole_pieces(surface);
     for (bool is_finer = true; is_finer;) {
         tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-            if (!is_last(pieces[i]) && is_small(surface, pieces[i], area)) pieces[i].halvings |= LAST_PIECE;
+            if (!is_last(pieces[i]) && is_small_enough(surface, pieces[i], area)) pieces[i].halvings |= LAST_PIECE;
         });
         RefinedPieces halved =
             refined(surface, pieces, std::vector<std::uint32_t>(pieces.size(), contract::surface::PIECE_OPEN));

@@ -30,7 +30,7 @@ void check_pair_memory(const MeshPointSettings& s)
 {
     constexpr double gibibyte = 1 << 30;
     const bool is_along = s.metric == SurfaceMetric::surface;
-    const double candidates = s.method == SurfaceMethod::elimination ? s.candidates : 1, // darts are in order alone
+    const double candidates = s.method == SurfaceMethod::elimination ? s.candidates : 1, // all darts stay
         points = s.points ? static_cast<double>(*s.points) : saturated_count(s.read->surface.area, *s.min_distance),
                  bytes = (is_along ? 1.5 : 1) * points * candidates * (192 + 72 * candidates);
     if (const auto most = static_cast<double>(memory_limit()); bytes > most)
