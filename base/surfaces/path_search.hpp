@@ -90,7 +90,7 @@ private:
         const double length = length_between(mesh_, corners[0], corners[1]);
         const PlanePoint top = paths_.tops_[first];
         const std::array<PlanePoint, 3> frame{{{0, 0}, {length, 0}, length * top}};
-        constexpr double inwards = 1e-9;
+        const double inwards = std::ranges::min(source.shares) < 1e-9 ? 1e-9 : 0;
         PlanePoint place{};
         for (std::size_t c = 0; c < 3; ++c) place = place + ((1 - inwards) * source.shares[c] + inwards / 3) * frame[c];
         std::array<PlanePoint, 3> places{};

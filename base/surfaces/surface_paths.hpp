@@ -41,7 +41,7 @@ public:
 
     /// Calls visit(number of the source, paths) once for each source, from several threads: the shortest path to each
     /// target that is no farther than `reach` along the surface, in the order of targets. Sources in corners and on
-    /// edges are moved inwards, by 1e-9 of the distance to the triangle's centre.
+    /// edges, with a share below 1e-9, are moved inwards, by 1e-9 of the distance to the triangle's centre.
     void from_each(const std::vector<MeshPosition>& sources, double reach,
                    const std::function<void(std::size_t, std::span<const SurfacePath>)>& visit) const;
 

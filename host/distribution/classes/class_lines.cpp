@@ -92,6 +92,8 @@ private:
             free_.emplace_back(pieces_of(edges_, reach), box_,
                                std::max(reach + line_margin(reach, box_), obstacles.empty() ? 0 : from_points));
             for (const LinePlace& obstacle : obstacles) free_[i].keep_away(obstacle, from_points);
+            if (!obstacles.empty() && away >= reach / 1024 && free_[i].is_full()) // no smaller reach makes room
+                throw InputError("the lines have no room for a point among the obstacles");
         }
         for (std::size_t p = 0; p < made_.classes.size(); ++p)
             keep_away({made_.points[p][0], made_.points[p][1]}, made_.classes[p]);
@@ -121,14 +123,28 @@ private:
     ClassedPoints made_{{2, {}}, {}, {}};
 };
 
-/// The least distance from points of one class to those of another, or to others of the same, both in the order of x.
-double least_in_order(const std::vector<LinePlace>& few, const std::vector<LinePlace>& many, bool are_same)
+/// A place, and its length along a direction that hardly any line crosses at a right angle. The direction is a little
+/// shorter than 1, so that keys of two places differ by less than their distance.
+struct PlaceInOrder
+{
+    double key;
+    LinePlace at;
+
+    explicit PlaceInOrder(const LinePlace& place) : key(0.86 * place[0] + 0.51 * place[1]), at(place) {}
+
+    auto operator<=>(const PlaceInOrder&) const = default;
+};
+
+/// The least distance from points of one class to those of another, or to others of the same, both in order. Keys are
+/// off by less than `margin`.
+double least_in_order(const std::vector<PlaceInOrder>& few, const std::vector<PlaceInOrder>& many, bool are_same,
+                      double margin)
 {
     double least = INFINITY;
     for (std::size_t i = 0; i < few.size(); ++i) {
-        const auto look = [&](const LinePlace& there) {
-            const double x = there[0] - few[i][0], y = there[1] - few[i][1];
-            if (std::abs(x) >= least) return false;
+        const auto look = [&](const PlaceInOrder& there) {
+            if (std::abs(there.key - few[i].key) >= least + margin) return false;
+            const double x = there.at[0] - few[i].at[0], y = there.at[1] - few[i].at[1];
             least = std::min(least, std::sqrt(x * x + y * y));
             return true;
         };
@@ -158,13 +174,31 @@ std::vector<std::size_t> points_on_lines(const ClassSettings& settings)
     return points;
 }
 
+namespace {
+
+/// Returns the distances of which relative radii are parts: the mean ones of points on the lines. Those that come from
+/// numbers of points on a length are of what obstacles leave. Distances of points are no larger than the longest side.
+std::vector<double> packed_distances(const ClassSettings& settings, const RegionLand& land, double whole,
+                                     double longest)
+{
+    std::vector<double> packed;
+    const double length =
+        settings.per_length.empty() ? whole : total_length(edges_of(left_of(settings, land, 0).lines));
+    if (length == 0) throw InputError("the lines have no room for a point among the obstacles");
+    for (const std::size_t count : settings.points)
+        packed.push_back(
+            std::min(length / static_cast<double>(count), longest / settings.relative_radius * (1 - 0x1p-50)));
+    return packed;
+}
+
+}
+
 void place_on_lines(const ClassSettings& settings, ClassWork& work)
 {
     work.land = region_land(settings.place);
     const std::vector<RegionRing>& lines = lines_of(work.land->whole);
     const double whole = total_length(edges_of(lines)), longest = box_around(lines).longest();
-    std::vector<double> packed;
-    for (const std::size_t count : settings.points) packed.push_back(whole / static_cast<double>(count));
+    const std::vector<double> packed = packed_distances(settings, *work.land, whole, longest);
     work.asked = asked_distances(settings, packed, 1);
     for (std::size_t i = 0; i < work.asked.classes(); ++i) {
         const double distance = farthest_of(work.asked, i);
@@ -195,15 +229,18 @@ ClassSet throw_line_classes(const ClassSettings& settings, ClassWork work)
 ClassDistances least_in_plane(const ClassedPoints& points)
 {
     const std::size_t classes = points.is_full.size();
-    std::vector<std::vector<LinePlace>> sorted(classes);
+    std::vector<std::vector<PlaceInOrder>> sorted(classes);
+    double largest = 0;
+    for (const double c : points.points.coordinates) largest = std::max(largest, std::abs(c));
     for (std::size_t i = 0; i < points.classes.size(); ++i)
-        sorted[points.classes[i]].push_back({points.points[i][0], points.points[i][1]});
-    for (std::vector<LinePlace>& of_class : sorted) std::ranges::sort(of_class);
+        sorted[points.classes[i]].emplace_back(LinePlace{points.points[i][0], points.points[i][1]});
+    for (std::vector<PlaceInOrder>& of_class : sorted) std::ranges::sort(of_class);
     ClassDistances least(classes);
     for (std::size_t i = 0; i < classes; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             const bool is_fewer = sorted[i].size() < sorted[j].size();
-            least.set(i, j, least_in_order(sorted[is_fewer ? i : j], sorted[is_fewer ? j : i], i == j));
+            least.set(i, j,
+                      least_in_order(sorted[is_fewer ? i : j], sorted[is_fewer ? j : i], i == j, 0x1p-48 * largest));
         }
     return least;
 }

@@ -28,7 +28,8 @@ void place_on_lines(const ClassSettings& settings, ClassWork& work);
 ClassSet throw_line_classes(const ClassSettings& settings, ClassWork work);
 
 /// The least distance of points of each pair of classes, through the plane, as computed from their coordinates;
-/// infinite where a pair has no points. Time is O(N^1.5) for well-spread points.
+/// infinite where a pair has no points. Time is O(N^1.5) for well-spread points, and more only where most of them lie
+/// on lines along the direction (-0.51, 0.86), or where classes are far from each other.
 ClassDistances least_in_plane(const ClassedPoints& points);
 
 }

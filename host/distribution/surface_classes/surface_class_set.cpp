@@ -25,6 +25,9 @@ double packed_distance_in(double area, std::size_t points)
     return std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points));
 }
 
+/// The diagonal of the mesh's box. No distance is larger.
+double box_diagonal_of(const FixedSurface& surface) { return surface.size * std::numbers::sqrt3; }
+
 /// Reads the density of each class, and where the densities are densest.
 void read_densities(const SurfaceClassSettings& settings, SurfaceClassWork& work, std::vector<double>& fullness)
 {
@@ -51,7 +54,7 @@ void read_densities(const SurfaceClassSettings& settings, SurfaceClassWork& work
 void check_room(const SurfaceClassWork& work)
 {
     const FixedSurface& surface = work.mesh->surface;
-    const double diagonal = surface.size * std::numbers::sqrt3;
+    const double diagonal = box_diagonal_of(surface);
     double points = 0;
     for (std::size_t i = 0; i < work.request.distances.classes(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
@@ -88,7 +91,8 @@ SurfaceClassWork surface_class_work(const SurfaceClassSettings& settings, std::u
     std::vector<double> fullness(classes.classes(), 1), packed;
     read_densities(settings, work, fullness);
     for (std::size_t i = 0; i < classes.points.size(); ++i)
-        packed.push_back(packed_distance_in(surface.area * fullness[i], classes.points[i]));
+        packed.push_back(std::min(packed_distance_in(surface.area * fullness[i], classes.points[i]),
+                                  box_diagonal_of(surface) / classes.relative_radius * (1 - 0x1p-50)));
     work.request.surface = {work.mesh, &surface};
     work.request.distances = asked_distances(classes, packed, 2);
     work.request.angle = settings.normal_angle;

@@ -1,5 +1,6 @@
 #include "host/distribution/surfaces/along_surface.hpp"
 
+#include "base/programs/interrupt.hpp"
 #include "base/surfaces/surface_paths.hpp"
 #include "host/distribution/surfaces/given_points.hpp"
 #include "host/distribution/surfaces/surface_files.hpp"
@@ -47,19 +48,31 @@ PieceDisk disk_of(const FixedSurface& surface, const SurfacePiece& piece)
     return disk;
 }
 
+double longest_edge_in(const TriangleMesh& mesh)
+{
+    double squared = 0;
+    for (const MeshTriangle& corners : mesh.triangles)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const MeshPoint edge = difference(mesh.vertices[corners[c]], mesh.vertices[corners[(c + 1) % 3]]);
+            squared = std::max(squared, dot(edge, edge));
+        }
+    return std::sqrt(squared);
+}
+
 /// Darts by the lengths of paths, in the order of their numbers.
 class PathDarts final : public SurfaceDartEngine
 {
 public:
     explicit PathDarts(const SurfaceDartRequest& request)
-        : surface_(request.surface), stream_(request.stream), mesh_(triangles_of(*surface_)), paths_(mesh_, {})
+        : surface_(request.surface), stream_(request.stream), mesh_(triangles_of(*surface_)), paths_(mesh_, {}),
+          moved_(4e-9 * longest_edge_in(mesh_))
     {}
 
     void restart(const contract::surface::SurfaceRule& rule, const std::vector<SurfacePoint>& points,
                  std::size_t) override
     {
-        distance_ = std::sqrt(static_cast<double>(rule.squared)) * surface_->unit * (1 + path_rounding);
-        sure_ = std::sqrt(static_cast<double>(rule.covered)) * surface_->unit * (1 - path_rounding);
+        distance_ = std::sqrt(static_cast<double>(rule.squared)) * surface_->unit * (1 + path_rounding) + moved_;
+        sure_ = std::sqrt(static_cast<double>(rule.covered)) * surface_->unit * (1 - path_rounding) - moved_;
         together_ = static_cast<std::size_t>(std::clamp(saturated_count(surface_->area, distance_) / 16, 64.0, 4096.0));
         points_ = points;
     }
@@ -77,9 +90,11 @@ public:
         std::vector<SurfacePoint> accepted;
         for (std::uint32_t next = 0; accepted.size() < most;) {
             std::vector<std::uint32_t> open; // darts whose paths are followed at once
-            for (; next < darts && open.size() < together_; ++next)
+            const std::size_t together = std::min(together_, 2 * std::min(together_, most - accepted.size()) + 8);
+            for (; next < darts && open.size() < together; ++next)
                 if (!is_rejected[next]) open.push_back(next);
             if (open.empty()) break;
+            stop_if_interrupted();
             accept(thrown, open, most, is_rejected, accepted);
         }
         points_.insert(points_.end(), accepted.begin(), accepted.end());
@@ -111,7 +126,7 @@ private:
     void follow(const std::vector<SurfacePoint>& targets, const Visit& visit)
     {
         paths_.aim_at(positions_of(targets));
-        const double units = surface_->units_of(distance_);
+        const double units = surface_->units_of(distance_) + static_cast<double>(contract::surface::SLACK);
         const SurfaceNeighbours near(*surface_, targets, static_cast<std::uint64_t>(units) + 1);
         const auto squared = static_cast<std::uint64_t>(units * units);
         std::vector<char> is_near(points_.size());
@@ -158,6 +173,7 @@ private:
     StreamKey stream_;
     TriangleMesh mesh_;
     SurfacePaths paths_;
+    double moved_ = 0;               ///< lengths may be wrong by less, as sources in corners and on edges are moved
     double distance_ = 0, sure_ = 0; ///< in the mesh's units
     std::size_t together_ = 0;       ///< darts whose paths are followed at once
     std::vector<SurfacePiece> pieces_;

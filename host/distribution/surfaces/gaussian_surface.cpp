@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace poissonlab {
@@ -17,8 +18,9 @@ namespace {
 /// mean distance that a unit of force moves a point by, and the most that it moves in a step.
 constexpr double farthest = 4.5, step = 0.25, longest_move = 0.5;
 
-/// Pieces of the surface that attract points have edges no longer than this part of a mean distance.
-constexpr double piece_part = 0.5;
+/// Pieces of the surface that attract points are no larger than this part of a point's area. Narrow ones are no longer
+/// than a mean distance either, unless their area is next to none.
+constexpr double piece_part = 0.125, longest_piece = 1, narrow_part = 1.0 / 512;
 
 /// The middles of small pieces of a surface, and their areas in mean areas of a point.
 struct SurfaceCharges
@@ -27,35 +29,50 @@ struct SurfaceCharges
     std::vector<double> weights;
 };
 
-void add_charges(const FixedSurface& surface, std::uint32_t triangle, double longest, double area,
-                 SurfaceCharges& charges)
+/// The longest edge of a triangle with these corners, in units of the grid.
+double longest_edge_of(const std::array<MeshPlace, 3>& corners)
 {
-    constexpr double whole = static_cast<double>(std::uint64_t{1} << contract::surface::BARYCENTRIC_BITS);
-    const SurfaceTriangle& t = surface.triangles[triangle];
-    double edge = 0;
-    for (std::size_t a = 0; a < 9; a += 3) {
-        const std::size_t b = (a + 3) % 9;
-        edge =
-            std::max(edge, std::hypot(double(t.corners[a]) - t.corners[b], double(t.corners[a + 1]) - t.corners[b + 1],
-                                      double(t.corners[a + 2]) - t.corners[b + 2]));
+    std::uint64_t squared = 0;
+    for (std::size_t c = 0; c < 3; ++c) squared = std::max(squared, squared_distance(corners[c], corners[(c + 1) % 3]));
+    return std::sqrt(static_cast<double>(squared));
+}
+
+bool is_small_enough(const FixedSurface& surface, const SurfacePiece& piece, double area)
+{
+    const double own = area_of(surface, piece);
+    if (own > piece_part * area) return false;
+    if (own <= narrow_part * area) return true;
+    std::array<MeshPlace, 3> corners{};
+    for (std::size_t c = 0; c < 3; ++c)
+        corners[c] = place_on(surface.triangles[piece.triangle], piece.shares[2 * c], piece.shares[2 * c + 1]);
+    return longest_edge_of(corners) <= longest_piece * surface.units_of(std::sqrt(area));
+}
+
+/// The charges of a surface where points have this area. Halves of longest edges make few pieces of long triangles.
+SurfaceCharges charges_of(const FixedSurface& surface, double area)
+{
+    std::vector<SurfacePiece> pieces = whole_pieces(surface);
+    for (bool is_finer = true; is_finer;) {
+        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+            if (!is_last(pieces[i]) && is_small_enough(surface, pieces[i], area)) pieces[i].halvings |= LAST_PIECE;
+        });
+        RefinedPieces halved =
+            refined(surface, pieces, std::vector<std::uint32_t>(pieces.size(), contract::surface::PIECE_OPEN));
+        pieces = std::move(halved.pieces);
+        is_finer = halved.is_finer;
     }
-    const auto parts = std::max<std::int64_t>(1, std::llround(std::ceil(edge / longest)));
-    const double side = 1 / static_cast<double>(parts);
-    const auto add = [&](double second, double third) {
-        SurfacePoint middle{};
-        middle.triangle = triangle;
-        middle.shares[0] = static_cast<std::uint32_t>(second * side * whole);
-        middle.shares[1] = static_cast<std::uint32_t>(third * side * whole);
-        std::ranges::copy(place_on(t, middle.shares[0], middle.shares[1]), middle.place);
-        charges.places.push_back(middle);
-        charges.weights.push_back(surface.areas[triangle] / area * side * side);
-    };
-    for (std::int64_t i = 0; i < parts; ++i)
-        for (std::int64_t j = 0; i + j < parts; ++j) {
-            const double u = static_cast<double>(i), v = static_cast<double>(j);
-            add(u + 1.0 / 3, v + 1.0 / 3);
-            if (i + j + 2 <= parts) add(u + 2.0 / 3, v + 2.0 / 3);
-        }
+    SurfaceCharges charges;
+    for (const SurfacePiece& piece : pieces) {
+        SurfacePoint& middle = charges.places.emplace_back();
+        middle.triangle = piece.triangle;
+        for (std::size_t k = 0; k < 2; ++k)
+            middle.shares[k] = static_cast<std::uint32_t>(
+                (std::uint64_t{piece.shares[k]} + piece.shares[2 + k] + piece.shares[4 + k]) / 3);
+        std::ranges::copy(place_on(surface.triangles[piece.triangle], middle.shares[0], middle.shares[1]),
+                          middle.place);
+        charges.weights.push_back(area_of(surface, piece) / area);
+    }
+    return charges;
 }
 
 /// The force on a point, in its triangle's plane, and its share of the energy.
@@ -70,25 +87,23 @@ class GaussiansOnSurface
 public:
     GaussiansOnSurface(const FixedSurface& surface, std::size_t points, double normal_angle)
         : surface_(surface), spacing_(surface.units_of(std::sqrt(surface.area / static_cast<double>(points)))),
-          least_cosine_(least_cosine(normal_angle)), reach_(static_cast<std::uint64_t>(farthest * spacing_) + 1)
-    {
-        const double area = surface.area / static_cast<double>(points);
-        for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-            add_charges(surface, t, piece_part * spacing_, area, charges_);
-    }
+          least_cosine_(least_cosine(normal_angle)), reach_(static_cast<std::uint64_t>(farthest * spacing_) + 1),
+          charges_(charges_of(surface, surface.area / static_cast<double>(points))),
+          near_charges_(surface, charges_.places, reach_)
+    {}
 
     double spacing() const { return spacing_; }
 
     std::vector<SurfaceForce> on(const std::vector<SurfacePoint>& points) const
     {
-        const SurfaceNeighbours near_points(surface_, points, reach_), near_charges(surface_, charges_.places, reach_);
+        const SurfaceNeighbours near_points(surface_, points, reach_);
         std::vector<SurfaceForce> forces(points.size());
         tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
             SurfaceForce& force = forces[i];
             near_points.for_each_around(place_of(points[i]), [&](std::uint32_t other) {
                 if (other != i) add(points[i], points[other], 1, force);
             });
-            near_charges.for_each_around(place_of(points[i]), [&](std::uint32_t other) {
+            near_charges_.for_each_around(place_of(points[i]), [&](std::uint32_t other) {
                 add(points[i], charges_.places[other], -charges_.weights[other], force);
             });
             const MeshPoint normal = normal_of(surface_.triangles[points[i].triangle]);
@@ -118,8 +133,23 @@ private:
     std::int32_t least_cosine_;
     std::uint64_t reach_;
     SurfaceCharges charges_;
+    SurfaceNeighbours near_charges_;
 };
 
+}
+
+double gaussian_charges(const FixedSurface& surface, double points)
+{
+    const double area = surface.area / points, spacing = surface.units_of(std::sqrt(area));
+    double charges = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        std::array<MeshPlace, 3> corners{};
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t k = 0; k < 3; ++k) corners[c][k] = surface.triangles[t].corners[3 * c + k];
+        const double own = surface.areas[t] / area, length = longest_edge_of(corners) / (longest_piece * spacing);
+        charges += 1 + 2 / piece_part * own + std::min(2 / narrow_part * own, 2 * length);
+    }
+    return charges;
 }
 
 RelaxedSurface descend_on_surface(const FixedSurface& surface, std::vector<SurfacePoint> points,

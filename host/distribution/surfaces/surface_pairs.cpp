@@ -14,6 +14,12 @@
 #include <numeric>
 
 namespace poissonlab {
+namespace {
+
+/// Points that see none within sixteen mean distances look on where these are no more pairs.
+constexpr double many_pairs = 1e9;
+
+}
 
 SurfaceNearest surface_nearest(const FixedSurface& surface, const std::vector<SurfacePoint>& from,
                                const std::vector<SurfacePoint>& to, std::int32_t least_cosine)
@@ -25,7 +31,10 @@ SurfaceNearest surface_nearest(const FixedSurface& surface, const std::vector<Su
     std::iota(left.begin(), left.end(), 0);
     const bool are_same = &from == &to;
     double reach = surface.units_of(std::sqrt(surface.area / static_cast<double>(std::max<std::size_t>(1, to.size()))));
-    for (reach = std::clamp(reach, 16.0, farthest); !left.empty() && !to.empty(); reach *= 2) {
+    reach = std::clamp(reach, 16.0, farthest);
+    const double wide = 16 * reach;
+    for (; !left.empty() && !to.empty(); reach *= 2) {
+        if (reach > wide && static_cast<double>(left.size()) * static_cast<double>(to.size()) > many_pairs) break;
         const double within = std::min(reach, farthest);
         const SurfaceNeighbours near(surface, to, static_cast<std::uint64_t>(within));
         const auto most = static_cast<std::uint64_t>(within) * static_cast<std::uint64_t>(within);

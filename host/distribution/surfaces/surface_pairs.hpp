@@ -19,8 +19,9 @@ struct SurfaceNearest
 };
 
 /// Measures the points of `from` against those of `to`, or against each other where both are one object. Two points see
-/// each other where the product of their normals is no less than `least_cosine`. Squares are exact. Any number of
-/// threads gives the same bytes. Time is O(N log N) for well-spread points.
+/// each other where the product of their normals is no less than `least_cosine`. Points that see none within some
+/// sixteen mean distances of `to` count as seeing none where they have more than 10^9 pairs with `to`. Squares are
+/// exact. Any number of threads gives the same bytes. Time is O(N log N) for well-spread points that see each other.
 SurfaceNearest surface_nearest(const FixedSurface& surface, const std::vector<SurfacePoint>& from,
                                const std::vector<SurfacePoint>& to, std::int32_t least_cosine);
 

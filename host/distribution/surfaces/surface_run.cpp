@@ -23,28 +23,34 @@
 namespace poissonlab {
 namespace {
 
-/// Throws InputError if candidates that follow a density have no room: all pairs of them are in memory. Measured: 0.67
-/// kB for each of 600,000 candidates where there are 5 for a point, 2.3 kB where there are 30.
-void check_density_memory(const MeshPointSettings& s)
+/// Throws InputError if candidates of elimination have no room, where all pairs of near ones are in memory. Measured,
+/// with a density: 0.67 kB for each of 600,000 candidates where there are 5 for a point, 2.3 kB where there are 30.
+/// Along the surface they take half as much again.
+void check_pair_memory(const MeshPointSettings& s)
 {
     constexpr double gibibyte = 1 << 30;
-    const double candidates = s.candidates,
-                 bytes = static_cast<double>(*s.points) * candidates * (192 + 72 * candidates);
+    const bool is_along = s.metric == SurfaceMetric::surface;
+    const double candidates = s.method == SurfaceMethod::elimination ? s.candidates : 1, // all darts stay
+        points = s.points ? static_cast<double>(*s.points) : saturated_count(s.read->surface.area, *s.min_distance),
+                 bytes = (is_along ? 1.5 : 1) * points * candidates * (192 + 72 * candidates);
     if (const auto most = static_cast<double>(memory_limit()); bytes > most)
-        throw InputError(fmt::format("{} with {} candidates each and a density need {:.1f} GiB of memory: must be at "
-                                     "most {:.1f}",
-                                     *s.points, s.candidates, bytes / gibibyte, most / gibibyte));
+        throw InputError(fmt::format("{:.0f}{} and {} need {:.1f} GiB of memory: must be at most {:.1f}", points,
+                                     candidates > 1 ? fmt::format(" with {} candidates each", candidates) : " points",
+                                     is_along ? "distances along the surface" : "a density", bytes / gibibyte,
+                                     most / gibibyte));
 }
 
 /// Throws InputError if points that move have no room. Measured, of Lloyd's method: 1.8 kB for each of 200,000 points,
-/// 0.5 kB for each of 800,000 triangles. Without a number of points they are as many as saturated sets have.
+/// 0.5 kB for each of 800,000 triangles. The pieces that attract points by Gaussians have a place, a weight, a cell and
+/// a piece each. Without a number of points they are as many as saturated sets have.
 void check_moving_memory(const MeshPointSettings& s)
 {
     constexpr double gibibyte = 1 << 30, saturated = 0.7; // points on the square of the minimum distance
     const FixedSurface& surface = s.read->surface;
     const double points = s.points ? static_cast<double>(*s.points)
                                    : saturated * surface.area / (*s.min_distance * *s.min_distance),
-                 bytes = 1800 * points + 500 * static_cast<double>(surface.triangles.size());
+                 charges = s.method == SurfaceMethod::gaussian ? gaussian_charges(surface, points) : 0,
+                 bytes = 1800 * points + 500 * static_cast<double>(surface.triangles.size()) + 100 * charges;
     if (const auto most = static_cast<double>(memory_limit()); bytes > most)
         throw InputError(fmt::format("{:.3g} points that {} moves on {} triangles need {:.1f} GiB of "
                                      "memory: must be at most {:.1f}",
@@ -104,7 +110,7 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
     keys.check(s.min_distance ? "min_distance" : "points", [&] { surface_distance(s, *s.read); });
     if (moves_points(s.method)) keys.check(s.points ? "points" : "min_distance", [&] { check_moving_memory(s); });
     if (!s.density.empty()) {
-        keys.check("points", [&] { check_density_memory(s); });
+        keys.check("points", [&] { check_pair_memory(s); });
         keys.check("density", [&] {
             SurfaceDensity density(s.density, s.density_from, s.read->mesh);
             density_candidates(s.read->surface, density, 1, stream_key(0, Purpose::surface_candidates, 0));
@@ -115,6 +121,8 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
             if (keys.is_given(key))
                 throw keys.invalid(key, fmt::format("cannot be combined with {} surface", keys.name_of("distance")));
         s.normal_angle = 180;
+        if (s.method == SurfaceMethod::elimination || s.order == SurfaceOrder::elimination)
+            keys.check(s.points ? "points" : "min_distance", [&] { check_pair_memory(s); });
     }
     if (s.order == SurfaceOrder::elimination && keys.is_given("start"))
         throw keys.invalid("order", "cannot be combined with " + keys.name_of("start"));
@@ -126,6 +134,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
         .required();
     keys.word("method", s.method, surface_methods, "how points are made; tiles, where there are any");
+    if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
     keys.number("min_distance", s.min_distance, {1e-100, 1e100},
                 "the least distance of two points, as distance measures it")
@@ -161,7 +170,6 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
         "whether files of points (PLY, CSV) have the face, the barycentric coordinates, and the numbers that the mesh "
         "has at its vertices: normals, colours, texture coordinates and others");
     keys.tiles(s.tiles);
-    if (keys.is_given("tiles") && !keys.is_given("method")) s.method = SurfaceMethod::tiles;
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
         throw keys.invalid(

@@ -284,8 +284,13 @@ std::shared_ptr<const SurfaceMesh> surface_mesh(const MeshPointSettings& setting
 double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& mesh)
 {
     const FixedSurface& surface = mesh.surface;
-    const double least = least_part_of_size * surface.size, most = diagonal_of(surface);
+    const bool is_along = settings.metric == SurfaceMetric::surface;
+    constexpr double measured = 0x1p31 * (1 - 0x1p-20); // units: squares have 62 bits
+    const double least = least_part_of_size * surface.size,
+                 most = is_along ? measured * surface.unit : diagonal_of(surface);
     double distance = settings.min_distance.value_or(0);
+    if (is_along && distance > most)
+        throw InputError(fmt::format("{:.6g} is more than can be measured along this mesh, {:.6g}", distance, most));
     if (distance > most)
         throw InputError(fmt::format("{:.6g} is more than the mesh is wide, {:.6g} from corner to corner of the box "
                                      "around it: there is room for one point",

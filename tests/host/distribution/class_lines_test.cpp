@@ -219,6 +219,25 @@ TEST(ClassesOnLines, KeepAwayFromObstaclesAndKnowTheirFeature)
     for (std::size_t i = 0; i < 30; ++i) EXPECT_EQ(features[i], known.points.points[i][1] == 0 ? "\"path\"" : "7");
 }
 
+/// The zigzag is five times as long as its longest side: the distance of which a radius is a part would be larger.
+TEST(ClassesOnLines, HaveDerivedDistancesThatFit)
+{
+    ClassSettings settings = on_paths("LINESTRING (0 0, 1 1, 0 1, 1 0, 0 0.5, 1 0.5)");
+    settings.points = {1, 1};
+    settings.relative_radius = 1;
+    settings.factor = 0.9;
+    EXPECT_EQ(thrown_on(settings).points.points.size(), 2U);
+}
+
+/// The places of a column all have the same x.
+TEST(ClassesOnLines, HaveTheLeastDistancesOfAllPairsInAColumn)
+{
+    ClassSettings settings = on_paths("LINESTRING (500000 5640000, 500000 5640200)");
+    settings.distances = {0.7, 1.1, 3};
+    const ClassedPoints set = thrown_on(settings).points;
+    EXPECT_EQ(least_in_plane(set), least_by_pairs(set));
+}
+
 TEST(ClassesOnLines, SayWhatIsWrong)
 {
     const auto message = [](const std::string& region, const std::vector<double>& distances,
@@ -234,6 +253,12 @@ TEST(ClassesOnLines, SayWhatIsWrong)
     EXPECT_THAT(message("LINESTRING (0 0, 5 0)", {1, 1e-12}), HasSubstr("more than memory holds"));
     EXPECT_EQ(message("LINESTRING (0 0, 5 0)", {1, 2}, "POLYGON ((-1 -1, 6 -1, 6 1, -1 1, -1 -1))"),
               "the lines have no room for a point among the obstacles");
+    ClassSettings covered = on_paths("LINESTRING (0 0, 5 0)"); // distances that shrink make no room either
+    covered.points = {3, 3};
+    covered.factor = 0.9;
+    covered.place.obstacles = "POINT (2.5 0)";
+    covered.place.obstacle_distance = 4;
+    EXPECT_EQ(message_of([&] { thrown_on(covered); }), "the lines have no room for a point among the obstacles");
     ClassSettings rare = on_paths("LINESTRING (0 0, 5 0)");
     rare.per_length = {1, 1e-3};
     EXPECT_EQ(message_of([&] { points_on_lines(rare); }),

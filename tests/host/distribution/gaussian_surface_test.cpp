@@ -115,6 +115,25 @@ TEST(GaussiansOnSurfaces, AreAsDenseBesideEdgesAsElsewhere)
     EXPECT_NEAR(of_cube, 1, 0.06);
 }
 
+/// A strip of long triangles has as even points as one of short ones, and few charges.
+TEST(GaussiansOnSurfaces, DivideLongTriangles)
+{
+    TriangleMesh strip;
+    constexpr std::uint32_t columns = 100;
+    for (std::uint32_t i = 0; i <= columns; ++i)
+        for (const double y : {0.0, 1.0}) strip.vertices.push_back({i * 0.01, y, 0});
+    for (std::uint32_t i = 0; i < 2 * columns; i += 2) {
+        strip.triangles.push_back({i, i + 2, i + 1});
+        strip.triangles.push_back({i + 1, i + 2, i + 3});
+    }
+    const FixedSurface narrow = fixed_surface(strip);
+    constexpr std::size_t count = 400;
+    EXPECT_LT(gaussian_charges(narrow, count), 40 * count);
+    const RelaxedSurface found = pushed(narrow, uniform_on(narrow, count), 60);
+    const FixedSurface wide = fixed_surface(square_mesh(3));
+    EXPECT_NEAR(found.energies.back(), pushed(wide, uniform_on(wide, count), 60).energies.back(), 0.03);
+}
+
 TEST(GaussiansOnSurfaces, DoNotDependOnTheNumberOfThreads)
 {
     const FixedSurface sphere = fixed_surface(sphere_mesh(8));

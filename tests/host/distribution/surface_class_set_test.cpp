@@ -131,6 +131,16 @@ TEST(SurfaceClassSets, WriteTheirClasses)
     EXPECT_EQ(glb.size(), 20 + length + 8 + begin);
 }
 
+/// The densest packing of one point on a sphere has a distance larger than the diagonal of its box.
+TEST(SurfaceClassSets, HaveDerivedDistancesThatFit)
+{
+    SurfaceClassSettings settings = classes_on(sphere_mesh(9));
+    settings.classes.points = {1, 1};
+    settings.classes.relative_radius = 1;
+    settings.classes.factor = 0.9;
+    EXPECT_EQ(plain_set(settings).darts.points.size(), 2U);
+}
+
 TEST(SurfaceClassSets, SayWhatIsWrong)
 {
     const auto message = [](const std::vector<double>& distances, const std::vector<std::size_t>& points,

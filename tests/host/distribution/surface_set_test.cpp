@@ -269,6 +269,13 @@ TEST(SurfaceSets, RefuseDistancesWithoutRoom)
     EXPECT_THAT(refusal(1e-6), testing::HasSubstr("at least 1e-05"));
     EXPECT_THAT(refusal(2e-5),
                 testing::HasSubstr("there would be some 1.74e+09 points; at most 134217728 are possible"));
+    MeshPointSettings along = settings; // paths may be longer than the box is wide
+    along.metric = SurfaceMetric::surface;
+    along.min_distance = 1.9;
+    EXPECT_EQ(surface_distance(along, *along.read), 1.9);
+    along.min_distance = 9;
+    EXPECT_THAT(message_of([&] { surface_distance(along, *along.read); }),
+                testing::HasSubstr("9 is more than can be measured along this mesh"));
 }
 
 TEST(SurfaceNeighbourhoods, AreThoseOfAllPairs)
