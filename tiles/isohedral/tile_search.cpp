@@ -256,11 +256,11 @@ std::vector<std::pair<const TileFit*, const Cut*>> best_cuts(const std::vector<T
 {
     double most = 0;
     for (const TypeCuts& type : types) most = std::max(most, type.cuts[0].likeness);
+    const double most_lost = farthest * farthest * std::max(0.0, 1 - most) + 1e-12; // exact cuts lose by rounding
     std::vector<std::pair<const TileFit*, const Cut*>> best;
     for (const TypeCuts& type : types)
         for (std::size_t i = 0; i < refined && type.cuts[i].likeness > 0; ++i)
-            if (1 - type.cuts[i].likeness <= farthest * farthest * (1 - most))
-                best.emplace_back(&type.fit, &type.cuts[i]);
+            if (1 - type.cuts[i].likeness <= most_lost) best.emplace_back(&type.fit, &type.cuts[i]);
     return best;
 }
 

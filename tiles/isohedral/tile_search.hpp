@@ -2,8 +2,9 @@
 //
 // The places of a tile's corners on the goal's outline are searched; tile_fit.hpp finds the rest in closed form. All
 // ways to cut an outline of 36 equal steps into the edges of a type are tried, as Nagata and Imahori, An efficient
-// exhaustive search algorithm for the Escherization problem, 2020, do. From the best of them, corners move along the
-// outline until no move brings the tile nearer. Of the tiles whose outline does not cross itself, the one whose
+// exhaustive search algorithm for the Escherization problem, 2020, do. Of the best cut at each of the 36 starts, the 16
+// best of each type go on, if they are near enough to the best of all: their corners move along the outline until no
+// move brings the tile nearer. Of the tiles whose outline does not cross itself, the one whose
 // directions differ least from the goal's is the best: Kaplan and Salesin measure this as well. Tiles with slivers come
 // after all others.
 #pragma once

@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_2.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -56,6 +57,23 @@ TEST(TileSearches, FindTilesAgain)
             for (const PlanePoint& q : again.outline()) gap = std::min(gap, std::hypot(p[0] - q[0], p[1] - q[1]));
             EXPECT_LT(gap, 0.06 * side) << "IH" << type; // points lie 1/144 of the perimeter apart
         }
+    }
+}
+
+/// Shapes whose corners lie at the places that are tried first are tiles without any difference.
+TEST(TileSearches, FindShapesThatTileExactly)
+{
+    const double high = std::sqrt(0.75);
+    std::vector<int> types;
+    for (const IsohedralType& type : isohedral_types())
+        if (!type.is_marked) types.push_back(type.number);
+    for (const std::vector<PlanePoint>& shape :
+         {std::vector<PlanePoint>{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+          {{1, 0}, {0.5, high}, {-0.5, high}, {-1, 0}, {-0.5, -high}, {0.5, -high}},
+          {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}) {
+        const GoalSearch search = tiles_like(GoalOutline(shape), types);
+        ASSERT_FALSE(search.tiles.empty()) << shape.size();
+        EXPECT_LT(std::ranges::min(search.tiles, {}, &GoalTile::distance).distance, 1e-6) << shape.size();
     }
 }
 
