@@ -20,6 +20,7 @@ namespace poissonlab {
 struct GoalTile
 {
     int type = 0;
+    bool is_mirrored = false; ///< it is a tile of mirrored_type(), of which its parameters are
     IsohedralParameters parameters;
     /// The root of the sum of squared differences of steps over that of the goal's steps: 0 for a goal that is a tile,
     /// and at most 1.
@@ -31,14 +32,17 @@ struct GoalTile
     PlanePoint scale{1, 0}, shift{};
 };
 
+/// The type that a found tile's parameters are of.
+const IsohedralType& type_of(const GoalTile& tile);
+
 struct GoalSearch
 {
     std::vector<GoalTile> tiles;  ///< the best of each type that has one near enough, the best first
     std::uint64_t candidates = 0; ///< tiles that were compared
 };
 
-/// Searches these types, numbers of isohedral_types(): some seconds for all of them. Types whose tiles differ from the
-/// goal twice as much as the best have none. Throws Interrupted.
+/// Searches these types, numbers of isohedral_types(), and their mirror images where these are others: some seconds for
+/// all of them. Types whose tiles differ from the goal twice as much as the best have none. Throws Interrupted.
 GoalSearch tiles_like(const GoalOutline& goal, const std::vector<int>& types);
 
 }
