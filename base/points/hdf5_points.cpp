@@ -18,7 +18,7 @@ namespace {
 const Hdf5Files& hdf5_files()
 {
     static const Hdf5Files* const loaded = reinterpret_cast<Hdf5FilesFunction>(
-        function_of_module("poissonlab_particles", hdf5_files_function, "files of particles need HDF5"))();
+        function_of_module("poissonlab_particles", hdf5_files_function, "files of particles need HDF5", true))();
     return *loaded;
 }
 

@@ -37,11 +37,14 @@ fs::path module_file(const std::string& name)
 
 }
 
-void* function_of_module(const std::string& name, const char* function, const char* need)
+void* function_of_module(const std::string& name, const char* function, const char* need, bool is_added_by_lab)
 {
     const fs::path file = module_file(name);
     std::error_code error;
-    if (!fs::exists(file, error)) throw MissingModule(name.substr(name.find('_') + 1));
+    if (!fs::exists(file, error)) {
+        if (is_added_by_lab) throw MissingModule(name.substr(name.find('_') + 1));
+        throw StorageError(std::string(need) + ": there is no " + file.filename().string() + " beside the program");
+    }
     void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const found = module ? ::dlsym(module, function) : nullptr;
     if (!found) throw StorageError(std::string(need) + ": " + ::dlerror());

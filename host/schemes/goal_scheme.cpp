@@ -43,9 +43,8 @@ DistributionTable type_table(const std::vector<GoalTile>& tiles)
         "Tiles by type", {"type", "symbol", "difference of directions in degrees", "difference of steps"}, {}};
     for (const GoalTile& tile : tiles) {
         if (table.rows.size() == 10) break;
-        const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(tile.type - 1)];
-        table.rows.push_back({fmt::format("IH{}", tile.type), type.symbol,
-                              fmt::format("{:.1f}", tile.turning * degrees_a_radian),
+        table.rows.push_back({fmt::format("IH{}{}", tile.type, tile.is_mirrored ? " in a mirror" : ""),
+                              type_of(tile).symbol, fmt::format("{:.1f}", tile.turning * degrees_a_radian),
                               fmt::format("{:.3f}", tile.distance)});
     }
     return table;
@@ -105,12 +104,13 @@ DistributionResult make_goal_tiling(const IsohedralSettings& settings, Distribut
     const GoalSearch search = tiles_like(goal.outline, searched_types(settings));
     if (search.tiles.empty()) throw InputError("goal: all tiles near this shape have outlines that cross themselves");
     const GoalTile& found = search.tiles[0];
-    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(found.type - 1)];
+    const IsohedralType& type = type_of(found);
     const IsohedralTile tile(type, found.parameters);
     const TileColoring coloring = proper_coloring(tile);
     DistributionResult result;
     describe(type, tile, result);
-    result.facts.push_back(fmt::format("parameters = [{:.6g}]", fmt::join(found.parameters.deformations, ", ")));
+    result.facts.push_back(fmt::format("parameters = [{:.6g}]{}", fmt::join(found.parameters.deformations, ", "),
+                                       found.is_mirrored ? ", of the type's mirror image" : ""));
     result.facts.emplace_back(is_perfect(tile, coloring) ? "a perfect colouring: symmetries permute colours"
                                                          : "not a perfect colouring");
     const DistributionNumbers numbers{

@@ -7,8 +7,9 @@
 // a corner has a quarter of each of four. The field is a sum of hats, products of sin^2 or cos^2 along both axes, over
 // all corners, middles of edges and middles of tiles. Hats of edges and corners are flat in the ring, where those of
 // tiles are 0, so that what tiles share changes in all of them alike. The sum of all hats is 1 everywhere. Their
-// heights are those with the least mean square of the field of all that leave no more variance of squares than the
-// exemplar has (Tikhonov's regularisation; conjugate gradients).
+// heights make the variance of squares plus a weight times the field's mean square least (Tikhonov's regularisation;
+// conjugate gradients), in each channel by itself. All channels have one weight: the largest that leaves no more
+// variance of their sum than the exemplar has. Fields thus have a small mean square.
 #pragma once
 
 #include "tiles/texture/texture_set.hpp"
@@ -31,7 +32,8 @@ struct SquareVariances
 /// Measures what a set shows.
 SquareVariances square_variances(const TextureSet& set);
 
-/// The change of each number that a set shows, before it is rounded, so that the variance becomes the exemplar's.
+/// The change of each number that a set shows, before it is rounded, so that the variance comes near the
+/// exemplar's.
 std::vector<double> level_changes(const TextureSet& set, std::span<const double> shown);
 
 }

@@ -38,6 +38,10 @@ grep -q 'OpenImageIO' version || fail "the version does not say what was built i
 [[ -s out/index.html ]] || fail "no report"
 "$program" run configs/quick.toml --out out 2>words && fail "there is no such config in this folder"
 grep -q "installed config of this name is $prefix/share/poissonlab/configs/quick.toml" words || fail "the message does not name the installed config"
+LD_DEBUG=files "$program" tiles points "$prefix/share/poissonlab/tile_sets/corner-c3-n64-r075.ptiles" --min-distance 90 \
+  --region 'SRID=4326;POLYGON ((4.70 50.86, 4.71 50.86, 4.71 50.87, 4.70 50.86))' --out globe.csv 2>loaded
+[[ $(head -n 1 globe.csv) == longitude,latitude* ]] || fail "points on the globe have no longitude and latitude"
+grep -q "init: .*/moved/.*/libpoissonlab_globe.so" loaded || fail "the program does not load the installed globe module"
 for file in "$prefix"/share/poissonlab/tile_sets/*-c3-*.ptiles; do "$program" tiles verify "$file" >/dev/null; done
 
 # The manual page has every command, and is written as man likes it.

@@ -1,6 +1,7 @@
 #include "tiles/isohedral/isohedral_types.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 namespace poissonlab {
@@ -123,12 +124,32 @@ std::vector<IsohedralType> found_types()
     return types;
 }
 
+/// By number; null where a type is its own mirror image.
+std::vector<std::unique_ptr<const IsohedralType>> found_mirrored_types()
+{
+    std::vector<std::unique_ptr<const IsohedralType>> mirrored;
+    for (const IsohedralType& type : isohedral_types()) {
+        mirrored.emplace_back();
+        if (is_own_mirror_image(type.shape.symbol)) continue;
+        IsohedralType image{type.number, type.symbol, type.topology, type.is_marked};
+        image.shape = isohedral_template(mirror_image(type.shape.symbol));
+        mirrored.back() = std::make_unique<const IsohedralType>(std::move(image));
+    }
+    return mirrored;
+}
+
 }
 
 const std::vector<IsohedralType>& isohedral_types()
 {
     static const std::vector<IsohedralType> types = found_types();
     return types;
+}
+
+const IsohedralType* mirrored_type(int number)
+{
+    static const std::vector<std::unique_ptr<const IsohedralType>> types = found_mirrored_types();
+    return types[static_cast<std::size_t>(number - 1)].get();
 }
 
 }

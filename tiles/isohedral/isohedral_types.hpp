@@ -24,4 +24,8 @@ struct IsohedralType
 /// All types in the order of their numbers; made when it is first asked for.
 const std::vector<IsohedralType>& isohedral_types();
 
+/// The mirror image of the type with this number, whose tiles are those of the type in a mirror. Null where these are
+/// tiles of the type itself.
+const IsohedralType* mirrored_type(int number);
+
 }

@@ -216,7 +216,9 @@ std::optional<RefinedTile> refined_tile(const TileFit& fit, const GoalOutline& g
     stop_if_interrupted();
     CornerDescent descent(fit, goal, cut);
     const TileFit::Nearest nearest = descent.run();
-    RefinedTile found{{fit.type().number, nearest.parameters, std::sqrt(std::max(0.0, 1 - nearest.likeness))}};
+    const int type = fit.type().number;
+    RefinedTile found{
+        {type, &fit.type() == mirrored_type(type), nearest.parameters, std::sqrt(std::max(0.0, 1 - nearest.likeness))}};
     try {
         const IsohedralTile tile(fit.type(), nearest.parameters);
     } catch (const InputError&) {
@@ -256,20 +258,28 @@ std::vector<std::pair<const TileFit*, const Cut*>> best_cuts(const std::vector<T
 {
     double most = 0;
     for (const TypeCuts& type : types) most = std::max(most, type.cuts[0].likeness);
+    const double most_lost = farthest * farthest * std::max(0.0, 1 - most) + 1e-12; // exact cuts lose by rounding
     std::vector<std::pair<const TileFit*, const Cut*>> best;
     for (const TypeCuts& type : types)
         for (std::size_t i = 0; i < refined && type.cuts[i].likeness > 0; ++i)
-            if (1 - type.cuts[i].likeness <= farthest * farthest * (1 - most))
-                best.emplace_back(&type.fit, &type.cuts[i]);
+            if (1 - type.cuts[i].likeness <= most_lost) best.emplace_back(&type.fit, &type.cuts[i]);
     return best;
 }
 
 }
 
+const IsohedralType& type_of(const GoalTile& tile)
+{
+    return tile.is_mirrored ? *mirrored_type(tile.type) : isohedral_types()[static_cast<std::size_t>(tile.type - 1)];
+}
+
 GoalSearch tiles_like(const GoalOutline& goal, const std::vector<int>& types)
 {
     std::vector<TypeCuts> all;
-    for (const int type : types) all.push_back({TileFit(isohedral_types()[static_cast<std::size_t>(type - 1)])});
+    for (const int type : types) {
+        all.push_back({TileFit(isohedral_types()[static_cast<std::size_t>(type - 1)])});
+        if (const IsohedralType* const mirrored = mirrored_type(type)) all.push_back({TileFit(*mirrored)});
+    }
     tbb::parallel_for(std::size_t{0}, all.size(),
                       [&](std::size_t i) { all[i].cuts = coarse_cuts(all[i].fit, goal, all[i].candidates); });
     const auto cuts = best_cuts(all);

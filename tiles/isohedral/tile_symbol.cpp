@@ -257,28 +257,47 @@ std::vector<std::string> TileSymbol::incidences() const
     return {all.begin(), all.end()};
 }
 
-TileSymbol read_from(const TileSymbol& symbol, const std::string& incidence)
+namespace {
+
+/// The symbol with its edges numbered from `first` on. Where this is clockwise, the tile is reflected.
+TileSymbol renumbered(const TileSymbol& symbol, std::size_t first, bool is_clockwise)
 {
     const std::size_t k = symbol.edges();
-    for (std::size_t first = 0; first < k; ++first)
-        for (const bool is_clockwise : {false, true}) {
-            if (symbol.incidence(first, is_clockwise) != incidence) continue;
-            std::vector<std::size_t> before(2 * k), after(2 * k); // numbers of chambers
-            TileSymbol result{{}, std::vector<std::size_t>(2 * k), symbol.across, symbol.symmetries};
-            for (std::size_t chamber = 0; chamber < 2 * k; ++chamber) {
-                const std::size_t edge = chamber / 2, half = chamber % 2;
-                before[chamber] =
-                    is_clockwise ? 2 * ((first + k - edge) % k) + 1 - half : 2 * ((first + edge) % k) + half;
-                after[before[chamber]] = chamber;
-                result.class_of[chamber] = symbol.class_of[before[chamber]];
-                if (half == 0) result.degrees.push_back(symbol.degrees[vertex_of(before[chamber], k)]);
-            }
-            for (std::size_t i = 0; i < result.symmetries.size(); ++i)
-                for (std::size_t chamber = 0; chamber < 2 * k; ++chamber)
-                    result.symmetries[i][chamber] = after[symbol.symmetries[i][before[chamber]]];
-            return result;
-        }
+    std::vector<std::size_t> before(2 * k), after(2 * k); // numbers of chambers
+    TileSymbol result{{}, std::vector<std::size_t>(2 * k), symbol.across, symbol.symmetries};
+    for (std::size_t chamber = 0; chamber < 2 * k; ++chamber) {
+        const std::size_t edge = chamber / 2, half = chamber % 2;
+        before[chamber] = is_clockwise ? 2 * ((first + k - edge) % k) + 1 - half : 2 * ((first + edge) % k) + half;
+        after[before[chamber]] = chamber;
+        result.class_of[chamber] = symbol.class_of[before[chamber]];
+        if (half == 0) result.degrees.push_back(symbol.degrees[vertex_of(before[chamber], k)]);
+    }
+    for (std::size_t i = 0; i < result.symmetries.size(); ++i)
+        for (std::size_t chamber = 0; chamber < 2 * k; ++chamber)
+            result.symmetries[i][chamber] = after[symbol.symmetries[i][before[chamber]]];
+    return result;
+}
+
+}
+
+TileSymbol read_from(const TileSymbol& symbol, const std::string& incidence)
+{
+    for (std::size_t first = 0; first < symbol.edges(); ++first)
+        for (const bool is_clockwise : {false, true})
+            if (symbol.incidence(first, is_clockwise) == incidence) return renumbered(symbol, first, is_clockwise);
     throw std::logic_error("a tile has no incidence symbol " + incidence);
+}
+
+TileSymbol mirror_image(const TileSymbol& symbol) { return renumbered(symbol, 0, true); }
+
+bool is_own_mirror_image(const TileSymbol& symbol)
+{
+    const TileSymbol mirrored = mirror_image(symbol);
+    for (std::size_t first = 0; first < symbol.edges(); ++first) {
+        const TileSymbol turned = renumbered(mirrored, first, false);
+        if (turned.degrees == symbol.degrees && turned.incidence(0, false) == symbol.incidence(0, false)) return true;
+    }
+    return false;
 }
 
 std::vector<TileSymbol> tile_symbols(const LavesTiling& laves)

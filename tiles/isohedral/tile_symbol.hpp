@@ -78,6 +78,13 @@ std::vector<TileSymbol> tile_symbols(const LavesTiling& laves);
 /// on. Where it is read clockwise, the tile is reflected. Throws std::logic_error for another incidence symbol.
 TileSymbol read_from(const TileSymbol& symbol, const std::string& incidence);
 
+/// The symbol of the tiling in a mirror.
+TileSymbol mirror_image(const TileSymbol& symbol);
+
+/// True if the tiling in a mirror is one of the same type, up to rotations. Vertices tell this where incidence symbols
+/// do not: in a mirror, two corners of IH21 change places, and six tiles meet at one of them, three at the other.
+bool is_own_mirror_image(const TileSymbol& symbol);
+
 /// The symbols that more symmetries of the tile would make of a symbol, as far as neighbours allow them.
 std::vector<TileSymbol> more_symmetric(const TileSymbol& symbol);
 

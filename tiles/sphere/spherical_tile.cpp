@@ -187,6 +187,9 @@ void SphericalTile::split(const TileSplit& path)
     if (path.from >= count || path.to >= count || path.from == path.to)
         throw InputError(fmt::format("a path joins two different corners of the {}, 0 to {}", count, count - 1));
     const std::size_t first = corners_[path.from], last = corners_[path.to];
+    if (dot(outline_[first], outline_[last]) < -1 + 1e-9)
+        throw InputError(
+            fmt::format("corners {} and {} lie opposite each other: no arc joins them", path.from, path.to));
     std::vector<UnitVector> inner;
     for (std::size_t i = 1; i + 1 < path.path.size(); ++i)
         inner.push_back(place_beside(outline_[first], outline_[last], path.path[i]));

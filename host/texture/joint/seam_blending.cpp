@@ -226,6 +226,11 @@ void level_tiles(TextureSet& set)
 void certify_changes(const TextureSet& set)
 {
     if (set.ring < 1) throw InputError("ring = 0: blended and levelled sets have a ring");
+    if (set.is_levelled && std::min(set.exemplar.width, set.exemplar.height) < set.size)
+        throw InputError(
+            fmt::format("the exemplar has {} x {} pixels: levelled sets have an exemplar at least as large "
+                        "as a tile, {} x {}",
+                        set.exemplar.width, set.exemplar.height, set.size, set.size));
     TextureSet again = set;
     show_changes(again);
     const auto [first, other] = std::ranges::mismatch(set.values, again.values);

@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/one_file.hpp"
 #include "host/settings/tilings/polygon_tiling_file.hpp"
@@ -48,14 +49,28 @@ MonotilePointsFile given_file(const Parameters& given)
     }
 }
 
+/// The points of a tile that are kept of all ranks.
+std::uint32_t kept_points(const Parameters& given, const MonotilePointsFile& file)
+{
+    return given.is_given(first_points_key) ? static_cast<std::uint32_t>(given.integer(first_points_key))
+                                            : file.set().points_per_tile;
+}
+
+void check_density(const Parameters& given, const MonotilePointsFile& file, const SampleRequest& request)
+{
+    const double density = given.number(density_key), kept = kept_points(given, file);
+    if (density < 1 && static_cast<double>(request.points) / (density * kept) > 0x1p26)
+        throw given.error(density_key, "must be larger: a window would have more than 2^26 tiles");
+}
+
 class MonotileFileSampler final : public Sampler
 {
 public:
     MonotileFileSampler(const Parameters& given, SampleRequest request)
         : request_(std::move(request)), file_(given_file(given)), density_(given.number(density_key)),
-          kept_(given.is_given(first_points_key) ? static_cast<std::uint32_t>(given.integer(first_points_key))
-                                                 : file_.set().points_per_tile)
+          kept_(kept_points(given, file_))
     {
+        check_density(given, file_, request_);
         const auto begin = std::chrono::steady_clock::now();
         if (request_.on_step) request_.on_step(fmt::format("{}: the proof of the minimum distance", file_.name()));
         try {
@@ -71,6 +86,7 @@ public:
         PointSet set;
         // A small window may lie between points: then another place is tried.
         for (std::uint32_t attempt = 0; set.size() == 0; ++attempt) {
+            stop_if_interrupted();
             const auto words = philox({attempt, 0, 0, 0},
                                       stream_key(request_.seed, Purpose::isohedral_points, realization, file_window));
             const std::array<std::int64_t, 2> origin{static_cast<std::int32_t>(words[0]),
@@ -131,7 +147,7 @@ std::vector<ParameterSpec> monotile_file_parameters()
 
 bool has_monotile_file(const Parameters& given) { return given.is_given(tiles_key); }
 
-void check_monotile_file(const std::string& tiling, const Parameters& given)
+void check_monotile_file(const std::string& tiling, const Parameters& given, const SampleRequest& request)
 {
     if (!has_monotile_file(given)) {
         if (given.is_given(density_key)) throw given.error(density_key, "needs tiles, a file whose points have ranks");
@@ -148,6 +164,7 @@ void check_monotile_file(const std::string& tiling, const Parameters& given)
     if (given.is_given(first_points_key) && given.integer(first_points_key) > file.set().points_per_tile)
         throw given.error(first_points_key, fmt::format("must be at most {}, the points of a tile of {}",
                                                         file.set().points_per_tile, file.name()));
+    check_density(given, file, request);
 }
 
 std::uint64_t monotile_file_hash(const Parameters& given)

@@ -17,8 +17,8 @@ std::vector<ParameterSpec> monotile_file_parameters();
 bool has_monotile_file(const Parameters& given);
 
 /// Throws InputError, with the place, for a file that does not have points in this tiling ("hat", "spectre"), and for
-/// parameters that do not go together.
-void check_monotile_file(const std::string& tiling, const Parameters& given);
+/// parameters that do not go together, such as many points and a small density.
+void check_monotile_file(const std::string& tiling, const Parameters& given, const SampleRequest& request);
 
 /// Returns a hash of the file's bytes: SamplerSpec::outside_input.
 std::uint64_t monotile_file_hash(const Parameters& given);

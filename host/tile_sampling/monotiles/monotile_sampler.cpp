@@ -138,8 +138,8 @@ SamplerSpec monotile_sampler(const std::string& tiling, const std::string& title
                        .unless_given = "all"});
     for (ParameterSpec& parameter : monotile_file_parameters()) parameters.push_back(std::move(parameter));
     SamplerSpec spec = plain_spec(tiling + "-tiles", title, summary, {2}, std::move(parameters));
-    spec.check = [tiling](const Parameters& given, const SampleRequest&, const SourceLocation&) {
-        check_monotile_file(tiling, given);
+    spec.check = [tiling](const Parameters& given, const SampleRequest& request, const SourceLocation&) {
+        check_monotile_file(tiling, given, request);
         if (!has_monotile_file(given) && given.is_given(kept_key) &&
             given.integer(kept_key) > given.integer(points_key))
             throw given.error(kept_key,

@@ -5,8 +5,10 @@
 #include <CGAL/Polygon_2.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <string>
 
 namespace poissonlab {
 namespace {
@@ -26,7 +28,7 @@ std::vector<PlanePoint> displaced(std::vector<PlanePoint> outline, double angle)
 void expect_tile(const GoalTile& found)
 {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    const IsohedralTile tile(isohedral_types()[static_cast<std::size_t>(found.type - 1)], found.parameters);
+    const IsohedralTile tile(type_of(found), found.parameters);
     CGAL::Polygon_2<Kernel> polygon;
     for (const auto& [x, y] : tile.outline()) polygon.push_back({x, y});
     EXPECT_TRUE(polygon.is_simple()) << "IH" << found.type;
@@ -35,27 +37,56 @@ void expect_tile(const GoalTile& found)
     EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], static_cast<double>(tile.aspects().size()) * area, 1e-9 * area);
 }
 
+/// The goal's corners, laid on the tile, are corners of the tile's outline.
+void expect_on_outline(const GoalOutline& goal, const GoalTile& found)
+{
+    const auto& [c, s] = found.scale;
+    const IsohedralTile tile(type_of(found), found.parameters);
+    const double side = std::sqrt(area_of(tile.outline()));
+    for (const auto& [x, y] : goal.corners()) {
+        const PlanePoint p{c * x - s * y + found.shift[0], s * x + c * y + found.shift[1]};
+        double gap = 1e300;
+        for (const PlanePoint& q : tile.outline()) gap = std::min(gap, std::hypot(p[0] - q[0], p[1] - q[1]));
+        EXPECT_LT(gap, 0.06 * side) << "IH" << found.type; // points lie 1/144 of the perimeter apart
+    }
+}
+
 TEST(TileSearches, FindTilesAgain)
 {
-    for (const int type : {1, 4, 5, 7, 21, 28, 41, 55, 61, 71, 79, 84}) {
-        const IsohedralTile tile = random_tile(isohedral_types()[static_cast<std::size_t>(type - 1)], 9, 0.3, 0.2);
-        const GoalOutline goal(displaced(tile.outline(), 0.3 * type));
-        const GoalSearch search = tiles_like(goal, {type});
-        ASSERT_EQ(search.tiles.size(), 1);
-        EXPECT_EQ(search.tiles[0].type, type);
-        EXPECT_LT(search.tiles[0].distance, 0.01) << "IH" << type;
-        EXPECT_LT(search.tiles[0].turning, 0.1) << "IH" << type;
-        expect_tile(search.tiles[0]);
-        // The goal's corners, laid on the tile, are corners of the tile's outline.
-        const auto& [c, s] = search.tiles[0].scale;
-        const IsohedralTile again(isohedral_types()[static_cast<std::size_t>(type - 1)], search.tiles[0].parameters);
-        const double side = std::sqrt(area_of(again.outline()));
-        for (const auto& [x, y] : goal.corners()) {
-            const PlanePoint p{c * x - s * y + search.tiles[0].shift[0], s * x + c * y + search.tiles[0].shift[1]};
-            double gap = 1e300;
-            for (const PlanePoint& q : again.outline()) gap = std::min(gap, std::hypot(p[0] - q[0], p[1] - q[1]));
-            EXPECT_LT(gap, 0.06 * side) << "IH" << type; // points lie 1/144 of the perimeter apart
+    for (const int type : {1, 4, 5, 7, 21, 28, 41, 55, 61, 71, 79, 84})
+        for (const bool is_mirrored : {false, true}) {
+            SCOPED_TRACE("IH" + std::to_string(type) + (is_mirrored ? " in a mirror" : ""));
+            const IsohedralTile tile = random_tile(isohedral_types()[static_cast<std::size_t>(type - 1)], 9, 0.3, 0.2);
+            std::vector<PlanePoint> outline = tile.outline();
+            for (PlanePoint& p : outline) p[0] *= is_mirrored ? -1 : 1;
+            const GoalOutline goal(displaced(outline, 0.3 * type));
+            const GoalSearch search = tiles_like(goal, {type});
+            ASSERT_EQ(search.tiles.size(), 1);
+            EXPECT_EQ(search.tiles[0].type, type);
+            EXPECT_EQ(search.tiles[0].is_mirrored, is_mirrored && mirrored_type(type) != nullptr);
+            EXPECT_LT(search.tiles[0].distance, 0.01);
+            EXPECT_LT(search.tiles[0].turning, 0.1);
+            expect_tile(search.tiles[0]);
+            expect_on_outline(goal, search.tiles[0]);
         }
+    EXPECT_NE(mirrored_type(21), nullptr);
+    EXPECT_EQ(mirrored_type(1), nullptr);
+}
+
+/// Shapes whose corners lie at the places that are tried first are tiles without any difference.
+TEST(TileSearches, FindShapesThatTileExactly)
+{
+    const double high = std::sqrt(0.75);
+    std::vector<int> types;
+    for (const IsohedralType& type : isohedral_types())
+        if (!type.is_marked) types.push_back(type.number);
+    for (const std::vector<PlanePoint>& shape :
+         {std::vector<PlanePoint>{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+          {{1, 0}, {0.5, high}, {-0.5, high}, {-1, 0}, {-0.5, -high}, {0.5, -high}},
+          {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}) {
+        const GoalSearch search = tiles_like(GoalOutline(shape), types);
+        ASSERT_FALSE(search.tiles.empty()) << shape.size();
+        EXPECT_LT(std::ranges::min(search.tiles, {}, &GoalTile::distance).distance, 1e-6) << shape.size();
     }
 }
 

@@ -232,6 +232,12 @@ TEST(SphericalTile, PathsDivideIt)
         settings.split = TileSplit{0, to, {}};
         EXPECT_THAT(message_of([&] { SphericalTile{settings}; }), HasSubstr("two different corners of the 4, 0 to 3"));
     }
+    // Between the poles, a tile of 22n with its corner there is a lune.
+    for (const PlaneCurve& path : {PlaneCurve{}, {{0, 0}, {0.5, 0.1}, {1, 0}}})
+        EXPECT_THAT(message_of([&] {
+                        SphericalTile{{.group = "22n", .corner = {0, 0, 1}, .split = TileSplit{0, 2, path}}};
+                    }),
+                    HasSubstr("corners 0 and 2 lie opposite each other: no arc joins them"));
     // A path from a centre of order 5 to that of order 2 leaves two sides of one corner each side.
     EXPECT_EQ(SphericalTile({.split = TileSplit{1, 3, {}}}).alike(), 2U);
 }

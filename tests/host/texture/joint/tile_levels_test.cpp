@@ -111,6 +111,9 @@ TEST(TileLevels, AreWhatTilingsShow)
             }
             set.values[9 * 32 + 7] ^= 1;
             EXPECT_THAT(message_of([&] { certify_changes(set); }), testing::HasSubstr("is not its source's, levelled"));
+            set.exemplar = balanced_spots(31, channels);
+            EXPECT_THAT(message_of([&] { certify_changes(set); }),
+                        testing::HasSubstr("levelled sets have an exemplar at least as large as a tile, 32 x 32"));
         }
 }
 
