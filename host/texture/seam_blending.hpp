@@ -44,8 +44,8 @@ void blend_seams(TextureSet& set);
 /// Levels the light of tiles (joint/tile_levels.hpp), whose seams may be blended.
 void level_tiles(TextureSet& set);
 
-/// Proves that each pixel of a blended or levelled set is its source's, blended and levelled: that is done again. Throws
-/// InputError for the first that is not.
+/// Proves that each pixel of a blended or levelled set is its source's, blended and levelled: that is done again.
+/// Throws InputError for the first that is not.
 void certify_changes(const TextureSet& set);
 
 }

@@ -3,9 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/random/random.hpp"
 #include "host/texture/corner_texture.hpp"
-#include "host/texture/tile_levels.hpp"
 #include "host/texture/judged_texture.hpp"
 #include "host/texture/seam_blending.hpp"
+#include "host/texture/tile_levels.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>

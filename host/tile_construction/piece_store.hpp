@@ -11,8 +11,8 @@
 
 namespace poissonlab {
 
-/// Points relative to the lowest corner of their piece's cell; negative on its lower side. Points of the plane that have
-/// classes have them as their third coordinate.
+/// Points relative to the lowest corner of their piece's cell; negative on its lower side. Points of the plane that
+/// have classes have them as their third coordinate.
 using PiecePoints = std::vector<TilePosition>;
 
 /// The number of a piece's points in each of the tiles around its cell. Bit k of the index: the tile at the upper

@@ -66,8 +66,8 @@ struct TileMoments
 /// The moments of all tiles of a set, computed on all threads; they do not depend on the number of threads.
 TileMoments tile_moments(const PoissonTileSet& set);
 
-/// The moments of the points of each class; empty where points have none. Where those of all classes are equal, those of
-/// all points are.
+/// The moments of the points of each class; empty where points have none. Where those of all classes are equal, those
+/// of all points are.
 std::vector<TileMoments> class_moments(const PoissonTileSet& set);
 
 /// Throws InputError, a sentence, unless moments agree up to the order that the parameters promise: exactly up to

@@ -92,7 +92,7 @@ TilingJudgement TilingJudge::judge(const TextureSet& set, std::uint64_t seed) co
     for (std::size_t i = 0; i < sides_.size(); ++i)
         if (patches_[i])
             found.novelty[i] = set.is_smoothed || set.is_changed() ? patches_[i]->share(picture, 2 * step)
-                                                                 : patches_[i]->share(picture, step, sources);
+                                                                   : patches_[i]->share(picture, step, sources);
     found.slow = slow_powers(picture, exemplar_, size_);
     if (2 * feature_ > size_) return found;
     const auto area = static_cast<std::size_t>(feature_) * static_cast<std::size_t>(feature_);

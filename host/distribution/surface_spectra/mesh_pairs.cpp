@@ -1,7 +1,7 @@
 #include "host/distribution/surface_spectra/mesh_pairs.hpp"
 
-#include "base/surfaces/surface_paths.hpp"
 #include "base/random/random_words.hpp"
+#include "base/surfaces/surface_paths.hpp"
 #include "host/distribution/surface_spectra/pair_counts.hpp"
 #include "host/distribution/surfaces/along_surface.hpp"
 #include "host/distribution/surfaces/surface_neighbours.hpp"

@@ -32,8 +32,7 @@ void mesh_set_keys(Keys& keys, MeshSetSettings& s)
     keys.words(
             "methods", s.methods,
             {std::string(surface_methods[SurfaceMethod::elimination]),
-             std::string(surface_methods[SurfaceMethod::lloyd]),
-             std::string(surface_methods[SurfaceMethod::gaussian])},
+             std::string(surface_methods[SurfaceMethod::lloyd]), std::string(surface_methods[SurfaceMethod::gaussian])},
             "methods that make as many points on the mesh, to be compared; random points and dart throwing are always "
             "compared")
         .otherwise("none");
