@@ -95,7 +95,8 @@ TEST_F(TilesPointsCommand, FillsRegionsWithHatsAndSpectres)
 {
     for (const std::string word : {"hat", "spectre"}) {
         const std::string set = fmt::format("{}/runtime/tile_sets/{}-n4.ptiles", source_folder(), word);
-        const Outcome distance = run(set + " --region \"disk 5000 -7000 30\" --min-distance 2 --json --out points.txt");
+        const Outcome distance = run_program(folder_.path(), {"tiles", "points", set, "--region", "disk 5000 -7000 30",
+                                                              "--min-distance", "2", "--json", "--out", "points.txt"});
         ASSERT_EQ(distance.status, 0) << distance.error;
         const auto said = nlohmann::json::parse(distance.out);
         EXPECT_EQ(said["min_distance"], 2);
@@ -113,7 +114,8 @@ TEST_F(TilesPointsCommand, FillsRegionsWithHatsAndSpectres)
         }
         EXPECT_GT(least, 2 - 1e-9);
         EXPECT_LT(least, 2.05);
-        const Outcome many = run(set + " --region \"disk 0 0 1\" --points 1234 --density 0.5 --out points.npy");
+        const Outcome many = run_program(folder_.path(), {"tiles", "points", set, "--region", "disk 0 0 1", "--points",
+                                                          "1234", "--density", "0.5", "--out", "points.npy"});
         ASSERT_EQ(many.status, 0) << many.error;
         EXPECT_EQ(read_points(folder_.path() / "points.npy", CoordinateRange{-1, 1}).at(0).size(), 1234U);
     }

@@ -129,7 +129,7 @@ TEST_F(AperiodicSchemes, IsohedralTilesLookLikeAGoal)
     EXPECT_LT(number_of(result, "step_distance"), 0.01);
     EXPECT_LT(number_of(result, "turning_distance"), 5); // degrees
     EXPECT_NEAR(number_of(result, "unit_over_tiles"), 1, 1e-9);
-    EXPECT_THAT(result.files, testing::ElementsAre("tile.csv"));
+    EXPECT_THAT(result.files, testing::ElementsAre("tile.csv", "numbers.csv"));
     ASSERT_EQ(result.pictures.size(), 2);
     EXPECT_EQ(result.pictures[0].file, "tiling.json");
     std::size_t holes = 0, tiles = 0;
