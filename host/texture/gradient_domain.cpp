@@ -1,5 +1,9 @@
 #include "host/texture/gradient_domain.hpp"
 
+#include "host/device/device.hpp"
+#include "host/device/kernel_program.hpp"
+#include "kernels/common/fields/gradient_domain.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -106,6 +110,20 @@ void add_to_tiles(const GradientDomain& domain, std::vector<PngPixels>& tiles)
                 const double smoothed = value + domain.values[(tile * channels + c) * pixels + i];
                 value = static_cast<std::uint8_t>(std::clamp(std::floor(smoothed + 0.5), 0.0, 255.0));
             }
+}
+
+void relax_on(Device& device, GradientDomain& domain, std::size_t work_group_size)
+{
+    const std::size_t pixels = static_cast<std::size_t>(domain.size) * static_cast<std::size_t>(domain.size);
+    Buffer<std::uint8_t> inside = device.buffer<std::uint8_t>(domain.inside.size());
+    Buffer<double> values = device.buffer<double>(domain.values.size());
+    inside.write(domain.inside);
+    values.write(domain.values);
+    const contract::gradient_domain::GradientDomainSizes sizes{domain.size, domain.channels, domain.sweeps(),
+                                                               domain.relaxation()};
+    Kernel kernel = device.kernel(kernel_program("gradient_domain.cl", {}), "relax_gradient_domain");
+    kernel.run(domain.values.size() / pixels * work_group_size, work_group_size, sizes, inside, values);
+    values.read(domain.values);
 }
 
 }
