@@ -1,5 +1,6 @@
-// Drawing of recursive Wang tiles by WebGL2. Each point of a cell is an instance of a square, and all cells are drawn by
-// one call: hundreds of calls would take longer than the points.
+// Drawing of recursive Wang tiles by WebGL2. Each point of a cell is a square of two triangles, and all are drawn by one call:
+// hundreds of calls would take longer than the points, and so do instances of four corners where a processor draws, because
+// each of them is a call within the driver.
 "use strict";
 
 /** A point is seen from its threshold on, and whole at so many times the density. */
@@ -10,7 +11,7 @@ const cellsInRow = 256;
 const recursiveVertices = `#version 300 es
 precision highp float;
 precision highp int;
-layout(location = 0) in uvec2 drawn; // the number of the cell, and of the point
+layout(location = 0) in uvec2 drawn; // the number of the cell, and of the point; four corners have the same
 uniform highp usampler2D points; // places in cells, in 2^-32 of their sides, and ranks in the tiles around
 uniform highp usampler2D cells;  // three pixels each, as RecursiveDrawing.cellWords() has them
 uniform uint seed;
@@ -51,7 +52,7 @@ void main() {
   vec2 from_middle = (high + rest / 65536.0) * (cell_pixels / 65536.0);
   float threshold = float(rank) + turn;
   shown = clamp((demand * weight_at(from_middle) / threshold - 1.0) / (full_at - 1.0), 0.0, 1.0);
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
   float angle = is_turned ? float((bits >> 8) & 255u) * 6.283185307 / 256.0 : 0.0;
   if (rank < first_rank) shown = 0.0; // drawn with the tiles above
   float side = stamp_pixels * (0.7 + 0.6 * float((bits >> 16) & 255u) / 255.0);
@@ -77,7 +78,7 @@ class RecursiveDrawing {
   constructor(canvas, plane) {
     this.canvas = canvas;
     this.plane = plane;
-    const gl = (this.gl = canvas.getContext("webgl2", { antialias: false, premultipliedAlpha: true, preserveDrawingBuffer: true }));
+    const gl = (this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, premultipliedAlpha: true }));
     if (!gl) {
       document.getElementById("said").textContent = "This page needs WebGL2, which this browser does not have";
       throw new Error("no WebGL2");
@@ -95,7 +96,8 @@ class RecursiveDrawing {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.enableVertexAttribArray(0);
     gl.vertexAttribIPointer(0, 2, gl.UNSIGNED_INT, 0, 0);
-    gl.vertexAttribDivisor(0, 1);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    this.squares = 0;
     gl.activeTexture(gl.TEXTURE3);
     this.takeNearest();
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1024, plane.set.cellPoints.length / 4096);
@@ -163,7 +165,8 @@ class RecursiveDrawing {
     this.setCells(view.parts);
     const points = this.pointsOf(view.parts);
     gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, points.length / 2);
+    this.needSquares(points.length / 8);
+    gl.drawElements(gl.TRIANGLES, (points.length / 8) * 6, gl.UNSIGNED_INT, 0);
   }
 
   /** Twelve words for each cell: its tile, level and first rank; its corner; its size, turn and demand. */
@@ -172,10 +175,17 @@ class RecursiveDrawing {
     const whole = new Uint32Array(12 * cellsInRow * rows);
     const real = new Float32Array(whole.buffer);
     parts.forEach((part, i) => {
-      const units = part.offset.map((v) => v * 65536);
-      whole.set([...part.low, part.level, part.firstRank], 12 * i);
-      real.set([...units.map(Math.floor), ...units.map((v) => (v - Math.floor(v)) * 65536)], 12 * i + 4);
-      real.set([part.pixels, part.turn, part.demand], 12 * i + 8);
+      [whole[12 * i], whole[12 * i + 1]] = part.low;
+      whole[12 * i + 2] = part.level;
+      whole[12 * i + 3] = part.firstRank;
+      part.offset.forEach((offset, k) => {
+        const units = Math.floor(offset * 65536);
+        real[12 * i + 4 + k] = units;
+        real[12 * i + 6 + k] = (offset * 65536 - units) * 65536;
+      });
+      real[12 * i + 8] = part.pixels;
+      real[12 * i + 9] = part.turn;
+      real[12 * i + 10] = part.demand;
     });
     return { whole, rows };
   }
@@ -187,17 +197,26 @@ class RecursiveDrawing {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, 3 * cellsInRow, rows, 0, gl.RGBA_INTEGER, gl.UNSIGNED_INT, whole);
   }
 
-  /** The cell and the number of each point that is drawn. */
+  /** The cell and the number of each point that is drawn, for each corner of its square. */
   pointsOf(parts) {
-    const points = new Uint32Array(2 * parts.reduce((sum, { count }) => sum + count, 0));
+    const points = new Uint32Array(8 * parts.reduce((sum, { count }) => sum + count, 0));
     let next = 0;
     parts.forEach((part, i) => {
       const first = part.segment * this.plane.set.pointsPerTile + part.first;
-      for (let k = 0; k < part.count; ++k) {
+      for (let corner = 0; corner < 4 * part.count; ++corner) {
         points[next++] = i;
-        points[next++] = first + k;
+        points[next++] = first + (corner >> 2);
       }
     });
     return points;
+  }
+
+  /** Makes the corners of the triangles of so many squares. */
+  needSquares(squares) {
+    if (squares <= this.squares) return;
+    this.squares = 2 * squares;
+    const corners = [0, 1, 2, 2, 1, 3];
+    const indices = Uint32Array.from({ length: 6 * this.squares }, (_, i) => 4 * Math.floor(i / 6) + corners[i % 6]);
+    this.gl.bufferData(this.gl.ELEMENT_ARRAY_BUFFER, indices, this.gl.STATIC_DRAW);
   }
 }

@@ -111,25 +111,35 @@ byId("stamps").addEventListener("change", showStamps);
 byId("empty").addEventListener("click", () => newSheet(0));
 byId("full").addEventListener("click", () => newSheet(255));
 
-// Diving zooms in without end, and says how many frames a second the browser draws.
+// Diving zooms in without end, and says how many frames a second the browser draws. Words that change with each frame cannot
+// be read, and laying them out takes a browser milliseconds: they follow four times a second.
 let dive = null;
+let saidAt = 0;
 let nextDive = 0;
 function diveOn(now) {
   if (!dive) return;
   dive.push(now);
   if (dive.length > 60) dive.shift();
-  const seconds = (now - dive[0]) / 1000;
-  if (seconds > 0.5) byId("frames").textContent = `${((dive.length - 1) / seconds).toFixed(0)} frames a second`;
   const passed = dive.length > 1 ? now - dive[dive.length - 2] : 0;
   zoomBy(2 ** (Math.min(100, passed) / 1000), 40 * Math.sin(now / 3000), 40 * Math.cos(now / 2000));
-  drawNow();
+  drawPicture();
+  if (now - saidAt > 250) sayDive(now);
   nextDive = requestAnimationFrame(diveOn);
 }
+
+function sayDive(now) {
+  saidAt = now;
+  const seconds = (now - dive[0]) / 1000;
+  if (seconds > 0.5) byId("frames").textContent = `${((dive.length - 1) / seconds).toFixed(0)} frames a second`;
+  showWords();
+}
+
 byId("dive").addEventListener("change", (event) => {
   dive = event.target.checked ? [] : null;
   byId("frames").textContent = "";
   cancelAnimationFrame(nextDive); // one frame is asked for at a time
   if (dive) nextDive = requestAnimationFrame(diveOn);
+  else showWords();
 });
 
 byId("save-csv").addEventListener("click", () => {

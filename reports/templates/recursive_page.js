@@ -214,6 +214,11 @@ function redraw() {
 }
 
 function drawNow() {
+  drawPicture();
+  showWords();
+}
+
+function drawPicture() {
   isDue = false;
   const ratio = window.devicePixelRatio || 1;
   fit(canvas, ratio);
@@ -221,7 +226,6 @@ function drawNow() {
   if (layer && layer.isNew) drawing.setLayer(Float32Array.from(layer.greys, (grey) => lightOf[grey]), layer.columns, layer.rows);
   if (layer) layer.isNew = false;
   drawing.draw({ seed: plane.random.seed, parts: partsOf(), ratio, stampPixels: stampPixels(), isTurned: about.turned === "1", layer: layerInView(), ground: lightOf[painted.ground] });
-  showWords();
 }
 
 function showWords() {
