@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::string_view svg_blanks = " \t\r\n", svg_separators = " \t\r\n,";
+constexpr std::string_view svg_separators = " \t\r\n,";
 
 void skip(std::string_view& text, std::string_view characters)
 {
