@@ -88,7 +88,8 @@ protected:
                            "text += String.fromCharCode(byte); return btoa(text); })")
                 .get<std::string>();
         folder_.write("drawn.zip", test::from_base64(text));
-        const Outcome unpacked = run_in_shell(folder_.path(), "rm -rf drawn; /usr/bin/python3 -m zipfile -e drawn.zip .");
+        const Outcome unpacked =
+            run_in_shell(folder_.path(), "rm -rf drawn; /usr/bin/python3 -m zipfile -e drawn.zip .");
         ASSERT_EQ(unpacked.status, 0) << unpacked.error;
     }
 
