@@ -66,7 +66,7 @@ def add_libraries(package, modules):
 
 
 class CMakeModule(build_ext):
-    """Puts the module, the modules of pictures, particles and maps that it loads, and the types that the build wrote beside the package."""
+    """Puts the module, the modules of pictures, particles, maps and drawings that it loads, and the types that the build wrote beside the package."""
 
     def run(self):
         named = os.environ.get("POISSONLAB_BUILD")
@@ -85,7 +85,7 @@ class CMakeModule(build_ext):
         for file in files:
             shutil.copy2(file, package)
         if os.environ.get("POISSONLAB_LIBRARIES") == "1":
-            # Pictures load what they need as the system has it.
+            # The libraries of picture files stay out.
             add_libraries(package, [package / file.name for file in files
                                     if file.name not in ("samplers.pyi", "libpoissonlab_pictures.so")])
 
