@@ -19,7 +19,8 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCE = pathlib.Path(__file__).resolve().parent
-TARGETS = ["poissonlab_python", "poissonlab_pictures", "poissonlab_particles", "poissonlab_globe", "poissonlab_stubs"]
+MODULES = ["poissonlab_pictures", "poissonlab_particles", "poissonlab_globe", "poissonlab_drawings"]
+TARGETS = ["poissonlab_python", *MODULES, "poissonlab_stubs"]
 HOW_TO_BUILD = "the compiler, CMake and libraries that it needs: see docs/install.md, or run ./lab test once"
 
 
@@ -65,15 +66,14 @@ def add_libraries(package, modules):
 
 
 class CMakeModule(build_ext):
-    """Puts the module, the modules of pictures, particles and maps that it loads, and the types that the build wrote beside the package."""
+    """Puts the module, the modules of pictures, particles, maps and drawings that it loads, and the types that the build wrote beside the package."""
 
     def run(self):
         named = os.environ.get("POISSONLAB_BUILD")
         folder = SOURCE / named if named else self.built()
         built = folder / "python/poissonlab"
         files = [built / self.get_ext_filename("_poissonlab"), built / "samplers.pyi",
-                 folder / "libpoissonlab_pictures.so", folder / "libpoissonlab_particles.so",
-                 folder / "libpoissonlab_globe.so"]
+                 *(folder / f"lib{name}.so" for name in MODULES)]
         missing = [file for file in files if not file.is_file()]
         if missing:
             if not named:
@@ -85,8 +85,9 @@ class CMakeModule(build_ext):
         for file in files:
             shutil.copy2(file, package)
         if os.environ.get("POISSONLAB_LIBRARIES") == "1":
-            add_libraries(package, [package / files[0].name, package / "libpoissonlab_particles.so",
-                                    package / "libpoissonlab_globe.so"])
+            # The libraries of picture files stay out.
+            add_libraries(package, [package / file.name for file in files
+                                    if file.name not in ("samplers.pyi", "libpoissonlab_pictures.so")])
 
     def built(self):
         """The folder of a build for the Python that runs this, which takes minutes the first time."""

@@ -8,8 +8,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t names_in_message = 3;
-
 /// Whole numbers of an attribute of the header, one for each type of particles.
 std::optional<ParticleCounts> counts_in_header(hid_t file, const char* name)
 {

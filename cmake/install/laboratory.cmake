@@ -4,7 +4,7 @@ if(NOT lab_has_all_modules)
   return()
 endif()
 install(TARGETS poissonlab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS poissonlab_pictures poissonlab_particles poissonlab_globe
+install(TARGETS poissonlab_pictures poissonlab_particles poissonlab_globe poissonlab_drawings
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poissonlab)
 install(DIRECTORY configs DESTINATION ${data_folder})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN site EXCLUDE)

@@ -236,7 +236,7 @@ private:
         std::uint64_t least = UINT64_MAX;
         for (std::uint32_t point = 0; point < p_.points_per_tile; ++point) {
             if (ranks_[std::size_t{tile} * p_.points_per_tile + point] != unranked) continue;
-            const std::uint64_t energy = energy_of(tile, point, around, influence);
+            const std::uint64_t energy = energy_of(tile, point, around, influence, least);
             const std::uint32_t tie = philox({tile, rank, point, tie_use}, stream_)[0];
             if (energy > least || (energy == least && tie <= best_tie)) continue;
             best = point;
@@ -246,24 +246,25 @@ private:
         return best;
     }
 
+    /// The energy of a point, or a part of it that is above `least` already.
     std::uint64_t energy_of(std::uint32_t tile, std::uint32_t point,
-                            const std::array<NeighbourTiles, neighbourhoods>& around, const Influence& influence) const
+                            const std::array<NeighbourTiles, neighbourhoods>& around, const Influence& influence,
+                            std::uint64_t least) const
     {
         const CoarsePosition& place = points_[std::size_t{tile} * p_.points_per_tile + point];
-        std::uint64_t sum = 0;
+        std::uint64_t sum = 0; // of the tile itself first, whose points are nearest
+        if (const auto cells = taken_.cells_near(place, influence.radius()))
+            sum = neighbourhoods * taken_.energy(tile, *cells, place, influence);
         const int layers = p_.dimension == 3 ? 1 : 0;
         for (int z = -layers; z <= layers; ++z)
             for (int y = -1; y <= 1; ++y)
-                for (int x = -1; x <= 1; ++x) {
+                for (int x = -1; x <= 1 && sum <= least; ++x) {
                     const CoarsePosition seen{place[0] - x * coarse_side, place[1] - y * coarse_side,
                                               place[2] - z * coarse_side};
                     const auto cells = taken_.cells_near(seen, influence.radius());
-                    if (!cells) continue;
-                    if (x == 0 && y == 0 && z == 0)
-                        sum += neighbourhoods * taken_.energy(tile, *cells, seen, influence);
-                    else
-                        for (const NeighbourTiles& tiles : around)
-                            sum += taken_.energy(tiles[neighbour_number(x, y, z)], *cells, seen, influence);
+                    if (!cells || (x == 0 && y == 0 && z == 0)) continue;
+                    for (const NeighbourTiles& tiles : around)
+                        sum += taken_.energy(tiles[neighbour_number(x, y, z)], *cells, seen, influence);
                 }
         return sum;
     }

@@ -155,7 +155,7 @@ TEST_F(PointsLloydCommand, TakesTheMemoryThatItPlans)
                           "stdout=subprocess.PIPE, check=True).stdout\n"
                           "print(json.loads(said)['planned_bytes'] / 1e6, "
                           "resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 / 1e6)\n");
-        const Outcome outcome = run_in_shell(folder_.path(), "python3 run.py");
+        const Outcome outcome = run_in_shell(folder_.path(), "/usr/bin/python3 run.py");
         EXPECT_EQ(outcome.status, 0) << outcome.error;
         std::istringstream numbers(outcome.out);
         std::array<double, 2> planned_and_taken{};

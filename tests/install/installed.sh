@@ -23,13 +23,14 @@ mv "$folder/first" "$folder/moved"
 prefix=$folder/moved
 cd "$folder"
 
-for module in pictures particles globe; do
+for module in pictures particles globe drawings; do
   [[ -n $(find "$prefix" -name "libpoissonlab_$module.so") ]] || fail "no module of $module"
 done
 
 # The program finds its pictures module, and shipped configs and tile sets are what it reads.
 program=$prefix/bin/poissonlab
 [[ $(ldd "$program") != *libproj* ]] || fail "the program loads PROJ when it starts"
+[[ $(ldd "$program") != *lib2geom* ]] || fail "the program loads lib2geom when it starts"
 "$program" --version >version
 grep -q '^poissonlab [0-9]' version || fail "no version"
 grep -q 'OpenImageIO' version || fail "the version does not say what was built in"

@@ -19,17 +19,18 @@ mkdir "$folder/objects"
 gold=$(! command -v ld.gold >/dev/null || echo -fuse-ld=gold) # links in a third of the time
 
 # objects_of COMMAND: compiles the files that a unity file joins, or a single file, and prints the objects. Programs have
-# most of these files in common: those of the source folder are compiled once.
+# most of these files in common: those of the source folder are compiled once. Those that CMake wrote go into lists.cpp.
 objects_of() {
-  local compiler=${1%% -MD *} file=${1##* -c } files object
+  local file=${1##* -c } files object
   files=$file
   [[ $file != */Unity/* ]] || files=$(sed -n 's/^#include "\(.*\)"$/\1/p' "$file")
   for file in $files; do
-    object=$folder/objects/$(basename "$(dirname "$file")")_$(basename "$file").o
-    if [[ $file != "$source"/* || ! -f $object ]]; then
-      rm -f "$object" # that of another program: without one, linking fails where compiling does
-      bash -c "$compiler -o '$object' -c '$file'"
+    if [[ $file != "$source"/* ]]; then
+      cat "$file" >>"$folder/lists.cpp"
+      continue
     fi
+    object=$folder/objects/$(basename "$(dirname "$file")")_$(basename "$file").o
+    [[ -f $object ]] || bash -c "${1%% -MD *} -o '$object' -c '$file'"
     echo "$object"
   done
 }
@@ -39,15 +40,18 @@ link_alone() {
   cmake -S "$source" -B "$program" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPOISSONLAB_MODULES=$1" 2>&1 || return
   ninja -C "$program" -t commands poissonlab >"$folder/commands" || return
   cd "$program"
-  local link command
+  local link command compiler
+  rm -f "$folder"/lists.*
   link=$(grep -E -- ' -o poissonlab( |$)' "$folder/commands") || return # no command would be one that succeeds
   # The lists of modules and the files that stand in for modules, with the precompiled header of the build (as
   # position-independent code, which the build is for Python) or, where its options are others, without one.
   while read -r command; do
+    compiler=${command%% -MD *}
     link=${link/$(sed 's/.* -o \([^ ]*\) -c .*/\1/' <<<"$command")/$(objects_of "$command" | tr '\n' ' ')}
   done < <(grep -E -- '-c [^ ]*/(lab_modules|lab_command_list)(\.dir/[^ ]*|\.cpp)$' "$folder/commands" |
     sed "s#-include $program/#-fPIC -include $build/#; s/-Winvalid-pch//")
-  bash -e <<<"${link/ -o poissonlab/ $gold -o poissonlab}" 2>&1
+  bash -c "$compiler -o '$folder/lists.o' -c '$folder/lists.cpp'" || return
+  bash -e <<<"${link/ -o poissonlab/ $folder/lists.o $gold -o poissonlab}" 2>&1
 }
 
 status=0

@@ -1,4 +1,5 @@
-// Structs that kernels are told by value have the same layout on the device, and constants the same values.
+// Structs that kernels are told by value have the same layout on the device as on the host, and constants the same
+// values.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
 #include "kernels/common/darts/class_darts.h"
@@ -30,246 +31,110 @@
 #include <gmock/gmock.h>
 
 #include <cstddef>
+#include <map>
+#include <string>
 
 namespace poissonlab {
 namespace {
 
-using testing::ElementsAreArray;
-
-/// The values of expressions of OpenCL C, after a file and with the constants that it needs.
-std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<std::string>& expressions)
+/// An expression of OpenCL C in a file below kernels/, and what it is on the host.
+struct Shared
 {
-    std::string text = kernel_source(file) + "kernel void tell(global uint* values) {";
-    for (std::size_t i = 0; i < expressions.size(); ++i)
-        text += " values[" + std::to_string(i) + "] = " + expressions[i] + ";";
-    Device device = Device::open();
-    auto values = device.buffer<std::uint32_t>(expressions.size());
-    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2 -D BRICKS=1 -D REGION=2")
+    std::string file, expression;
+    std::size_t value;
+};
+
+/// A struct has two rows: its size, and where its last member is.
+#define LAYOUT(file, place, type, last)                                                                                \
+    {file, "sizeof(struct " #type ")", sizeof(contract::place::type)},                                                 \
+    {                                                                                                                  \
+        file, "__builtin_offsetof(struct " #type ", " #last ")", offsetof(contract::place::type, last)                 \
+    }
+// clang-format off
+const std::vector<Shared> all_shared = {
+    LAYOUT("common/darts/class_darts.h", class_darts, SlotBatch, key_y),
+    LAYOUT("common/darts/class_darts.h", class_darts, ClassPair, reach),
+    LAYOUT("common/darts/class_darts.h", class_darts, ClassCells, spread),
+    LAYOUT("common/darts/class_darts.h", class_darts, CoveredCells, count),
+    LAYOUT("common/darts/class_darts.h", class_darts, ClassSlot, target),
+    LAYOUT("common/lloyd_sets.h", lloyd_sets, Sets, moves),
+    LAYOUT("common/surfaces/surface.h", surface, Triangle, normal),
+    LAYOUT("common/surfaces/surface.h", surface, Piece, shares),
+    LAYOUT("common/surfaces/surface.h", surface, SurfacePoint, next),
+    LAYOUT("common/surfaces/surface.h", surface, SurfaceRule, first),
+    LAYOUT("common/surfaces/surface.h", surface, SurfaceBatch, bucket_mask),
+    LAYOUT("common/surfaces/surface_elimination.h", surface_elimination, Elimination, points),
+    LAYOUT("common/surfaces/class_surface.h", class_surface, OpenPieces, spread),
+    LAYOUT("common/surfaces/class_surface.h", class_surface, SurfaceSlot, target),
+    LAYOUT("common/surfaces/class_surface.h", class_surface, SurfaceSlots, key_y),
+    LAYOUT("common/darts/dart_throwing.h", dart_throwing, Batch, staged_capacity),
+    LAYOUT("common/darts/dart_throwing.h", dart_throwing, Slabs, is_rest),
+    LAYOUT("common/fields/gradient_domain.h", gradient_domain, GradientDomainSizes, relaxation),
+    LAYOUT("common/fields/texture_map.h", texture_map, TextureView, filter),
+    LAYOUT("common/fields/texture_map.h", texture_map, TextureLevels, offsets),
+    LAYOUT("common/fields/endless_texture.h", endless_texture, EndlessPlane, axes),
+    LAYOUT("common/fields/endless_texture.h", endless_texture, EndlessWindow, height),
+    LAYOUT("common/fields/endless_map.h", endless_map, ExemplarLevels, offsets),
+    LAYOUT("common/darts/relaxation_dart_throwing.h", relaxation_dart_throwing, Settling, unused),
+    LAYOUT("common/darts/relaxation_dart_throwing.h", relaxation_dart_throwing, DartSquares, block_bits),
+    LAYOUT("common/tiles/tile_filling.h", tile_filling, Darts, attempts),
+    LAYOUT("common/tiles/tile_filling.h", tile_filling, Relaxation, max_moving),
+    LAYOUT("common/tiles/tile_filling.h", tile_filling, Repulsion, monomials),
+    LAYOUT("common/tiles/tile_points.h", tile_points, Run, shift),
+    LAYOUT("common/tiles/tile_points.h", tile_points, Window, bottom),
+    LAYOUT("common/darts/voronoi_darts.h", voronoi_darts, Torus, near_offsets),
+    LAYOUT("common/darts/voronoi_darts.h", voronoi_darts, Batch, key_y),
+    LAYOUT("common/darts/voronoi_darts.h", voronoi_darts, Offset, squared_gap),
+    LAYOUT("common/sectors/sector_darts.h", sector_darts, SectorRules, steps),
+    LAYOUT("common/sectors/sector_darts.h", sector_darts, GrowingSet, free_sector),
+    LAYOUT("common/sectors/sector_darts.h", sector_darts, KeptSector, next),
+    LAYOUT("common/tile_sampling/averaged_tiles.h", averaged_tiles, CentroidShift, is_known),
+    LAYOUT("common/tile_sampling/recursive_tiles.h", recursive_tiles, RankedTile, begin),
+    LAYOUT("common/tile_sampling/recursive_tiles.h", recursive_tiles, RankedLevel, is_uniform),
+    LAYOUT("common/optimized/gaussian_blue_noise.h", gaussian_blue_noise, Gaussians, unused),
+    LAYOUT("common/optimized/gaussian_blue_noise.h", gaussian_blue_noise, DensityCell, is_empty),
+    LAYOUT("common/optimized/sample_elimination.h", sample_elimination, Elimination, stride),
+    LAYOUT("common/optimized/sample_elimination.h", sample_elimination, EliminationCounts, of_round),
+    LAYOUT("common/fields/warp.h", warp, Warping, height),
+    LAYOUT("common/tiles/self_similar.h", self_similar, StartSearch, capacity),
+    LAYOUT("common/fields/instances.h", instances, InstanceScene, models),
+    LAYOUT("common/fields/instances.h", instances, InstanceTiles, below),
+    LAYOUT("common/fields/instances.h", instances, PlacedInstance, unused),
+    LAYOUT("objects.cl", objects, ObjectTiles, above),
+    LAYOUT("objects.cl", objects, ObjectScene, palette),
+    {"common/darts/dart_throwing.h", "DART_WORDS", contract::dart_throwing::DART_WORDS(3)},
+    {"common/darts/dart_throwing.h", "POINT_WORDS", contract::dart_throwing::POINT_WORDS(3)},
+    {"common/darts/dart_throwing.h", "PARENT_WORDS", contract::dart_throwing::PARENT_WORDS(3, 1)},
+    {"common/darts/dart_throwing.h", "MASK_WORDS", contract::dart_throwing::MASK_WORDS(3, 2)},
+    {"common/darts/dart_throwing.h", "RIVAL_WORDS", contract::dart_throwing::RIVAL_WORDS},
+    {"common/darts/dart_throwing.h", "COUNTERS", contract::dart_throwing::COUNTERS},
+    {"common/darts/relaxation_dart_throwing.h", "POINT_WORDS", contract::relaxation_dart_throwing::POINT_WORDS(3, 2)},
+};
+// clang-format on
+#undef LAYOUT
+
+/// The values of expressions after a file, with the constants that it needs.
+std::vector<std::uint32_t> on_device(Device& device, const std::string& file, const std::vector<const Shared*>& all)
+{
+    std::string text = kernel_source("kernels/" + file) + "kernel void tell(global uint* values) {";
+    for (std::size_t i = 0; i < all.size(); ++i)
+        text += " values[" + std::to_string(i) + "] = " + all[i]->expression + ";";
+    auto values = device.buffer<std::uint32_t>(all.size());
+    device.kernel_from_text(text + " }", "kernels/" + file, "tell", "-D DIMENSION=3 -D REACH=2 -D BRICKS=1 -D REGION=2")
         .run(1, 1, values);
-    return values.read(0, expressions.size());
+    return values.read(0, all.size());
 }
 
-#define LAYOUT_OF(type, last) sizeof(type), offsetof(type, last)
-
-std::vector<std::string> layout_of(const std::string& type, const std::string& last)
+TEST(Contract, HoldsOnTheDevice)
 {
-    return {"sizeof(struct " + type + ")", "__builtin_offsetof(struct " + type + ", " + last + ")"};
-}
-
-TEST(Contract, OfClassDarts)
-{
-    using namespace contract::class_darts;
-    const std::size_t batch[] = {LAYOUT_OF(SlotBatch, key_y)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("SlotBatch", "key_y")),
-                ElementsAreArray(batch));
-    const std::size_t pair[] = {LAYOUT_OF(ClassPair, reach)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassPair", "reach")),
-                ElementsAreArray(pair));
-    const std::size_t cells[] = {LAYOUT_OF(ClassCells, spread)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassCells", "spread")),
-                ElementsAreArray(cells));
-    const std::size_t covered[] = {LAYOUT_OF(CoveredCells, count)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("CoveredCells", "count")),
-                ElementsAreArray(covered));
-    const std::size_t slot[] = {LAYOUT_OF(ClassSlot, target)};
-    EXPECT_THAT(on_device("kernels/common/darts/class_darts.h", layout_of("ClassSlot", "target")),
-                ElementsAreArray(slot));
-}
-
-TEST(Contract, OfLloydSets)
-{
-    const std::size_t sets[] = {LAYOUT_OF(contract::lloyd_sets::Sets, moves)};
-    EXPECT_THAT(on_device("kernels/common/lloyd_sets.h", layout_of("Sets", "moves")), ElementsAreArray(sets));
-}
-
-TEST(Contract, OfSurfaces)
-{
-    using namespace contract::surface;
-    const std::string file = "kernels/common/surfaces/surface.h";
-    const std::size_t triangle[] = {LAYOUT_OF(Triangle, normal)};
-    EXPECT_THAT(on_device(file, layout_of("Triangle", "normal")), ElementsAreArray(triangle));
-    const std::size_t piece[] = {LAYOUT_OF(Piece, shares)};
-    EXPECT_THAT(on_device(file, layout_of("Piece", "shares")), ElementsAreArray(piece));
-    const std::size_t point[] = {LAYOUT_OF(SurfacePoint, next)};
-    EXPECT_THAT(on_device(file, layout_of("SurfacePoint", "next")), ElementsAreArray(point));
-    const std::size_t rule[] = {LAYOUT_OF(SurfaceRule, first)};
-    EXPECT_THAT(on_device(file, layout_of("SurfaceRule", "first")), ElementsAreArray(rule));
-    const std::size_t batch[] = {LAYOUT_OF(SurfaceBatch, bucket_mask)};
-    EXPECT_THAT(on_device(file, layout_of("SurfaceBatch", "bucket_mask")), ElementsAreArray(batch));
-    using contract::surface_elimination::Elimination;
-    const std::size_t elimination[] = {LAYOUT_OF(Elimination, points)};
-    EXPECT_THAT(on_device("kernels/common/surfaces/surface_elimination.h", layout_of("Elimination", "points")),
-                ElementsAreArray(elimination));
-    using namespace contract::class_surface;
-    const std::string of_classes = "kernels/common/surfaces/class_surface.h";
-    const std::size_t open[] = {LAYOUT_OF(OpenPieces, spread)};
-    EXPECT_THAT(on_device(of_classes, layout_of("OpenPieces", "spread")), ElementsAreArray(open));
-    const std::size_t slot[] = {LAYOUT_OF(SurfaceSlot, target)};
-    EXPECT_THAT(on_device(of_classes, layout_of("SurfaceSlot", "target")), ElementsAreArray(slot));
-    const std::size_t slots[] = {LAYOUT_OF(SurfaceSlots, key_y)};
-    EXPECT_THAT(on_device(of_classes, layout_of("SurfaceSlots", "key_y")), ElementsAreArray(slots));
-}
-
-TEST(Contract, OfDartThrowing)
-{
-    using namespace contract::dart_throwing;
-    const std::size_t layout[] = {LAYOUT_OF(Batch, staged_capacity)};
-    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h", layout_of("Batch", "staged_capacity")),
-                ElementsAreArray(layout));
-    const std::size_t slabs[] = {LAYOUT_OF(Slabs, is_rest)};
-    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h", layout_of("Slabs", "is_rest")),
-                ElementsAreArray(slabs));
-    const std::size_t constants[] = {DART_WORDS(3),    POINT_WORDS(3), PARENT_WORDS(3, 1),
-                                     MASK_WORDS(3, 2), RIVAL_WORDS,    COUNTERS};
-    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h",
-                          {"DART_WORDS", "POINT_WORDS", "PARENT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
-                ElementsAreArray(constants));
-}
-
-TEST(Contract, OfGradientDomain)
-{
-    const std::size_t layout[] = {LAYOUT_OF(contract::gradient_domain::GradientDomainSizes, relaxation)};
-    EXPECT_THAT(on_device("kernels/common/fields/gradient_domain.h", layout_of("GradientDomainSizes", "relaxation")),
-                ElementsAreArray(layout));
-}
-
-TEST(Contract, OfTextureMap)
-{
-    const std::size_t view[] = {LAYOUT_OF(contract::texture_map::TextureView, filter)};
-    EXPECT_THAT(on_device("kernels/common/fields/texture_map.h", layout_of("TextureView", "filter")),
-                ElementsAreArray(view));
-    const std::size_t levels[] = {LAYOUT_OF(contract::texture_map::TextureLevels, offsets)};
-    EXPECT_THAT(on_device("kernels/common/fields/texture_map.h", layout_of("TextureLevels", "offsets")),
-                ElementsAreArray(levels));
-}
-
-TEST(Contract, OfEndlessTexture)
-{
-    const std::size_t plane[] = {LAYOUT_OF(contract::endless_texture::EndlessPlane, axes)};
-    EXPECT_THAT(on_device("kernels/common/fields/endless_texture.h", layout_of("EndlessPlane", "axes")),
-                ElementsAreArray(plane));
-    const std::size_t window[] = {LAYOUT_OF(contract::endless_texture::EndlessWindow, height)};
-    EXPECT_THAT(on_device("kernels/common/fields/endless_texture.h", layout_of("EndlessWindow", "height")),
-                ElementsAreArray(window));
-}
-
-TEST(Contract, OfEndlessMap)
-{
-    const std::size_t levels[] = {LAYOUT_OF(contract::endless_map::ExemplarLevels, offsets)};
-    EXPECT_THAT(on_device("kernels/common/fields/endless_map.h", layout_of("ExemplarLevels", "offsets")),
-                ElementsAreArray(levels));
-}
-
-TEST(Contract, OfRelaxationDartThrowing)
-{
-    const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, unused)};
-    const std::string file = "kernels/common/darts/relaxation_dart_throwing.h";
-    EXPECT_THAT(on_device(file, layout_of("Settling", "unused")), ElementsAreArray(layout));
-    const std::size_t squares[] = {LAYOUT_OF(contract::relaxation_dart_throwing::DartSquares, block_bits)};
-    EXPECT_THAT(on_device(file, layout_of("DartSquares", "block_bits")), ElementsAreArray(squares));
-    const std::size_t point_words[] = {contract::relaxation_dart_throwing::POINT_WORDS(3, 2)};
-    EXPECT_THAT(on_device(file, {"POINT_WORDS"}), ElementsAreArray(point_words));
-}
-
-TEST(Contract, OfTileFilling)
-{
-    using namespace contract::tile_filling;
-    const std::string file = "kernels/common/tiles/tile_filling.h";
-    const std::size_t darts[] = {LAYOUT_OF(Darts, attempts)};
-    EXPECT_THAT(on_device(file, layout_of("Darts", "attempts")), ElementsAreArray(darts));
-    const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_moving)};
-    EXPECT_THAT(on_device(file, layout_of("Relaxation", "max_moving")), ElementsAreArray(relaxation));
-    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, monomials)};
-    EXPECT_THAT(on_device(file, layout_of("Repulsion", "monomials")), ElementsAreArray(repulsion));
-}
-
-TEST(Contract, OfTilePoints)
-{
-    const std::size_t run[] = {LAYOUT_OF(contract::tile_points::Run, shift)};
-    EXPECT_THAT(on_device("kernels/common/tiles/tile_points.h", layout_of("Run", "shift")), ElementsAreArray(run));
-    const std::size_t window[] = {LAYOUT_OF(contract::tile_points::Window, bottom)};
-    EXPECT_THAT(on_device("kernels/common/tiles/tile_points.h", layout_of("Window", "bottom")),
-                ElementsAreArray(window));
-}
-
-TEST(Contract, OfVoronoiDarts)
-{
-    using namespace contract::voronoi_darts;
-    const std::string file = "kernels/common/darts/voronoi_darts.h";
-    const std::size_t torus[] = {LAYOUT_OF(Torus, near_offsets)};
-    EXPECT_THAT(on_device(file, layout_of("Torus", "near_offsets")), ElementsAreArray(torus));
-    const std::size_t batch[] = {LAYOUT_OF(Batch, key_y)};
-    EXPECT_THAT(on_device(file, layout_of("Batch", "key_y")), ElementsAreArray(batch));
-    const std::size_t offset[] = {LAYOUT_OF(Offset, squared_gap)};
-    EXPECT_THAT(on_device(file, layout_of("Offset", "squared_gap")), ElementsAreArray(offset));
-}
-
-TEST(Contract, OfSectorDarts)
-{
-    using namespace contract::sector_darts;
-    const std::string file = "kernels/common/sectors/sector_darts.h";
-    const std::size_t rules[] = {LAYOUT_OF(SectorRules, steps)};
-    EXPECT_THAT(on_device(file, layout_of("SectorRules", "steps")), ElementsAreArray(rules));
-    const std::size_t set[] = {LAYOUT_OF(GrowingSet, free_sector)};
-    EXPECT_THAT(on_device(file, layout_of("GrowingSet", "free_sector")), ElementsAreArray(set));
-    const std::size_t kept[] = {LAYOUT_OF(KeptSector, next)};
-    EXPECT_THAT(on_device(file, layout_of("KeptSector", "next")), ElementsAreArray(kept));
-}
-
-TEST(Contract, OfEarlyTiles)
-{
-    const std::size_t shift[] = {LAYOUT_OF(contract::averaged_tiles::CentroidShift, is_known)};
-    EXPECT_THAT(on_device("kernels/common/tile_sampling/averaged_tiles.h", layout_of("CentroidShift", "is_known")),
-                ElementsAreArray(shift));
-    const std::string file = "kernels/common/tile_sampling/recursive_tiles.h";
-    const std::size_t tile[] = {LAYOUT_OF(contract::recursive_tiles::RankedTile, begin)};
-    EXPECT_THAT(on_device(file, layout_of("RankedTile", "begin")), ElementsAreArray(tile));
-    const std::size_t level[] = {LAYOUT_OF(contract::recursive_tiles::RankedLevel, is_uniform)};
-    EXPECT_THAT(on_device(file, layout_of("RankedLevel", "is_uniform")), ElementsAreArray(level));
-}
-
-TEST(Contract, OfGaussianBlueNoise)
-{
-    using contract::gaussian_blue_noise::Gaussians;
-    const std::size_t layout[] = {LAYOUT_OF(Gaussians, unused)};
-    EXPECT_THAT(on_device("kernels/common/optimized/gaussian_blue_noise.h", layout_of("Gaussians", "unused")),
-                ElementsAreArray(layout));
-    using contract::gaussian_blue_noise::DensityCell;
-    const std::size_t cell[] = {LAYOUT_OF(DensityCell, is_empty)};
-    EXPECT_THAT(on_device("kernels/common/optimized/gaussian_blue_noise.h", layout_of("DensityCell", "is_empty")),
-                ElementsAreArray(cell));
-}
-
-TEST(Contract, OfSampleElimination)
-{
-    using namespace contract::sample_elimination;
-    const std::string file = "kernels/common/optimized/sample_elimination.h";
-    const std::size_t elimination[] = {LAYOUT_OF(Elimination, stride)};
-    EXPECT_THAT(on_device(file, layout_of("Elimination", "stride")), ElementsAreArray(elimination));
-    const std::size_t counts[] = {LAYOUT_OF(EliminationCounts, of_round)};
-    EXPECT_THAT(on_device(file, layout_of("EliminationCounts", "of_round")), ElementsAreArray(counts));
-}
-
-TEST(Contract, OfDistributions)
-{
-    const std::size_t warping[] = {LAYOUT_OF(contract::warp::Warping, height)};
-    EXPECT_THAT(on_device("kernels/common/fields/warp.h", layout_of("Warping", "height")), ElementsAreArray(warping));
-    const std::size_t search[] = {LAYOUT_OF(contract::self_similar::StartSearch, capacity)};
-    EXPECT_THAT(on_device("kernels/common/tiles/self_similar.h", layout_of("StartSearch", "capacity")),
-                ElementsAreArray(search));
-    const std::size_t instance_scene[] = {LAYOUT_OF(contract::instances::InstanceScene, models)};
-    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("InstanceScene", "models")),
-                ElementsAreArray(instance_scene));
-    const std::size_t instance_tiles[] = {LAYOUT_OF(contract::instances::InstanceTiles, below)};
-    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("InstanceTiles", "below")),
-                ElementsAreArray(instance_tiles));
-    const std::size_t placed[] = {LAYOUT_OF(contract::instances::PlacedInstance, unused)};
-    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("PlacedInstance", "unused")),
-                ElementsAreArray(placed));
-    const std::size_t tiles[] = {LAYOUT_OF(contract::objects::ObjectTiles, above)};
-    EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectTiles", "above")), ElementsAreArray(tiles));
-    const std::size_t scene[] = {LAYOUT_OF(contract::objects::ObjectScene, palette)};
-    EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectScene", "palette")), ElementsAreArray(scene));
+    std::map<std::string, std::vector<const Shared*>> files; // a kernel each: names of different files may be equal
+    for (const Shared& shared : all_shared) files[shared.file].push_back(&shared);
+    Device device = Device::open();
+    for (const auto& [file, all] : files) {
+        const std::vector<std::uint32_t> values = on_device(device, file, all);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            EXPECT_EQ(values[i], all[i]->value) << file << ": " << all[i]->expression;
+    }
 }
 
 }

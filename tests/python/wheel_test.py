@@ -61,7 +61,7 @@ class Wheels(FolderTest):
         module = pathlib.Path(pl._poissonlab.__file__).name
         self.assertEqual({file.name for file in (installed / "poissonlab").iterdir()},
                          files | {module, "samplers.pyi", "libpoissonlab_pictures.so", "libpoissonlab_particles.so",
-                                  "libpoissonlab_globe.so", "py.typed"})
+                                  "libpoissonlab_globe.so", "libpoissonlab_drawings.so", "py.typed"})
         self.assertEqual(sorted(path.name for path in installed.iterdir()), ["poissonlab", f"poissonlab-{version}.dist-info"])
         metadata = (installed / f"poissonlab-{version}.dist-info/METADATA").read_text()
         self.assertRegex(metadata, r"(?m)^Requires-Dist: numpy")
@@ -88,7 +88,8 @@ class Wheels(FolderTest):
         with zipfile.ZipFile(wheel) as archive:
             archive.extractall(package.parent)
         libraries = package / "libraries"
-        loaded = {pathlib.Path(pl._poissonlab.__file__).name, "libpoissonlab_particles.so", "libpoissonlab_globe.so"}
+        loaded = {pathlib.Path(pl._poissonlab.__file__).name,
+                  *(f"libpoissonlab_{name}.so" for name in ("particles", "globe", "drawings"))}
         for file in [*(package / name for name in loaded), *libraries.iterdir()]:
             for line in subprocess.run(["ldd", file], check=True, capture_output=True, text=True).stdout.splitlines():
                 name, _, place = line.strip().partition(" => ")

@@ -2,11 +2,13 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/regions/svg/path_lines.hpp"
 
 #include <expat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -192,7 +194,9 @@ private:
                                          "rect, circle and ellipse, in groups (g)",
                                          shape));
         if (context.is_hidden) return;
-        shapes_.push_back({shape, *outline * context.to_sheet, context.is_even_odd});
+        PathLines lines;
+        lines.feed(*outline * context.to_sheet);
+        shapes_.push_back(shape_of(std::move(lines), shape, context.is_even_odd));
     }
 
     const std::string& name_;

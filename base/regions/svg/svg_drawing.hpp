@@ -5,10 +5,11 @@
 // not matter.
 #pragma once
 
+#include "base/regions/svg/svg_shapes.hpp"
+
 #include <2geom/affine.h>
 #include <2geom/pathvector.h>
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,16 +18,7 @@
 
 namespace poissonlab {
 
-/// The outline of an element, in the drawing's units, y upwards from the sheet's lower left corner.
-struct SvgShape
-{
-    std::string place; ///< "drawing.svg:12: <path>", for messages
-    Geom::PathVector outline;
-    bool is_even_odd = false;
-};
-
-/// The shapes of a drawing in the order of the file. Throws InputError, a line that begins with the name and the line's
-/// number.
+/// The shapes of a drawing, in the drawing's units, y upwards from the sheet's lower left corner.
 std::vector<SvgShape> read_svg_drawing(const std::string& content, const std::string& name);
 
 /// The attributes of an element; names of other namespaces begin with the namespace and a blank.

@@ -88,7 +88,8 @@ protected:
                            "text += String.fromCharCode(byte); return btoa(text); })")
                 .get<std::string>();
         folder_.write("drawn.zip", test::from_base64(text));
-        const Outcome unpacked = run_in_shell(folder_.path(), "rm -rf drawn; python3 -m zipfile -e drawn.zip .");
+        const Outcome unpacked =
+            run_in_shell(folder_.path(), "rm -rf drawn; /usr/bin/python3 -m zipfile -e drawn.zip .");
         ASSERT_EQ(unpacked.status, 0) << unpacked.error;
     }
 
@@ -207,7 +208,7 @@ TEST_F(TextureDesignPage, GoesOnFromSavedDrawings)
 TEST_F(TextureDesignPage, TakesTheDrawingsOfTheConfigs)
 {
     for (const std::string name : {"lines", "leaves"}) {
-        const Outcome drawn = run_in_shell(folder_.path(), "python3 " + source_folder() +
+        const Outcome drawn = run_in_shell(folder_.path(), "/usr/bin/python3 " + source_folder() +
                                                                "/configs/papers/cohen-2003/draw_tiles.py " + name);
         ASSERT_EQ(drawn.status, 0) << drawn.error;
         open("wang --colors 2 --size 64");

@@ -1,9 +1,9 @@
 // Elements and attributes of SVG 1.1: https://www.w3.org/TR/SVG11/shapes.html and coords.html.
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/regions/svg/path_lines.hpp"
 #include "base/regions/svg/svg_drawing.hpp"
 
-#include <2geom/path-sink.h>
 #include <2geom/svg-path-parser.h>
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::string_view svg_blanks = " \t\r\n", svg_separators = " \t\r\n,";
+constexpr std::string_view svg_separators = " \t\r\n,";
 
 void skip(std::string_view& text, std::string_view characters)
 {
@@ -115,6 +115,17 @@ Geom::PathVector path_of(const SvgAttributes& attributes)
     }
 }
 
+SvgShape shape_of_path(const std::string& data, const std::string& name)
+{
+    PathLines path;
+    try {
+        Geom::parse_svg_path(data.c_str(), path);
+    } catch (const std::exception& error) {
+        throw InputError(fmt::format("{}: is not a path of SVG: {}", name, printable(error.what())));
+    }
+    return shape_of(std::move(path), name, false);
+}
+
 std::optional<Geom::Affine> step_of(std::string_view word, const std::vector<double>& n)
 {
     const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
@@ -196,4 +207,10 @@ std::optional<Geom::PathVector> svg_outline(const std::string& element, const Sv
     return {};
 }
 
+}
+
+extern "C" __attribute__((visibility("default"))) const poissonlab::DrawingFunctions* poissonlab_drawing_functions()
+{
+    static constexpr poissonlab::DrawingFunctions functions{poissonlab::read_svg_drawing, poissonlab::shape_of_path};
+    return &functions;
 }

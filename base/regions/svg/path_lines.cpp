@@ -1,7 +1,6 @@
-#include "base/regions/svg/path_rings.hpp"
+#include "base/regions/svg/path_lines.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/regions/region_raster.hpp"
 
 #include <2geom/elliptical-arc.h>
 #include <fmt/format.h>
@@ -20,50 +19,16 @@ void append_corner(RegionRing& ring, const Geom::Point& p)
     if (ring.empty() || ring.back() != corner) ring.push_back(corner);
 }
 
-/// The number of times that each ring goes round a place just inside it, and just outside. Rings do not cross.
-struct RingWinding
-{
-    int outside = 0, inside = 0;
-};
-
-std::vector<RingWinding> windings_of(const std::vector<RegionRing>& rings)
-{
-    std::vector<RingWinding> windings(rings.size());
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        const std::array<double, 2> middle{(rings[i][0][0] + rings[i][1][0]) / 2,
-                                           (rings[i][0][1] + rings[i][1][1]) / 2};
-        for (std::size_t j = 0; j < rings.size(); ++j)
-            if (j != i && encloses(rings[j], middle)) windings[i].outside += signed_area_of(rings[j]) > 0 ? 1 : -1;
-        windings[i].inside = windings[i].outside + (signed_area_of(rings[i]) > 0 ? 1 : -1);
-    }
-    return windings;
 }
 
-/// The rings between what is filled and what is not, outlines to the left and holes to the right.
-std::vector<RegionRing> filled_rings(std::vector<RegionRing> rings, bool is_even_odd)
-{
-    const std::vector<RingWinding> windings = windings_of(rings);
-    const auto is_filled = [&](int winding) { return is_even_odd ? winding % 2 != 0 : winding != 0; };
-    std::vector<RegionRing> kept;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        const bool is_outline = is_filled(windings[i].inside);
-        if (is_outline == is_filled(windings[i].outside)) continue;
-        if ((signed_area_of(rings[i]) > 0) != is_outline) std::ranges::reverse(rings[i]);
-        kept.push_back(std::move(rings[i]));
-    }
-    return kept;
-}
-
-}
-
-void PathRings::moveTo(const Geom::Point& p)
+void PathLines::moveTo(const Geom::Point& p)
 {
     begin_ = end_ = p;
     is_closed_ = true;
     add(p, {});
 }
 
-void PathRings::quadTo(const Geom::Point& c, const Geom::Point& p)
+void PathLines::quadTo(const Geom::Point& c, const Geom::Point& p)
 {
     extend(c);
     const Geom::Point a = end_;
@@ -71,7 +36,7 @@ void PathRings::quadTo(const Geom::Point& c, const Geom::Point& p)
             [=](double tolerance) { return std::sqrt(2 * (a - 2 * c + p).length() / (8 * tolerance)); }});
 }
 
-void PathRings::curveTo(const Geom::Point& c, const Geom::Point& d, const Geom::Point& p)
+void PathLines::curveTo(const Geom::Point& c, const Geom::Point& d, const Geom::Point& p)
 {
     extend(c);
     extend(d);
@@ -84,7 +49,7 @@ void PathRings::curveTo(const Geom::Point& c, const Geom::Point& d, const Geom::
             [=](double tolerance) { return std::sqrt(6 * bend / (8 * tolerance)); }});
 }
 
-void PathRings::arcTo(double rx, double ry, double angle, bool is_large, bool sweeps, const Geom::Point& p)
+void PathLines::arcTo(double rx, double ry, double angle, bool is_large, bool sweeps, const Geom::Point& p)
 {
     const Geom::EllipticalArc arc(end_, rx, ry, angle, is_large, sweeps, p);
     if (arc.isChord()) return lineTo(p);
@@ -97,23 +62,14 @@ void PathRings::arcTo(double rx, double ry, double angle, bool is_large, bool sw
          [=](double tolerance) { return turn / (2 * std::acos(std::clamp(1 - tolerance / radius, 0.0, 1 - 1e-15))); }});
 }
 
-void PathRings::closePath()
+void PathLines::closePath()
 {
     end_ = begin_;
     if (!is_closed_ && !paths_.empty()) paths_.back().is_closed = true;
     is_closed_ = true;
 }
 
-std::vector<RegionRing> PathRings::rings(double tolerance, const std::string& name) const
-{
-    std::vector<RegionRing> rings = lines(tolerance, name);
-    for (RegionRing& ring : rings)
-        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-    std::erase_if(rings, [](const RegionRing& ring) { return ring.size() < 3; });
-    return rings;
-}
-
-std::vector<RegionRing> PathRings::lines(double tolerance, const std::string& name) const
+std::vector<RegionRing> PathLines::lines(double tolerance, const std::string& name) const
 {
     std::vector<RegionRing> lines;
     double all_pieces = 0;
@@ -135,7 +91,7 @@ std::vector<RegionRing> PathRings::lines(double tolerance, const std::string& na
     return lines;
 }
 
-void PathRings::add(const Geom::Point& end, PathCurve curve)
+void PathLines::add(const Geom::Point& end, PathCurve curve)
 {
     // After a path was closed, the next one begins where that did, unless it moves.
     if (is_closed_) paths_.push_back({{{begin_, {}}}});
@@ -145,7 +101,7 @@ void PathRings::add(const Geom::Point& end, PathCurve curve)
     end_ = end;
 }
 
-void PathRings::extend(const Geom::Point& p)
+void PathLines::extend(const Geom::Point& p)
 {
     for (unsigned k = 0; k < 2; ++k) {
         box_.low[k] = is_empty_ ? p[k] : std::min(box_.low[k], p[k]);
@@ -154,12 +110,11 @@ void PathRings::extend(const Geom::Point& p)
     is_empty_ = false;
 }
 
-PlaneRegion filled_region(std::vector<RegionRing> rings, bool is_even_odd, const std::string& name)
+SvgShape shape_of(PathLines paths, const std::string& place, bool is_even_odd)
 {
-    // Lines that cross, and coordinates that are no numbers, are said as of other regions.
-    for (const RegionRing& ring : rings) check_region({{{ring}}}, name);
-    check_rings(rings, name);
-    return region_of_rings(filled_rings(std::move(rings), is_even_odd));
+    const RegionBox box = paths.box();
+    return {place, is_even_odd, box,
+            [paths = std::move(paths), place](double tolerance) { return paths.lines(tolerance, place); }};
 }
 
 }

@@ -1,23 +1,17 @@
-// Paths of SVG as rings of lines: lib2geom reads them, and tells places on elliptic arcs.
+// Paths of SVG as lines: lib2geom reads them, and tells places on elliptic arcs.
 //
 // A chord of a curve is off by at most |second derivative| / 8 times the square of its share of the curve (Bezier
 // curves: n (n - 1) times the largest second difference of control points), that of an arc by r (1 - cos of half its
 // angle) where r is the larger radius: so many equal pieces keep the tolerance.
 #pragma once
 
-#include "base/regions/plane_region.hpp"
+#include "base/regions/svg/svg_shapes.hpp"
 
 #include <2geom/path-sink.h>
 
-#include <functional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace poissonlab {
-
-/// The usual tolerance is this part of the longest side of the box around ends, control points and arcs.
-inline constexpr double usual_path_tolerance = 1e-4;
 
 /// A curve from where the one before ended: places on it from 0 to 1, and how many pieces keep a tolerance.
 struct PathCurve
@@ -27,7 +21,7 @@ struct PathCurve
 };
 
 /// Keeps what paths consist of, so that their extent is known before curves become lines.
-class PathRings : public Geom::PathSink
+class PathLines : public Geom::PathSink
 {
 public:
     void moveTo(const Geom::Point& p) override;
@@ -41,11 +35,8 @@ public:
     /// The box holds ends, control points and arcs; without any it is the origin.
     const RegionBox& box() const { return box_; }
 
-    /// Returns the rings that closed lines go around; open paths are closed. Throws InputError where curves take too
+    /// Returns the lines of paths; those that are closed end where they begin. Throws InputError where curves take too
     /// many lines.
-    std::vector<RegionRing> rings(double tolerance, const std::string& name) const;
-
-    /// Returns the lines of paths; those that are closed end where they begin. Throws InputError as well.
     std::vector<RegionRing> lines(double tolerance, const std::string& name) const;
 
 private:
@@ -64,8 +55,7 @@ private:
     bool is_empty_ = true, is_closed_ = true;
 };
 
-/// The region of rings by a rule of filling. Throws InputError, which begins with the name, where there is none, and
-/// where rings cross themselves or each other.
-PlaneRegion filled_region(std::vector<RegionRing> rings, bool is_even_odd, const std::string& name);
+/// Paths as the shape of an element.
+SvgShape shape_of(PathLines paths, const std::string& place, bool is_even_odd);
 
 }
