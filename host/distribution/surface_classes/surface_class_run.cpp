@@ -74,6 +74,8 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
     check_set(keys, s);
     read_surface_models(keys, s.instances, classes.classes());
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+    for (const std::string& model : s.instances.names)
+        for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);
 }
 
 std::string surface_class_label(const SurfaceClassSettings& s)

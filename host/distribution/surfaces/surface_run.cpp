@@ -210,6 +210,8 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     check_surface_keys(keys, s);
     read_surface_models(keys, s.instances, 1);
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+    for (const std::string& model : s.instances.names)
+        for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);
 }
 
 std::string surface_label(const MeshPointSettings& s)
