@@ -31,17 +31,23 @@ Classes are counted from 0, in the order in which they are given. --out, as ofte
 with normals nx, ny, nz and the class, .glb (glTF 2.0: for each class a node with points and normals), and .png (two views
 with z up, from the front on the left and from behind on the right, --pixels wide together, a colour for each class).
 With --faces, .ply and .csv have the face, barycentric coordinates and numbers of the mesh's vertices as well.
+With --instances, once for all or once for each class, .glb repeats these models, files of meshes or cone, at the points
+of each class, their y axes along the normals (EXT_mesh_gpu_instancing).
   poissonlab distribute surface-classes bunny.ply --points 100 400 1600 --out plants.ply --out plants.png
   poissonlab distribute surface-classes part.obj --distances 0.5 0.2 --faces --out full.csv --json
-  poissonlab distribute surface-classes bunny.ply --points 50 800 --densities y --densities "exp(-y/40)" --out plants.glb)help";
+  poissonlab distribute surface-classes bunny.ply --points 50 800 --densities y --densities "exp(-y/40)" --out plants.glb
+  poissonlab distribute surface-classes hill.ply --points 40 900 --instances tree.glb --instances bush.obj --out wood.glb)help";
 
-void write_classes_output(const std::filesystem::path& file, const SurfaceClassSet& set, bool has_faces, int pixels,
-                          const std::string& comment)
+void write_classes_output(const std::filesystem::path& file, const SurfaceClassSet& set,
+                          const SurfaceClassSettings& settings, const KindOptions& o, const std::string& what)
 {
-    if (file.extension() != ".png")
-        return write_surface_points(file, set.surface(), set.darts.points, set.darts.classes, comment,
-                                    has_faces ? &set.work.mesh->mesh : nullptr);
-    write_png(file, surface_view(set.surface(), set.darts.points, dots_of(set), pixels));
+    const ClassSurfaceDarts& darts = set.darts;
+    if (file.extension() == ".png")
+        return write_png(file, surface_view(set.surface(), darts.points, dots_of(set), static_cast<int>(o.pixels)));
+    if (file.extension() == ".glb" && settings.instances.are_given())
+        return write_surface_instances(file, set.surface(), darts.points, darts.classes, settings.instances, o.seed());
+    write_surface_points(file, set.surface(), darts.points, darts.classes, o.command_comment(what),
+                         settings.faces ? &set.work.mesh->mesh : nullptr);
 }
 
 void place_classes_on_surface(const KindOptions& o)
@@ -49,6 +55,7 @@ void place_classes_on_surface(const KindOptions& o)
     const auto settings = o.read<SurfaceClassSettings>();
     if (settings.faces && std::ranges::none_of(o.outs.files(), has_surface_columns))
         throw InputError("--faces: needs a .ply or .csv file as --out: other files have no such columns");
+    check_instance_files(settings.instances, o.outs.files());
     for (const std::string& note : surface_class_mesh(settings)->notes()) o.say_note(note);
     const SurfaceClassSet set = throw_surface_classes(settings, o.seed(), o.place());
     std::string what = fmt::format(
@@ -57,8 +64,7 @@ void place_classes_on_surface(const KindOptions& o)
     if (settings.classes.points.empty()) what += "; no further one fits";
     if (set.darts.scale < 1) what += fmt::format("; distances multiplied by {:.6g}", set.darts.scale);
     o.say_note(what);
-    for (const std::filesystem::path& out : o.outs.files())
-        write_classes_output(out, set, settings.faces, static_cast<int>(o.pixels), o.command_comment(what));
+    for (const std::filesystem::path& out : o.outs.files()) write_classes_output(out, set, settings, o, what);
     if (o.prints_json()) print_numbers(surface_class_numbers(set, pairs_of(set)));
 }
 

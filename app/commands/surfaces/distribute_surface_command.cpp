@@ -40,18 +40,24 @@ such as .npy and text.
 With --faces, .ply and .csv have further columns: face (from 0, in the order of the file), vertex_0 to vertex_2, the
 barycentric coordinates bary_0 to bary_2, and the numbers of the vertices, interpolated: shading_nx, shading_ny,
 shading_nz, u, v, red, green, blue and all others.
+With --instances FILE or --instances cone, .glb repeats that model at each point, its y axis along the normal
+(EXT_mesh_gpu_instancing).
   poissonlab distribute surface bunny.ply --points 10000 --out points.ply --out points.png
   poissonlab distribute surface scan.ply --points 10000 --faces --out points.csv
   poissonlab distribute surface part.obj --min-distance 0.5 --out points.csv --json
+  poissonlab distribute surface bunny.ply --points 3000 --instances tuft.obj --out grass.glb
   poissonlab distribute surface scene.glb --tiles corner.ptiles --points 50000 --json --out points.ply)help";
 
-void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, bool has_faces, int pixels,
-                          const std::string& comment)
+void write_surface_output(const std::filesystem::path& file, const SurfaceSet& set, const MeshPointSettings& settings,
+                          const KindOptions& o, const std::string& what)
 {
     const FixedSurface& surface = set.mesh->surface;
-    if (file.extension() != ".png")
-        return write_surface_points(file, surface, set.points, comment, has_faces ? &set.mesh->mesh : nullptr);
-    write_png(file, surface_view(surface, set.points, dots_of(set), pixels));
+    if (file.extension() == ".png")
+        return write_png(file, surface_view(surface, set.points, dots_of(set), static_cast<int>(o.pixels)));
+    if (file.extension() == ".glb" && settings.instances.are_given())
+        return write_surface_instances(file, surface, set.points, {}, settings.instances, o.seed());
+    write_surface_points(file, surface, set.points, o.command_comment(what),
+                         settings.faces ? &set.mesh->mesh : nullptr);
 }
 
 void place_on_surface(const KindOptions& o)
@@ -59,6 +65,7 @@ void place_on_surface(const KindOptions& o)
     const auto settings = o.read<MeshPointSettings>();
     if (settings.faces && std::ranges::none_of(o.outs.files(), has_surface_columns))
         throw InputError("--faces: needs a .ply or .csv file as --out: other files have no such columns");
+    check_instance_files(settings.instances, o.outs.files());
     for (const std::string& note : surface_mesh(settings)->notes()) o.say_note(note);
     const SurfaceSet set = make_surface_set(settings, o.seed(), o.place());
     for (const std::string& note : set.notes) o.say_note(note);
@@ -69,8 +76,7 @@ void place_on_surface(const KindOptions& o)
             "; at least {} apart{}", set.min_distance,
             set.angle < 180 ? fmt::format(" where their normals differ by {:.4g} degrees at most", set.angle) : "");
     o.say_note(what);
-    for (const std::filesystem::path& out : o.outs.files())
-        write_surface_output(out, set, settings.faces, static_cast<int>(o.pixels), o.command_comment(what));
+    for (const std::filesystem::path& out : o.outs.files()) write_surface_output(out, set, settings, o, what);
     if (o.prints_json()) print_numbers(surface_numbers(set, o.seed()));
 }
 

@@ -56,6 +56,7 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
         "faces", s.faces,
         "whether files of points (PLY, CSV) have the face, the barycentric coordinates, and the numbers that the mesh "
         "has at its vertices: normals, colours, texture coordinates and others");
+    surface_model_keys(keys, s.instances, most_classes);
     if (!keys.is_read()) return;
     check_class_lists(keys, classes);
     if (keys.is_given("factor") && classes.points.empty())
@@ -71,7 +72,10 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
     check_count("densities", classes.densities.size(), 0);
     check_count("densities_from", classes.densities_from.size(), 1);
     check_set(keys, s);
+    read_surface_models(keys, s.instances, classes.classes());
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+    for (const std::string& model : s.instances.names)
+        for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);
 }
 
 std::string surface_class_label(const SurfaceClassSettings& s)
@@ -103,6 +107,9 @@ DistributionResult make_surface_classes(const SurfaceClassSettings& settings, st
                                "above, right from behind above."});
     write_surface_points(files.add("points.ply", result), set.surface(), darts.points, darts.classes, "",
                          settings.faces ? &set.work.mesh->mesh : nullptr);
+    if (settings.instances.are_given())
+        write_surface_instances(files.add("instances.glb", result), set.surface(), darts.points, darts.classes,
+                                settings.instances, seed);
     write_points(files.add("points.npy", result), points_of(set.surface(), darts.points));
     write_points(files.add("normals.npy", result), normals_of(set.surface(), darts.points));
     write_class_numbers(files.add("classes.npy", result), darts.classes);

@@ -24,7 +24,8 @@ struct SurfaceClassSettings
     std::filesystem::path mesh;
     ClassSettings classes; ///< points, distances, matrix, relative_radius, factor and densities
     double normal_angle = 120;
-    bool faces = false; ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
+    bool faces = false;      ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
+    SurfaceModels instances; ///< models that glTF has instead of points
     std::shared_ptr<const SurfaceMesh> read{}; ///< the mesh, where it was read already
 };
 

@@ -3,6 +3,7 @@
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
+#include "host/distribution/surfaces/surface_gltf.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -52,11 +53,6 @@ std::string png_bytes(const PngPixels& pixels)
     const std::filesystem::path file = folder.path() / "picture.png";
     write_png(file, pixels);
     return read_whole_file(file);
-}
-
-void append_word(std::string& to, std::uint32_t word)
-{
-    for (int shift = 0; shift < 32; shift += 8) to.push_back(static_cast<char>(word >> shift & 255));
 }
 
 struct GlbVertices
@@ -237,16 +233,7 @@ void write_glb(const std::filesystem::path& file, const QuadMesh& mesh, const Qu
                                    accessor(3, 5125, v.corners.size(), "SCALAR")})},
         {"bufferViews", buffer.views},
         {"buffers", Json::array({{{"byteLength", buffer.bytes.size()}}})}};
-    std::string text = json.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string glb = "glTF";
-    append_word(glb, 2);
-    append_word(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + buffer.bytes.size()));
-    append_word(glb, static_cast<std::uint32_t>(text.size()));
-    glb += "JSON" + text;
-    append_word(glb, static_cast<std::uint32_t>(buffer.bytes.size()));
-    glb.append("BIN\0", 4);
-    write_whole_file(file, glb + buffer.bytes);
+    write_glb_parts(file, json.dump(), buffer.bytes);
 }
 
 }

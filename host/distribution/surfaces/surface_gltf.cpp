@@ -2,22 +2,20 @@
 
 #include "base/files/whole_file.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 
 namespace poissonlab {
 namespace {
 
-template <typename Value>
-void append_bytes(std::string& to, Value value)
+using GltfJson = nlohmann::ordered_json;
+
+void append_word(std::string& to, std::size_t word)
 {
-    to.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    for (int shift = 0; shift < 32; shift += 8) to.push_back(static_cast<char>(word >> shift & 255));
 }
 
 /// A part of a binary glTF file: its length, its name and its bytes, filled up to whole words.
@@ -25,60 +23,150 @@ std::string glb_chunk(std::string_view name, std::string bytes, char filling)
 {
     bytes.resize((bytes.size() + 3) / 4 * 4, filling);
     std::string chunk;
-    append_bytes(chunk, static_cast<std::uint32_t>(bytes.size()));
+    append_word(chunk, bytes.size());
     return chunk.append(name).append(bytes);
 }
 
-/// Describes a buffer that has places and then normals of each group, which are drawn as points (mode 0). Floats are
-/// numbers of type 5126.
-std::string gltf_of_points(const std::vector<GltfGroup>& groups)
+/// Collects the nodes of a scene, each with a mesh, and the numbers that their accessors lead to.
+class GltfScene
 {
-    std::vector<std::string> nodes, numbers, meshes, accessors, views;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        const auto& [name, places, normals] = groups[i];
-        std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            low[k % 3] = std::min(low[k % 3], places[k]);
-            high[k % 3] = std::max(high[k % 3], places[k]);
+public:
+    /// Adds floats, `width` of each thing, and returns the number of their accessor.
+    std::size_t add(const std::vector<float>& values, std::size_t width, bool has_bounds = false)
+    {
+        GltfJson view{{"buffer", 0}, {"byteLength", 4 * values.size()}};
+        if (!bytes_.empty()) view["byteOffset"] = bytes_.size();
+        GltfJson accessor{{"bufferView", views_.size()},
+                          {"componentType", 5126},
+                          {"count", values.size() / width},
+                          {"type", width == 1 ? "SCALAR" : "VEC" + std::to_string(width)}};
+        if (has_bounds) {
+            std::vector<float> low(width, INFINITY), high(width, -INFINITY);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                low[k % width] = std::min(low[k % width], values[k]);
+                high[k % width] = std::max(high[k % width], values[k]);
+            }
+            accessor["min"] = low;
+            accessor["max"] = high;
         }
-        const std::string named = name.empty() ? "" : fmt::format(R"("name":"{}",)", name);
-        const std::size_t bytes = 4 * places.size(), count = places.size() / 3;
-        numbers.push_back(std::to_string(i));
-        nodes.push_back(fmt::format(R"({{{}"mesh":{}}})", named, i));
-        meshes.push_back(fmt::format(R"({{{}"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"mode":0}}]}})",
-                                     named, 2 * i, 2 * i + 1));
-        accessors.push_back(fmt::format(
-            R"({{"bufferView":{0},"componentType":5126,"count":{2},"type":"VEC3","min":[{3}],"max":[{4}]}},)"
-            R"({{"bufferView":{1},"componentType":5126,"count":{2},"type":"VEC3"}})",
-            2 * i, 2 * i + 1, count, fmt::join(low, ","), fmt::join(high, ",")));
-        for (int view = 0; view < 2; ++view, begin += bytes)
-            views.push_back(fmt::format(R"({{"buffer":0,{}"byteLength":{}}})",
-                                        begin == 0 ? "" : fmt::format(R"("byteOffset":{},)", begin), bytes));
+        views_.push_back(view);
+        accessors_.push_back(accessor);
+        bytes_.append(reinterpret_cast<const char*>(values.data()), 4 * values.size());
+        return accessors_.size() - 1;
     }
-    return fmt::format(
-        R"({{"asset":{{"version":"2.0","generator":"Poisson disk laboratory"}},"scene":0,"scenes":[{{"nodes":[{}]}}],)"
-        R"("nodes":[{}],"meshes":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-        fmt::join(numbers, ","), fmt::join(nodes, ","), fmt::join(meshes, ","), fmt::join(accessors, ","),
-        fmt::join(views, ","), begin);
+
+    /// Adds a mesh of one primitive and a node that has it. `more` are further members of the node.
+    void add_node(const std::string& name, GltfJson primitive, const GltfJson& more = GltfJson::object())
+    {
+        GltfJson node{{"mesh", nodes_.size()}}, mesh{{"primitives", GltfJson::array({std::move(primitive)})}};
+        if (!name.empty()) mesh["name"] = node["name"] = name;
+        node.update(more);
+        roots_.push_back(nodes_.size());
+        nodes_.push_back(node);
+        meshes_.push_back(mesh);
+    }
+
+    void write(const std::filesystem::path& file, const GltfJson& more = GltfJson::object()) const
+    {
+        GltfJson json{{"asset", {{"version", "2.0"}, {"generator", "Poisson disk laboratory"}}}};
+        json.update(more);
+        if (!nodes_.empty()) {
+            json["scene"] = 0;
+            json["scenes"] = GltfJson::array({{{"nodes", roots_}}});
+            json["nodes"] = nodes_;
+            json["meshes"] = meshes_;
+            json["accessors"] = accessors_;
+            json["bufferViews"] = views_;
+            json["buffers"] = GltfJson::array({{{"byteLength", bytes_.size()}}});
+        }
+        write_glb_parts(file, json.dump(), bytes_);
+    }
+
+private:
+    std::string bytes_;
+    std::vector<GltfJson> nodes_, meshes_, accessors_, views_;
+    std::vector<std::size_t> roots_;
+};
+
+/// The corners of a model, triangle by triangle, three floats each.
+struct ModelCorners
+{
+    std::vector<float> places, normals;
+};
+
+/// Corners have the normals of the file; those that lack one have that of their triangle.
+ModelCorners corners_of(const TriangleMesh& model)
+{
+    ModelCorners corners;
+    for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+        const auto at = [&](std::size_t corner) { return model.vertices[model.triangles[i][corner]]; };
+        const MeshPoint flat = cross(difference(at(1), at(0)), difference(at(2), at(0)));
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t given =
+                model.normal_triangles.empty() ? no_texture_point : model.normal_triangles[i][corner];
+            const MeshPoint place = at(corner), normal = unit(given == no_texture_point ? flat : model.normals[given]);
+            corners.places.insert(corners.places.end(), place.begin(), place.end());
+            corners.normals.insert(corners.normals.end(), normal.begin(), normal.end());
+        }
+    }
+    return corners;
 }
 
+}
+
+void write_glb_parts(const std::filesystem::path& file, std::string json, std::string_view buffer)
+{
+    std::string chunks = glb_chunk("JSON", std::move(json), ' ');
+    if (!buffer.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), std::string(buffer), '\0');
+    std::string head = "glTF";
+    append_word(head, 2);
+    append_word(head, 12 + chunks.size());
+    write_whole_file(file, head + chunks);
 }
 
 void write_surface_glb(const std::filesystem::path& file, std::vector<GltfGroup> groups)
 {
     std::erase_if(groups, [](const GltfGroup& group) { return group.places.empty(); });
-    std::string binary;
-    for (const GltfGroup& group : groups)
-        for (const std::vector<float>* floats : {&group.places, &group.normals})
-            for (const float c : *floats) append_bytes(binary, c);
-    std::string chunks =
-        glb_chunk("JSON", groups.empty() ? R"({"asset":{"version":"2.0"}})" : gltf_of_points(groups), ' ');
-    if (!groups.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), binary, '\0');
-    std::string head = "glTF";
-    append_bytes(head, std::uint32_t{2});
-    append_bytes(head, static_cast<std::uint32_t>(12 + chunks.size()));
-    write_whole_file(file, head + chunks);
+    GltfScene scene;
+    for (const auto& [name, places, normals] : groups) {
+        const std::size_t first = scene.add(places, 3, true), second = scene.add(normals, 3);
+        scene.add_node(name, {{"attributes", {{"POSITION", first}, {"NORMAL", second}}}, {"mode", 0}}); // 0: points
+    }
+    scene.write(file);
+}
+
+void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInstances> groups)
+{
+    constexpr auto extension = "EXT_mesh_gpu_instancing";
+    std::erase_if(groups, [](const GltfInstances& group) { return group.ids.empty(); });
+    GltfScene scene;
+    GltfJson materials = GltfJson::array();
+    for (const GltfInstances& group : groups) {
+        const ModelCorners corners = corners_of(*group.model);
+        const std::size_t places = scene.add(corners.places, 3, true), normals = scene.add(corners.normals, 3);
+        GltfJson attributes{
+            {"TRANSLATION", scene.add(group.places, 3)},
+            {"ROTATION", scene.add(group.turns, 4)},
+            {"SCALE", scene.add(std::vector<float>(3 * group.ids.size(), group.scale), 3)},
+            {"_ID", scene.add(group.ids, 1)},
+        };
+        if (group.of_class) attributes["_CLASS"] = scene.add(std::vector<float>(group.ids.size(), *group.of_class), 1);
+        const std::size_t material = materials.size();
+        materials.push_back({{"pbrMetallicRoughness",
+                              {{"baseColorFactor", {group.color[0], group.color[1], group.color[2], 1}},
+                               {"metallicFactor", 0},
+                               {"roughnessFactor", 0.8}}},
+                             {"doubleSided", true}});
+        scene.add_node(group.name,
+                       {{"attributes", {{"POSITION", places}, {"NORMAL", normals}}}, {"material", material}},
+                       {{"extensions", {{extension, {{"attributes", attributes}}}}}});
+    }
+    GltfJson more = GltfJson::object();
+    if (!groups.empty()) {
+        more["extensionsUsed"] = more["extensionsRequired"] = GltfJson::array({extension});
+        more["materials"] = materials;
+    }
+    scene.write(file, more);
 }
 
 }

@@ -1,8 +1,13 @@
-// Binary glTF 2.0 files of points with normals, in nodes.
+// Binary glTF 2.0 files of points with normals, and of models that stand on points, in nodes.
 #pragma once
 
+#include "base/surfaces/triangle_mesh.hpp"
+
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poissonlab {
@@ -17,5 +22,26 @@ struct GltfGroup
 /// Writes a node with a mesh of points for each group, whole or not at all. Groups without points are left out, because
 /// glTF has no empty meshes. Throws StorageError.
 void write_surface_glb(const std::filesystem::path& file, std::vector<GltfGroup> groups);
+
+/// Copies of a model, which one node of a glTF file draws.
+struct GltfInstances
+{
+    std::string name;
+    const TriangleMesh* model = nullptr;
+    std::array<float, 3> color{};  ///< linear, from 0 to 1
+    std::vector<float> places;     ///< three of each copy
+    std::vector<float> turns;      ///< four of each: quaternions x, y, z, w of length 1
+    std::vector<float> ids;        ///< one of each
+    float scale = 1;               ///< of all copies
+    std::optional<float> of_class; ///< of all copies
+};
+
+/// Writes a node and a mesh for each group, whose copies are attributes of the extension EXT_mesh_gpu_instancing:
+/// TRANSLATION, ROTATION, SCALE, _ID and, for groups with a class, _CLASS, all of them floats. The file requires the
+/// extension. Groups without copies are left out. Throws StorageError.
+void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInstances> groups);
+
+/// Writes a binary glTF file: a description and the bytes of its buffer, which may be empty. Throws StorageError.
+void write_glb_parts(const std::filesystem::path& file, std::string json, std::string_view buffer);
 
 }

@@ -169,6 +169,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
         "faces", s.faces,
         "whether files of points (PLY, CSV) have the face, the barycentric coordinates, and the numbers that the mesh "
         "has at its vertices: normals, colours, texture coordinates and others");
+    surface_model_keys(keys, s.instances, 1);
     keys.tiles(s.tiles);
     const bool has_tiles = s.method == SurfaceMethod::tiles;
     if (keys.is_given("tiles") && !has_tiles)
@@ -207,7 +208,10 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     if (!keys.is_read()) return;
     if (has_quads) keys.check("mesh", [&] { s.quads.read = quad_surface(s.quads); });
     check_surface_keys(keys, s);
+    read_surface_models(keys, s.instances, 1);
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
+    for (const std::string& model : s.instances.names)
+        for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);
 }
 
 std::string surface_label(const MeshPointSettings& s)
@@ -231,6 +235,8 @@ DistributionResult make_surface(const MeshPointSettings& settings, std::uint64_t
         {"points.png", "The points on their surface: left from the front above, right from behind above."});
     write_surface_points(files.add("points.ply", result), surface, set.points, "",
                          settings.faces ? &set.mesh->mesh : nullptr);
+    if (settings.instances.are_given())
+        write_surface_instances(files.add("instances.glb", result), surface, set.points, {}, settings.instances, seed);
     write_points(files.add("points.npy", result), set.places());
     write_points(files.add("normals.npy", result), normals_of(surface, set.points));
     if (!settings.start.empty())

@@ -6,6 +6,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/word_table.hpp"
+#include "host/distribution/surfaces/surface_instances.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/surfaces/surface_darts.hpp"
@@ -91,6 +92,7 @@ struct MeshPointSettings
     SurfaceOrder order = SurfaceOrder::own;      ///< the order of darts
     std::string density, density_from = "light"; ///< density for elimination; empty: it is uniform
     bool faces = false;          ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
+    SurfaceModels instances;     ///< models that glTF has instead of points
     std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points
     std::optional<double> tiles_per_unit;                ///< tiles along a unit of texture coordinates
     QuadSettings quads;                                  ///< settings of method quads

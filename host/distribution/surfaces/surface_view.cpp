@@ -168,15 +168,18 @@ std::vector<std::array<float, 3>> colors_of(const SurfaceDots& dots)
 {
     std::vector<std::array<float, 3>> colors;
     for (const std::uint32_t own : dots.classes)
-        for (std::size_t i = colors.size(); i <= own; ++i) {
-            colors.emplace_back();
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                colors.back()[channel] =
-                    static_cast<float>(std::stoi(class_color(i).substr(1 + 2 * channel, 2), nullptr, 16));
-        }
+        for (std::size_t i = colors.size(); i <= own; ++i) colors.push_back(color_of_class(i));
     return colors;
 }
 
+}
+
+std::array<float, 3> color_of_class(std::size_t own)
+{
+    std::array<float, 3> color{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        color[channel] = static_cast<float>(std::stoi(class_color(own).substr(1 + 2 * channel, 2), nullptr, 16));
+    return color;
 }
 
 PngPixels surface_view(const FixedSurface& surface, const std::vector<SurfacePoint>& points, const SurfaceDots& dots,

@@ -4,6 +4,8 @@
 #include "base/images/png_file.hpp"
 #include "host/sampling/surfaces/fixed_surface.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct SurfaceDots
     bool is_closed = false; ///< the surface has no open edges, and points on triangles that face away are hidden
     std::vector<std::uint32_t> classes{}; ///< of each point, whose dots have a colour for each class; empty: black dots
 };
+
+/// The colour of a class in pictures and files: red, green, blue of sRGB, from 0 to 255.
+std::array<float, 3> color_of_class(std::size_t own);
 
 /// Draws both views, `pixels` wide together: triangles in the light from the viewer, points as dots where the surface
 /// does not hide them. z points upwards. The picture is as high as the views need, and no higher than half its width.

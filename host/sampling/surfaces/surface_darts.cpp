@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
+#include "base/programs/large_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -59,19 +60,21 @@ void mark_if_last(const FixedSurface& surface, SurfacePiece& piece)
     if (edge.squared <= std::uint64_t{LIMIT} * LIMIT || !is_exact) piece.halvings |= LAST_PIECE;
 }
 
-void add_halves(const FixedSurface& surface, const SurfacePiece& piece, std::vector<SurfacePiece>& to)
+/// Puts the halves of a piece into two places. Returns the next one.
+SurfacePiece* put_halves(const FixedSurface& surface, const SurfacePiece& piece, SurfacePiece* to)
 {
     const std::size_t from = longest_edge(surface, piece).from;
     const std::size_t ends[2] = {2 * from, 2 * ((from + 1) % 3)};
     for (const std::size_t replaced : ends) {
-        SurfacePiece half = piece;
+        SurfacePiece& half = *to++;
+        half = piece;
         for (std::size_t k = 0; k < 2; ++k)
             half.shares[replaced + k] =
                 static_cast<std::uint32_t>((piece.shares[ends[0] + k] + std::uint64_t{piece.shares[ends[1] + k]}) / 2);
         ++half.halvings;
         mark_if_last(surface, half);
-        to.push_back(half);
     }
+    return to;
 }
 
 constexpr std::size_t least_surface_batch = 256, most_surface_batch = std::size_t{1} << 19;
@@ -264,20 +267,22 @@ namespace {
 /// Pieces that are refined together.
 constexpr std::size_t refined_together = 1 << 14;
 
+/// Refines pieces `begin` to `end`, and puts what is left of them into places from `to` on.
 RefinedPieces refined_from(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
-                           const std::vector<std::uint32_t>& states, std::size_t begin, std::size_t end)
+                           const std::vector<std::uint32_t>& states, std::size_t begin, std::size_t end,
+                           SurfacePiece* to)
 {
-    RefinedPieces left;
+    RefinedPieces seen;
     for (std::size_t i = begin; i < end; ++i) {
-        if (states[i] == PIECE_SMALL) left.small_area += area_of(surface, pieces[i]);
-        left.is_finer = left.is_finer || states[i] != PIECE_OPEN || !is_last(pieces[i]);
+        if (states[i] == PIECE_SMALL) seen.small_area += area_of(surface, pieces[i]);
+        seen.is_finer = seen.is_finer || states[i] != PIECE_OPEN || !is_last(pieces[i]);
         if (states[i] != PIECE_OPEN) continue;
         if (is_last(pieces[i]))
-            left.pieces.push_back(pieces[i]);
+            *to++ = pieces[i];
         else
-            add_halves(surface, pieces[i], left.pieces);
+            to = put_halves(surface, pieces[i], to);
     }
-    return left;
+    return seen;
 }
 
 }
@@ -285,14 +290,21 @@ RefinedPieces refined_from(const FixedSurface& surface, const std::vector<Surfac
 RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
                       const std::vector<std::uint32_t>& states)
 {
-    std::vector<RefinedPieces> parts((pieces.size() + refined_together - 1) / refined_together);
-    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
-        const std::size_t begin = part * refined_together, end = std::min(begin + refined_together, pieces.size());
-        parts[part] = refined_from(surface, pieces, states, begin, end);
-    });
+    const std::size_t count = (pieces.size() + refined_together - 1) / refined_together;
+    std::vector<std::size_t> starts(count + 1); // of what is left of each part
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (states[i] == PIECE_OPEN) starts[i / refined_together + 1] += is_last(pieces[i]) ? 1 : 2;
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
     RefinedPieces left;
+    left.pieces.reserve(starts.back());
+    ask_for_large_pages(left.pieces.data(), starts.back() * sizeof(SurfacePiece));
+    left.pieces.resize(starts.back());
+    std::vector<RefinedPieces> parts(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t part) {
+        const std::size_t begin = part * refined_together, end = std::min(begin + refined_together, pieces.size());
+        parts[part] = refined_from(surface, pieces, states, begin, end, left.pieces.data() + starts[part]);
+    });
     for (const RefinedPieces& part : parts) {
-        left.pieces.insert(left.pieces.end(), part.pieces.begin(), part.pieces.end());
         left.small_area += part.small_area;
         left.is_finer = left.is_finer || part.is_finer;
     }
@@ -324,6 +336,7 @@ SurfacePieceChoice surface_piece_choice(const std::vector<double>& weights)
     }
     choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(weights.size()))) - 1;
     __extension__ using Wide = unsigned __int128;
+    choice.guide.reserve(std::size_t{1} << choice.guide_bits);
     std::uint32_t piece = 0;
     for (std::uint64_t i = 0; i < std::uint64_t{1} << choice.guide_bits; ++i) {
         const auto target = static_cast<std::uint64_t>(Wide{i} * choice.total() >> choice.guide_bits);
