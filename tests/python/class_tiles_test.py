@@ -19,7 +19,7 @@ class EvenTiles(unittest.TestCase):
             self.assertAlmostEqual(value, 1, delta=5 / count**0.5)
         lattice = numpy.stack(numpy.meshgrid(numpy.arange(64), numpy.arange(64)), axis=2).reshape(-1, 2) / 4
         peaks, low, middle = even_numbers(lattice, 16)
-        # Of the 68 frequencies up to 4.5 cycles a tile, the four at 4 cycles have all points in phase: power 4096.
+        # Four of the 68 frequencies up to 4.5 cycles a tile, those of 4 cycles, have all points in phase: power 4096.
         self.assertAlmostEqual(peaks, 4 * 4096 / 68, places=6)
         self.assertLess(max(low, middle), 1e-20)
 

@@ -68,7 +68,7 @@ TEST_P(SpatstatClasses, MarkCorrelationIsTheSame)
 {
     const std::vector<double> found = mark_correlation(all, test::spatstat_classes, place, steps, 0).values;
     ASSERT_EQ(found.size(), expected.marks.size());
-    // Of random pairs of points, 0.38 are of one class: no mark correlation is larger than the inverse.
+    // In 0.38 of all pairs both points are of one class: no mark correlation is larger than the inverse.
     const double largest = 180.0 * 179 / (30 * 29 + 60 * 59 + 90 * 89);
     for (std::size_t k = 0; k < found.size(); ++k) {
         EXPECT_NEAR(found[k], expected.marks[k], std::max((is_rectangle ? 1e-11 : 1e-7) * found[k], 1e-12)) << k;
