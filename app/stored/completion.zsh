@@ -17,7 +17,7 @@ _poissonlab()
         'devices' '--json --help'
         'diff' '--out --json --all --help'
         'distribute' 'warp rank stipple hatch icons instances darts points classes surface mri-mask dither-mask objects recursive surface-classes'
-        'distribute classes' '--region --planar --crs --overlap --buffer --along --obstacles --obstacle-distance --points --distances --matrix --relative-radius --per-length --densities --densities-from --feature-points --feature-densities --factor --dimension --colors --sets --tiles --torus --seed --engine --device --quiet --json --out --spectra --help'
+        'distribute classes' '--region --planar --crs --overlap --buffer --along --obstacles --obstacle-distance --points --distances --matrix --relative-radius --per-length --densities --densities-from --feature-points --feature-densities --factor --dimension --colors --joint-iterations --equal-moments --sets --tiles --torus --seed --engine --device --quiet --json --out --spectra --help'
         'distribute classes --engine' 'opencl reference'
         'distribute classes --overlap' 'union refuse'
         'distribute darts' '--region --planar --crs --overlap --buffer --along --points --min-distance --min-distance-from --distance-range --between --relative-radius --boundary --obstacles --obstacle-distance --seed --engine --device --quiet --json --out --distances --help'

@@ -37,20 +37,22 @@ double min_distance_with(double edge, const MonotilePointsFile& file, const Regi
     return distance - 2 * distance_rounding(distance, box);
 }
 
-MonotileRegion::MonotileRegion(const MonotilePointsFile& file, std::shared_ptr<const FixedRegion> region, double edge)
+MonotileRegion::MonotileRegion(const MonotilePointsFile& file, std::shared_ptr<const FixedRegion> region, double edge,
+                               const std::array<std::int64_t, 2>& shift)
     : file_(file), region_(std::move(region)), edge_(edge)
 {
     const RegionBox& box = region_->box();
     for (std::size_t k = 0; k < 2; ++k) {
         const double first = box.low[k] / edge, last = box.high[k] / edge, step = file_.step()[k];
         const double origin = between_origins * std::round(first / step / between_origins);
-        if (!(std::abs(origin) <= static_cast<double>(farthest_monotile_origin)))
+        if (!(std::abs(origin) + std::abs(static_cast<double>(shift[k])) <=
+              static_cast<double>(farthest_monotile_origin)))
             throw InputError(fmt::format("with edges of {:.4g} units it lies {:.3g} edges from 0: must be at most 2^40",
                                          edge, std::max(std::abs(first), std::abs(last))));
         if (!(last - first <= between_origins))
             throw InputError(fmt::format("takes {:.0f} edges of {:.4g} units along an axis: must be at most {:.0f}",
                                          last - first, edge, between_origins));
-        origin_[k] = static_cast<std::int64_t>(origin);
+        origin_[k] = static_cast<std::int64_t>(origin) + shift[k];
         from_origin_[k] = origin * step;
         // Points on the upper border are inside of regions.
         low_[k] = first - from_origin_[k] - 1;

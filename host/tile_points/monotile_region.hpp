@@ -1,8 +1,8 @@
 // A region of the plane that is filled with the points of hats or spectres, in the region's own units.
 //
 // Edges of the tiles are so long that the proven minimum distance becomes the one that is asked for. The tiling's
-// origin is that of the region's coordinates, so that regions beside each other, at one scale, are parts of one endless
-// set.
+// origin is that of the region's coordinates, unless it is shifted, so that regions beside each other, at one scale,
+// are parts of one endless set.
 #pragma once
 
 #include "base/regions/fixed_region.hpp"
@@ -25,8 +25,10 @@ double min_distance_with(double edge, const MonotilePointsFile& file, const Regi
 class MonotileRegion
 {
 public:
-    /// `edge` in units of the region. Throws InputError, a sentence, where so many edges have no place in a window.
-    MonotileRegion(const MonotilePointsFile& file, std::shared_ptr<const FixedRegion> region, double edge);
+    /// `edge` in units of the region. `shift` is the place of the tiling at the origin of the region's coordinates, in
+    /// steps of the file. Throws InputError, a sentence, where so many edges have no place in a window.
+    MonotileRegion(const MonotilePointsFile& file, std::shared_ptr<const FixedRegion> region, double edge,
+                   const std::array<std::int64_t, 2>& shift = {});
 
     double edge() const { return edge_; }
 
@@ -44,7 +46,7 @@ private:
     MonotilePointsFile file_;
     std::shared_ptr<const FixedRegion> region_;
     double edge_;
-    std::array<std::int64_t, 2> origin_{};
+    std::array<std::int64_t, 2> origin_{}; ///< of windows, in the tiling
     std::array<double, 2> from_origin_{}, low_{},
         high_{};       ///< the origin's place, and the box as seen from it, in edges
     double strip_ = 1; ///< the height of a strip

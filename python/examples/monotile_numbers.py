@@ -137,8 +137,8 @@ def print_directions(count):
     """The variance of the power on circles over its squared mean, and of means over turned windows."""
     print("\n| | power on circles | mean over sixths | mean over twelfths |\n| --- | --- | --- | --- |")
     random = numpy.random.default_rng(3)
-    deviation, angles = 16, 360
-    frequencies = numpy.arange(0.5, 1.8, 0.05)
+    deviation, angles, between = 16, 360, 0.05
+    frequencies = numpy.arange(0.5, 1.8, between)
     for kind in ["hat", "spectre"]:
         tiles = built(kind, 4, 0)
         spacing = tiles.density**-0.5
@@ -146,13 +146,17 @@ def print_directions(count):
         for points in windows(tiles, 6 * deviation * spacing, max(4, count // 16), random):
             points = points / spacing
             weights = numpy.exp((points**2).sum(axis=1) / (-2 * deviation**2))
-            ratios = []
-            for frequency in frequencies:
-                turn = 2 * numpy.pi * numpy.arange(angles) / angles
-                waves = numpy.exp(-2j * numpy.pi * frequency * (numpy.stack([numpy.cos(turn), numpy.sin(turn)], 1) @ points.T))
-                power = abs(waves @ weights)**2
-                ratio = lambda p: p.var() / p.mean()**2
-                ratios.append([ratio(power)] + [ratio(power.reshape(n, -1).mean(axis=0)) for n in (6, 12)])
+            # Sums at opposite frequencies are conjugate: half of the circle has all powers. From one frequency of a
+            # direction to the next one, all waves turn by the same factors.
+            power = numpy.empty((len(frequencies), angles))
+            for k, turn in enumerate(2 * numpy.pi * numpy.arange(angles // 2) / angles):
+                phases = -2j * numpy.pi * (points @ [numpy.cos(turn), numpy.sin(turn)])
+                waves, factors = weights * numpy.exp(frequencies[0] * phases), numpy.exp(between * phases)
+                for row in power:
+                    row[[k, k + angles // 2]] = abs(waves.sum())**2
+                    waves *= factors
+            ratio = lambda p: p.var() / p.mean()**2
+            ratios = [[ratio(row)] + [ratio(row.reshape(n, -1).mean(axis=0)) for n in (6, 12)] for row in power]
             found.append(10 * numpy.log10(numpy.mean(ratios, axis=0)))
         mean, error = mean_and_error(found)
         print(f"| {kind}s, 4 points |" + "".join(f" {m:.1f} ± {e:.1f} dB |" for m, e in zip(mean, error)), flush=True)

@@ -146,12 +146,17 @@ bool can_be_true(const MonotileTable& table)
 
 }
 
+std::string ranked_monotile_file(const MonotileTable& table, std::uint32_t levels)
+{
+    return monotile_file_bytes(table, levels, monotile_ranks(table, levels));
+}
+
 std::string built_monotile_file(const PolygonTiling& tiling, std::uint32_t points, std::uint32_t levels,
                                 const std::function<void(const std::string& what)>& on_step)
 {
     const MonotileTable table = build_monotile_table(tiling, points, levels, on_step);
     if (on_step) on_step(tiling.title + ": ranks");
-    return monotile_file_bytes(table, levels, monotile_ranks(table, levels));
+    return ranked_monotile_file(table, levels);
 }
 
 MonotileTable proven_monotile_table(const MonotilePointsFile& file, const PolygonTiling& tiling)

@@ -11,6 +11,9 @@
 
 namespace poissonlab {
 
+/// Ranks the points of a table, and returns the bytes of a file. `levels` are those of monotile_states().
+std::string ranked_monotile_file(const MonotileTable& table, std::uint32_t levels);
+
 /// Builds the table of a tiling, "hat" or "spectre", ranks its points, and returns the bytes of a file. See
 /// build_monotile_table().
 std::string built_monotile_file(const PolygonTiling& tiling, std::uint32_t points, std::uint32_t levels,

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace poissonlab {
@@ -72,6 +73,10 @@ void check_counts(const ClassSettings& settings, const std::vector<std::size_t>&
         double share = 1;
         for (std::size_t j = 0; j < counts.size(); ++j)
             if (asked[j] > 0) share = std::min(share, static_cast<double>(counts[j]) / static_cast<double>(asked[j]));
+        // A class without any point says nothing of the distances that it would have room for: all points together do.
+        if (share == 0)
+            share =
+                std::accumulate(counts.begin(), counts.end(), 0.0) / std::accumulate(asked.begin(), asked.end(), 0.0);
         const double scale = std::pow(share, 1.0 / dimension);
         throw InputError(
             fmt::format("{}class {} is full with {} of {} points: no further one fits; {} can be reached", where, i,

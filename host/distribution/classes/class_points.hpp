@@ -43,10 +43,12 @@ struct ClassSettings
     double relative_radius = 0.62;    ///< of each class, where there are no distances
     double factor = 1; ///< all distances are multiplied by it where a class with points to come is full; 1: an error
     int dimension = 2;
-    std::uint32_t colors = 0;    ///< of corner tiles that are built, whose points and distances these are; 0: none
-    std::filesystem::path tiles; ///< a tile set whose points have classes, instead of all of these; empty: darts
-    std::uint32_t torus = 12;    ///< tiles along each axis
-    std::uint32_t sets = 1;      ///< that spectra are means over; files have the first
+    std::uint32_t colors = 0; ///< of corner tiles that are built, whose points and distances these are; 0: none
+    std::uint32_t joint_iterations = 0; ///< how often tiles that are built are relaxed together
+    std::uint32_t equal_moments = 0;    ///< order up to which the points of each class have the same moments in them
+    std::filesystem::path tiles;        ///< a tile set whose points have classes, instead of all of these; empty: darts
+    std::uint32_t torus = 12;           ///< tiles along each axis
+    std::uint32_t sets = 1;             ///< that spectra are means over; files have the first
 
     std::size_t classes() const;
     bool has_tiles() const { return colors > 0 || !tiles.empty(); }

@@ -34,10 +34,13 @@ bool has_tiles(const Keys& keys)
     const bool has_tiles = keys.is_given("tiles");
     if (!has_tiles && !keys.is_given("colors") && keys.is_given("torus"))
         throw keys.invalid("torus", fmt::format("needs {} or {}", keys.name_of("tiles"), keys.name_of("colors")));
-    for (const char* key : {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors",
-                            "densities", "densities_from", "feature_points", "feature_densities", "per_length"})
+    for (const char* key :
+         {"points", "distances", "matrix", "relative_radius", "factor", "dimension", "colors", "joint_iterations",
+          "equal_moments", "densities", "densities_from", "feature_points", "feature_densities", "per_length"})
         if (has_tiles && keys.is_given(key))
             throw keys.invalid(key, "cannot be combined with " + keys.name_of("tiles"));
+    for (const char* key : {"joint_iterations", "equal_moments"})
+        if (keys.is_given(key) && !keys.is_given("colors")) throw keys.invalid(key, "needs " + keys.name_of("colors"));
     return has_tiles;
 }
 
@@ -68,7 +71,7 @@ void place_keys(Keys& keys, ClassSettings& s)
     for (const char* key : {"along", "planar", "crs", "overlap", "buffer", "obstacles"})
         if (!s.has_region() && keys.is_given(key)) throw keys.invalid(key, "needs " + keys.name_of("region"));
     if (!s.has_region()) return;
-    for (const char* key : {"dimension", "colors", "sets", "tiles", "torus"})
+    for (const char* key : {"dimension", "colors", "joint_iterations", "equal_moments", "sets", "tiles", "torus"})
         if (keys.is_given(key)) throw keys.invalid(key, "cannot be combined with " + keys.name_of("region"));
     if (s.place.is_in_space()) throw keys.invalid("region", "must be a region of the plane, and this one is of space");
     for (const char* key : {"overlap", "buffer", "densities", "densities_from", "feature_points", "feature_densities"})
@@ -150,6 +153,10 @@ void class_keys(Keys& keys, ClassSettings& s)
     keys.integer("colors", s.colors, 1, 16,
                  "corner tiles of so many colors are built: points are those of a tile, distances in tiles")
         .otherwise("no tiles are built");
+    keys.integer("joint_iterations", s.joint_iterations, 0, 100000,
+                 "with colors: how often all tiles are relaxed together, and the mean tile is made even");
+    keys.integer("equal_moments", s.equal_moments, 0, 2,
+                 "with colors: the order up to which the points of each class have the same moments in all tiles");
     keys.integer("sets", s.sets, 1, 1000, "sets whose spectra are averaged; points are those of the first");
     keys.tiles(s.tiles).otherwise("darts are thrown");
     keys.integer("torus", s.torus, 1, 4096, "with tiles or colors: so many along each axis, whose opposite edges fit");
@@ -178,7 +185,9 @@ std::string class_label(const ClassSettings& s)
     if (!s.tiles.empty())
         return fmt::format("classes of {0}, {1} x {1} tiles", name_of_input(s.tiles.string()), s.torus);
     if (s.colors > 0)
-        return fmt::format("classes of {0} x {0} corner tiles of {1} points", s.torus, fmt::join(s.points, ", "));
+        return fmt::format("classes of {0} x {0} corner tiles of {1} points{2}{3}", s.torus, fmt::join(s.points, ", "),
+                           s.joint_iterations > 0 ? fmt::format(", relaxed {} times", s.joint_iterations) : "",
+                           s.equal_moments > 0 ? fmt::format(", equal moments {}", s.equal_moments) : "");
     const std::string where = s.has_region() ? (s.is_along() ? " along " : " in ") + name_of_input(s.place.region) : "";
     if (!s.features.is_empty()) return fmt::format("{} classes{}, by features", s.classes(), where);
     return s.points.empty() ? fmt::format("{} classes{}, saturated", s.classes(), where)

@@ -63,6 +63,8 @@ PoissonTileParameters class_tile_parameters(const ClassSettings& settings, std::
     asked.values.set("relative_radius", settings.relative_radius);
     asked.values.set("points_per_tile",
                      std::accumulate(settings.points.begin(), settings.points.end(), std::int64_t{0}));
+    if (settings.joint_iterations > 0) asked.values.set("joint_iterations", std::int64_t{settings.joint_iterations});
+    if (settings.equal_moments > 0) asked.values.set("equal_moments", std::int64_t{settings.equal_moments});
     asked.class_distances = settings.distances;
     asked.class_matrix = settings.matrix;
     return asked.parameters(seed);

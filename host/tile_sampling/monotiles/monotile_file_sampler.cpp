@@ -67,19 +67,11 @@ class MonotileFileSampler final : public Sampler
 {
 public:
     MonotileFileSampler(const Parameters& given, SampleRequest request)
-        : request_(std::move(request)), file_(given_file(given)), density_(given.number(density_key)),
-          kept_(kept_points(given, file_))
-    {
-        check_density(given, file_, request_);
-        const auto begin = std::chrono::steady_clock::now();
-        if (request_.on_step) request_.on_step(fmt::format("{}: the proof of the minimum distance", file_.name()));
-        try {
-            distances_ = proven_monotile_table(file_, built_in_tiling(file_.tiling())).distances;
-        } catch (const InputError& error) {
-            throw file_error(given, error.what());
-        }
-        preparation_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
+        : request_(std::move(request)), begin_(std::chrono::steady_clock::now()),
+          proven_(proven_monotile_file(given, request_)), density_(given.number(density_key)),
+          kept_(kept_points(given, proven_.file)),
+          preparation_seconds_(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count())
+    {}
 
     PointSet sample(std::uint32_t realization) override
     {
@@ -93,10 +85,10 @@ public:
                                                      static_cast<std::int32_t>(words[1])};
             std::array<double, 2> low{}, high{};
             for (std::size_t axis = 0; axis < 2; ++axis) {
-                low[axis] = words[2 + axis] * 0x1p-32 * file_.step()[axis] - side() / 2;
+                low[axis] = words[2 + axis] * 0x1p-32 * proven_.file.step()[axis] - side() / 2;
                 high[axis] = low[axis] + side();
             }
-            for (const pmono_point& point : file_.in_window(words[0], origin, low, high, density_)) {
+            for (const pmono_point& point : proven_.file.in_window(words[0], origin, low, high, density_)) {
                 if (point.index >= kept_) continue;
                 for (std::size_t axis = 0; axis < 2; ++axis)
                     set.coordinates.push_back(std::min((point.position[axis] - low[axis]) / side(), below_one));
@@ -108,7 +100,8 @@ public:
     SetTraits traits() const override
     {
         SetTraits traits{.sizes_vary = true, .is_window = true};
-        traits.proven_relative_radius = relative_radius(distances_[kept_ - 1].length() / side(), request_.points, 2);
+        traits.proven_relative_radius =
+            relative_radius(proven_.distances[kept_ - 1].length() / side(), request_.points, 2);
         traits.preparation_seconds = preparation_seconds_;
         return traits;
     }
@@ -117,15 +110,15 @@ private:
     /// The side of a window, in edges.
     double side() const
     {
-        const double kept = static_cast<double>(kept_) / file_.set().points_per_tile;
-        return std::sqrt(static_cast<double>(request_.points) / (file_.density() * density_ * kept));
+        const double kept = static_cast<double>(kept_) / proven_.file.set().points_per_tile;
+        return std::sqrt(static_cast<double>(request_.points) / (proven_.file.density() * density_ * kept));
     }
 
     SampleRequest request_;
-    MonotilePointsFile file_;
+    std::chrono::steady_clock::time_point begin_;
+    ProvenMonotileFile proven_;
     double density_;
     std::uint32_t kept_;
-    std::vector<SquaredLength> distances_;
     double preparation_seconds_ = 0;
 };
 
@@ -143,6 +136,19 @@ std::vector<ParameterSpec> monotile_file_parameters()
              .exclusive_minimum = true,
              .symbol = "density",
              .otherwise = 1.0}};
+}
+
+ProvenMonotileFile proven_monotile_file(const Parameters& given, const SampleRequest& request)
+{
+    MonotilePointsFile file = given_file(given);
+    check_density(given, file, request);
+    if (request.on_step) request.on_step(fmt::format("{}: the proof of the minimum distance", file.name()));
+    try {
+        std::vector<SquaredLength> distances = proven_monotile_table(file, built_in_tiling(file.tiling())).distances;
+        return {std::move(file), std::move(distances)};
+    } catch (const InputError& error) {
+        throw file_error(given, error.what());
+    }
 }
 
 bool has_monotile_file(const Parameters& given) { return given.is_given(tiles_key); }

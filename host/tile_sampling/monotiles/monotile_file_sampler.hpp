@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/sampling/sampler.hpp"
+#include "tiles/monotiles/monotile_file.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,14 @@ void check_monotile_file(const std::string& tiling, const Parameters& given, con
 
 /// Returns a hash of the file's bytes: SamplerSpec::outside_input.
 std::uint64_t monotile_file_hash(const Parameters& given);
+
+/// Reads the file, and proves its distances. Throws InputError, with the place, for a file that promises others.
+struct ProvenMonotileFile
+{
+    MonotilePointsFile file;
+    std::vector<SquaredLength> distances; ///< [k - 1]: of the points with numbers below k
+};
+ProvenMonotileFile proven_monotile_file(const Parameters& given, const SampleRequest& request);
 
 /// Proves the distances of the file. Throws InputError, with the place, for a file that promises others.
 std::unique_ptr<Sampler> monotile_file_sampler(const Parameters& given, const SampleRequest& request);
