@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace fs = std::filesystem;
 
 namespace poissonlab {
@@ -74,6 +76,19 @@ RunPlan plan_run(const RunOptions& options, int threads)
     plan.runs.front().experiment.command = options.command;
     ResultFolder::check(plan.out, folder_names(plan.runs.front().experiment));
     return plan;
+}
+
+std::optional<Shard> parse_shard(const std::string& command, const std::string& text)
+{
+    if (text.empty()) return std::nullopt;
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto number = std::from_chars(text.data(), end, shard.number);
+    const bool has_count = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
+    const auto count = has_count ? std::from_chars(number.ptr + 1, end, shard.count) : number;
+    if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.number < 1 || shard.number > shard.count)
+        throw InputError(command + ": --shard " + text + ": must be i/n, with i from 1 to n");
+    return shard;
 }
 
 }

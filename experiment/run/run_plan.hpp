@@ -34,4 +34,7 @@ struct RunPlan
 /// the user, or the crew, restricts threads. Throws InputError and DeviceError.
 RunPlan plan_run(const RunOptions& options, int threads);
 
+/// The value of the option --shard of a command, "i/n"; none for an empty text. Throws InputError.
+std::optional<Shard> parse_shard(const std::string& command, const std::string& text);
+
 }

@@ -52,6 +52,7 @@ const std::vector<std::pair<std::string, JsonCase>>& json_cases()
         {"tiling", {"cube --colors 2 --window 0 0 0 2 1 2", "layers"}},
         {"packing", {"corner --colors 2", "tiles"}},
         {"packing", {"corner --colors 2 --all", "packings"}},
+        {"packing", {"corner --colors 2 --count", "packings", "32"}},
         {"distribute warp", {"--density 1 --points 16 --method random --out a.txt", "least_spacing"}},
         {"distribute rank", {"--density 1 --points 64 --out a.txt", "asked_for", "64"}},
         {"distribute darts", {"--region 'rectangle 0 0 3 2' --points 9 --quiet --out a.txt", "area", "6"}},

@@ -1,12 +1,16 @@
 // poissonlab packing: what it prints is a packing, by its own words and by a reader of this test.
 #include "tests/support/command_test.hpp"
 #include "tests/support/picture.hpp"
+#include "tests/support/started_program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <sstream>
+#include <thread>
 
 namespace poissonlab {
 namespace {
@@ -80,6 +84,70 @@ TEST_F(PackingCommand, PrintsAllOfTwoColors)
     EXPECT_TRUE(is_packing(rows_of(all.substr(0, all.find("\n\n") + 1)), true, 2));
 }
 
+TEST_F(PackingCommand, SearchesByEveryMethod)
+{
+    const std::vector<std::pair<std::string, int>> searches{{"corner --method fewest --colors ", 3},
+                                                            {"corner --method pegs --seed 2 --colors ", 2},
+                                                            {"corner --method symmetric --colors ", 4},
+                                                            {"wang --method symmetric --colors ", 4},
+                                                            {"wang --method search --colors ", 3}};
+    for (const auto& [words, colors] : searches) {
+        const std::string arguments = words + std::to_string(colors);
+        const std::string rows = printed(arguments + " --threads 1");
+        EXPECT_TRUE(is_packing(rows_of(rows), arguments[0] == 'c', colors)) << arguments;
+        EXPECT_EQ(printed(arguments + " --threads 3"), rows);
+    }
+}
+
+TEST_F(PackingCommand, CountsThoseOfTwoColorsAloneAndInShards)
+{
+    EXPECT_EQ(printed("corner --colors 2 --count"), "32\n");
+    EXPECT_EQ(printed("corner --colors 2 --count --method fewest --checkpoint c.txt"), "32\n");
+    EXPECT_EQ(printed("corner --colors 2 --count --method fewest --checkpoint c.txt"), "32\n") << "from its file";
+    EXPECT_EQ(printed("wang --colors 2 --count"), "203520\n");
+    int sum = 0;
+    for (const std::string shard : {"1/3", "2/3", "3/3"})
+        sum += std::stoi(printed("wang --colors 2 --count --shard " + shard));
+    EXPECT_EQ(sum, 203'520);
+}
+
+/// A search of four colours is interrupted, goes on, is killed, and goes on: it loses nothing.
+TEST_F(PackingCommand, GoesOnFromItsCheckpoint)
+{
+    const std::vector<std::string> words = {"packing", "corner", "--colors",     "4",    "--method", "search",
+                                            "--seed",  "7",      "--checkpoint", "c.txt"};
+    const auto nodes_after = [&](int signal) {
+        StartedProgram process(folder_.path(), words);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        process.send(signal);
+        const int status = process.wait();
+        if (signal == SIGINT) {
+            EXPECT_EQ(WEXITSTATUS(status), 130);
+            EXPECT_EQ(content_of(folder_.path() / "log"),
+                      "poissonlab: note: the dissertation's search for one packing of 4 colours took 280 days of "
+                      "processor time; --method symmetric takes a second\n"
+                      "poissonlab: interrupted; the same command goes on from c.txt\n");
+        }
+        const std::string state = content_of(folder_.path() / "c.txt");
+        double sum = 0;
+        for (std::size_t at = 0; (at = state.find("\"nodes\":", at)) != std::string::npos; ++at)
+            sum += std::stod(state.substr(at + 8));
+        return sum;
+    };
+    const double first = nodes_after(SIGINT);
+    EXPECT_GT(first, 0);
+    EXPECT_GE(nodes_after(SIGKILL), first);
+    EXPECT_GT(nodes_after(SIGINT), first);
+    expect_error(
+        "corner --colors 4 --method search --seed 8 --quiet --checkpoint c.txt",
+        "c.txt: is of another search: one packing of corner tiles over 4 colours by tiles, seed 7, 65536 nodes "
+        "a round, shard 1/1; this one is: one packing of corner tiles over 4 colours by tiles, seed 8, 65536 "
+        "nodes a round, shard 1/1");
+    folder_.write("c.txt", content_of(folder_.path() / "c.txt") + "x");
+    expect_error("corner --colors 4 --method search --seed 7 --quiet --checkpoint c.txt",
+                 "c.txt: is damaged, or no checkpoint of a search for packings");
+}
+
 TEST_F(PackingCommand, VerifiesWhatItPrinted)
 {
     folder_.write("p.txt", printed("corner --colors 3"));
@@ -112,7 +180,7 @@ TEST_F(PackingCommand, WrongArguments)
     expect_error("corner --colors 1", "packing: --colors 1: must be an integer from 2 to 256");
     expect_error("corner --colors 2 --method serach",
                  "packing: --method serach: must be one of \"closed\", \"printed\", \"product\", \"eulerian\", "
-                 "\"search\", \"grown\"; did you mean \"search\"?");
+                 "\"search\", \"pegs\", \"fewest\", \"symmetric\", \"grown\"; did you mean \"search\"?");
     expect_error("wang --colors 2 --method product", "packing: --method product: is for wang tiles of 3 colours");
     expect_error("corner --colors 3 --all", "packing: --all with --colors 3: must be 2, nobody has seen all others");
     expect_error("corner --colors 2 --method eulerian", "packing: --method eulerian: is for wang tiles");
@@ -124,6 +192,20 @@ TEST_F(PackingCommand, WrongArguments)
                  "packing: --kerf 1: must be a number from 0 to 0.6, in millimetres");
     expect_error("corner --colors 3 --puzzle a.svg --piece nan",
                  "packing: --piece nan: must be a number from 5 to 500, in millimetres");
+    expect_error("corner --colors 5 --method search", "packing: --method search: has at most 4 colours");
+    expect_error("wang --colors 6 --method symmetric", "packing: --method symmetric: has at most 5 colours");
+    expect_error("corner --colors 2 --method symmetric",
+                 "packing: --method symmetric: is for corner tiles of 3 colours or more: of 2 there are none");
+    expect_error("wang --colors 3 --method fewest", "packing: --method fewest: is for corner tiles");
+    expect_error("corner --colors 5 --count", "packing: --colors 5: must be at most 4 to be searched");
+    expect_error("corner --colors 2 --count --all", "packing: --all and --count: only one of them");
+    expect_error("corner --colors 2 --count --out a.png",
+                 "packing: --count prints only: not with --verify, --out or --puzzle");
+    expect_error(
+        "corner --colors 3 --checkpoint c.txt",
+        "packing: --checkpoint: is for searches only: --all, --count, --method search, pegs, fewest or symmetric");
+    expect_error("corner --colors 3 --method search --shard 4/3",
+                 "packing: --shard 4/3: must be i/n, with i from 1 to n");
     expect_error("corner --colors 5 --method printed", "packing: --method printed: has at most 4 colours");
 }
 

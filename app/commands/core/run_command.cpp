@@ -18,7 +18,6 @@
 
 #include <unistd.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -44,19 +43,6 @@ only what these change. Several processes share the work:
   poissonlab run CONFIG --out DIR --shard 1/3         and 2/3, 3/3, each anywhere; if DIR is shared, the last one writes
                                                       the results; if not, `poissonlab merge`, then run without
                                                       --shard)";
-
-std::optional<Shard> parse_shard(const std::string& text)
-{
-    if (text.empty()) return std::nullopt;
-    Shard shard;
-    const char* const end = text.data() + text.size();
-    const auto number = std::from_chars(text.data(), end, shard.number);
-    const bool has_count = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
-    const auto count = has_count ? std::from_chars(number.ptr + 1, end, shard.count) : number;
-    if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.number < 1 || shard.number > shard.count)
-        throw InputError("run: --shard " + text + ": must be i/n, with i from 1 to n");
-    return shard;
-}
 
 /// Throws InputError before any work is done if the results could not be written at the end.
 void check_writable(const fs::path& out)
@@ -152,7 +138,7 @@ void write_final_report(const RunPlan& plan, const CollectionFile& done, Progres
 
 void run(const RunOptions& options)
 {
-    const auto shard = parse_shard(options.shard);
+    const auto shard = parse_shard("run", options.shard);
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(options.threads, *crew));
     RunPlan plan;

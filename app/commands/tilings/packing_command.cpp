@@ -1,6 +1,7 @@
 // poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
 #include "app/commands/kind_options.hpp"
 #include "app/commands/output_file.hpp"
+#include "app/commands/tilings/packing_search_work.hpp"
 #include "app/commands/tilings/tile_rows.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
@@ -26,20 +27,31 @@ Prints tile indices, a row of tiles a line, north first, as `tiling` does.
   printed    C = 2, 3, 4: the dissertation's, found by search
   product    wang, C = 3: the dissertation's, by the product of two circuits of dominoes
   eulerian   wang: the product of two random Eulerian circuits of dominoes, all of them equally likely
-  search     C = 2, 3, 4 (4 takes years): the first one with tiles tried in random order; good for puzzles
+  search     C = 2, 3, 4: the first one with tiles tried in random order; good for puzzles. The dissertation's search
+             for one of 4 colours took 280 days (corner) and 23 years (wang) of processor time
+  pegs       corner, C = 2, 3, 4: the same with the colours of corners, one after another
+  fewest     corner, C = 2, 3, 4: where a corner has the fewest colours left first; the fastest of these three for C = 3
+  symmetric  C = 2 to 5 (corner: from 3 on): one that is the same after C places to the east and with the next colours;
+             a second or seconds
   grown      corner, C = 3: a random one around the printed one of two colours; seconds
 --all prints every packing of two colours, with empty lines between: 32 of corner tiles, 203520 of Wang tiles.
+--count counts them; of more than two colours nobody has.
+Searches use all cores (--threads) and give the same packing on any number of them. --checkpoint FILE keeps a search
+every 30 seconds and when it is interrupted; the same command goes on. --shard i/n is for clusters: each share of the
+tree with a checkpoint of its own, and the counts of all shares add up. A line says how much of the tree is done, and how
+many nodes it has by an estimate.
 --verify reads such a table: exit status 2 if it is no packing.
 --puzzle writes jigsaw pieces for a laser cutter, in millimetres: red lines are cut, blue ones point to the north.
   poissonlab packing corner --colors 3
-  poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2)";
+  poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2
+  poissonlab packing corner --colors 4 --method fewest --checkpoint search.txt --shard 1/400)";
 
 const OutputFormats packing_formats{{".png", ".svg"}}, puzzle_formats{{".svg"}};
 
 struct PackingOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    bool all = false;
+    SearchOptions search;
     std::filesystem::path verified; ///< empty: none
     std::filesystem::path out;      ///< a picture; empty: none
     std::filesystem::path puzzle;
@@ -62,20 +74,36 @@ void print_packing(TileRows& rows, const TilePacking& packing)
     print_rows(rows, packing.side(), [&](PackingPlace place) { return packing.at(place); });
 }
 
+/// --all and --count try choices by their numbers, of the method that was asked for, or of tiles.
+PackingProblem problem_of(const PackingOptions& options, const PackingSettings& asked)
+{
+    PackingProblem problem{asked.kind, asked.colors, search_method(asked.method).value_or(PackingMethod::tiles)};
+    if (!options.search.all && !options.search.count) problem.seed = options.seed();
+    return problem;
+}
+
 void print_all_packings(const PackingOptions& options, const PackingSettings& asked)
 {
-    if (asked.colors != 2)
-        throw InputError(
-            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", asked.colors));
+    const FoundPackings found = found_packings(problem_of(options, asked), options.search, options);
     TileRows rows(options.prints_json(), "packings");
-    bool is_first = true;
-    search_packings(asked.kind, asked.colors, {}, [&](const TilePacking& packing) {
-        if (!is_first) rows.next_block();
-        is_first = false;
+    for (const TilePacking& packing : found.packings) {
+        if (&packing != &found.packings.front()) rows.next_block();
         print_packing(rows, packing);
-        return true;
-    });
+    }
     rows.finish();
+}
+
+void print_count(const PackingOptions& options, const PackingSettings& asked)
+{
+    const FoundPackings found = found_packings(problem_of(options, asked), options.search, options);
+    if (options.prints_json())
+        fmt::print("{}\n", nlohmann::ordered_json{{"kind", tile_kinds[asked.kind]},
+                                                  {"colors", asked.colors},
+                                                  {"packings", found.count},
+                                                  {"nodes", found.nodes}}
+                               .dump(2));
+    else
+        fmt::print("{}\n", found.count);
 }
 
 void check_drawn_colors(Color colors)
@@ -103,12 +131,31 @@ void check_cut(const PackingOptions& options)
             fmt::format("packing: --kerf {}: must be a number from 0 to {:.4g}, in millimetres", kerf, piece / 50));
 }
 
+void check_search(const PackingOptions& options, const PackingSettings& asked, bool is_drawn)
+{
+    const SearchOptions& search = options.search;
+    if ((search.all || search.count) && (is_drawn || !options.verified.empty()))
+        throw InputError(fmt::format("packing: {} prints only: not with --verify, --out or --puzzle",
+                                     search.all ? "--all" : "--count"));
+    if (search.all && search.count) throw InputError("packing: --all and --count: only one of them");
+    if (search.all && asked.colors != 2)
+        throw InputError(
+            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", asked.colors));
+    const bool is_search = search.all || search.count || search_method(asked.method);
+    if ((!search.checkpoint.empty() || !search.shard.empty()) && (!is_search || !options.verified.empty()))
+        throw InputError(fmt::format("packing: {}: is for searches only: --all, --count, --method search, pegs, fewest "
+                                     "or symmetric",
+                                     search.checkpoint.empty() ? "--shard" : "--checkpoint"));
+    if (is_search && asked.colors > most_searched_colors(problem_of(options, asked).method))
+        throw InputError(fmt::format("packing: --colors {}: must be at most {} to be searched", asked.colors,
+                                     most_searched_colors(problem_of(options, asked).method)));
+}
+
 void check_packing_options(const PackingOptions& options, const PackingSettings& asked)
 {
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
     if (is_drawn) check_drawn_colors(asked.colors);
-    if (options.all && (is_drawn || !options.verified.empty()))
-        throw InputError("packing: --all prints only: not with --verify, --out or --puzzle");
+    check_search(options, asked, is_drawn);
     check_cut(options);
     if (!options.out.empty()) checked_output("packing", "--out", options.out, packing_formats);
     if (!options.puzzle.empty()) checked_output("packing", "--puzzle", options.puzzle, puzzle_formats);
@@ -154,7 +201,8 @@ void pack(const PackingOptions& options)
     const KindSettings read = options.settings();
     const auto& asked = read.as<PackingSettings>();
     check_packing_options(options, asked);
-    if (options.all) return print_all_packings(options, asked);
+    if (options.search.all) return print_all_packings(options, asked);
+    if (options.search.count) return print_count(options, asked);
     if (!options.verified.empty()) {
         draw_packing(options, verified_packing(options, asked));
         return say_verified(options, asked);
@@ -166,7 +214,10 @@ void pack(const PackingOptions& options)
                    [&](PackingPlace place) { return packed_tile(asked.kind, place, asked.colors); });
         return rows.finish();
     }
-    const TilePacking packing = chosen_packing(asked, options.seed());
+    const TilePacking packing =
+        search_method(asked.method)
+            ? found_packings(problem_of(options, asked), options.search, options).packings.front()
+            : chosen_packing(asked, options.seed());
     draw_packing(options, packing);
     TileRows rows(options.prints_json());
     print_packing(rows, packing);
@@ -180,13 +231,14 @@ Command packing_command()
     const auto o = std::make_shared<PackingOptions>(*find_kind("", "packing"), "kind");
     return kind_command(
         o,
-        {{"--verify", &o->verified, "Check this table instead of making one", "FILE"},
-         {"--all", &o->all, "Print every packing of two colours"},
-         {"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
-         {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
-         {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
-         {"--kerf", &o->cut.kerf,
-          "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}},
+        joined(
+            {{{"--verify", &o->verified, "Check this table instead of making one", "FILE"}},
+             o->search.options(),
+             {{"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
+              {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
+              {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
+              {"--kerf", &o->cut.kerf,
+               "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}}}),
         packing_notes, pack);
 }
 

@@ -2,12 +2,18 @@
 #pragma once
 
 #include "host/settings/distributions/texture_config.hpp"
-#include "tiles/packing/tile_packing.hpp"
+#include "tiles/packing/packing_board.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace poissonlab {
 
+/// What a search places, by the word of a method; none for methods that do not search.
+std::optional<PackingMethod> search_method(const std::string& method);
+
+/// Throws InputError where a search finds that there is none.
 TilePacking chosen_packing(const PackingSettings& settings, std::uint64_t seed);
 
 }

@@ -7,6 +7,7 @@
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
 #include "tiles/packing/closed_packing.hpp"
+#include "tiles/packing/packing_search.hpp"
 #include "tiles/packing/packings.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +63,8 @@ void add_indices(const TilePacking& packing, DistributionFiles& files, Distribut
 /// Names the method, and says which kinds and numbers of colours it has: the same for tables and the command.
 void packing_method_keys(Keys& keys, PackingSettings& s)
 {
-    static const std::vector<std::string> methods{"closed", "printed", "product", "eulerian", "search", "grown"};
+    static const std::vector<std::string> methods{"closed", "printed", "product",   "eulerian", "search",
+                                                  "pegs",   "fewest",  "symmetric", "grown"};
     keys.word("method", s.method, methods, "how the packing is made");
     if (!keys.is_given("method")) return;
     const auto refuse = [&](const char* allowed) { throw keys.invalid("method", allowed); };
@@ -70,7 +72,15 @@ void packing_method_keys(Keys& keys, PackingSettings& s)
     if (s.method == "printed" && s.colors > 4) refuse("has at most 4 colours");
     if (s.method == "product" && (is_corner || s.colors != 3)) refuse("is for wang tiles of 3 colours");
     if (s.method == "eulerian" && is_corner) refuse("is for wang tiles");
-    if (s.method == "search" && s.colors > 3) refuse("takes years for more than 3 colours");
+    if (const auto searched = search_method(s.method)) {
+        const bool is_symmetric = *searched == PackingMethod::symmetric;
+        if (s.colors > most_searched_colors(*searched))
+            refuse(is_symmetric ? "has at most 5 colours" : "has at most 4 colours");
+        if (!is_symmetric && !s.is_printed && s.colors > 3) refuse("takes years for more than 3 colours");
+        if (!is_corner && (s.method == "pegs" || s.method == "fewest")) refuse("is for corner tiles");
+        if (is_symmetric && is_corner && s.colors == 2)
+            refuse("is for corner tiles of 3 colours or more: of 2 there are none");
+    }
     if (s.method == "grown" && (!is_corner || s.colors != 3)) refuse("is for corner tiles of 3 colours");
 }
 
@@ -142,12 +152,22 @@ DistributionResult make_packing(const PackingSettings& settings, std::uint64_t s
 
 }
 
+std::optional<PackingMethod> search_method(const std::string& method)
+{
+    static constexpr WordTable<PackingMethod, 4> methods{{{{PackingMethod::tiles, "search"},
+                                                           {PackingMethod::pegs, "pegs"},
+                                                           {PackingMethod::fewest, "fewest"},
+                                                           {PackingMethod::symmetric, "symmetric"}}}};
+    return methods.find(method);
+}
+
 TilePacking chosen_packing(const PackingSettings& settings, std::uint64_t seed)
 {
     if (settings.method == "printed") return printed_packing(settings.kind, settings.colors);
     if (settings.method == "product") return printed_product_packing();
     if (settings.method == "eulerian") return euler_packing(settings.colors, seed);
-    if (settings.method == "search") return random_packing(settings.kind, settings.colors, seed);
+    if (const auto searched = search_method(settings.method))
+        return random_packing(settings.kind, settings.colors, *searched, seed);
     if (settings.method == "grown") return grown_packing(printed_packing(settings.kind, 2), seed);
     return closed_packing(settings.kind, settings.colors);
 }

@@ -1,0 +1,247 @@
+// Searches for packings in parts: on threads, in shards, from checkpoints; and what is known of the rest meanwhile.
+#include "base/crew/thread_limit.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "base/programs/interrupt_scope.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tiles/packing/packing_search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+const PackingSearch all_wang{.problem = {TileKind::wang, 2}, .task = PackingTask::all};
+const PackingSearch wang_count{.problem = {TileKind::wang, 2}, .task = PackingTask::count};
+
+std::vector<std::vector<TileIndex>> tiles_of(const FoundPackings& found)
+{
+    std::vector<std::vector<TileIndex>> tiles;
+    for (const TilePacking& packing : found.packings) tiles.push_back(packing.tiles);
+    return tiles;
+}
+
+TEST(PackingThreads, HaveTheSameAnswersInTheSameOrder)
+{
+    const auto all = tiles_of(search_packings(all_wang));
+    ASSERT_EQ(all.size(), 203'520u);
+    // Rounds that are shorter than the search have several subtrees find a packing at once.
+    const auto first_of = [](TileKind kind, PackingMethod method, std::uint64_t seed) {
+        return tiles_of(search_packings({.problem = {kind, 3, method, seed}}, {.nodes_a_round = 5000}));
+    };
+    const auto corners = first_of(TileKind::corner, PackingMethod::fewest, 4);
+    std::vector<std::vector<std::vector<TileIndex>>> firsts;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        firsts.push_back(first_of(TileKind::wang, PackingMethod::tiles, seed));
+    for (const int threads : {1, 2, 3, 7}) {
+        const ThreadLimit limit(threads);
+        EXPECT_EQ(tiles_of(search_packings(all_wang)), all) << threads;
+        EXPECT_EQ(first_of(TileKind::corner, PackingMethod::fewest, 4), corners) << threads;
+        for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            EXPECT_EQ(first_of(TileKind::wang, PackingMethod::tiles, seed), firsts[seed - 1]) << threads;
+    }
+}
+
+TEST(PackingShards, AddUpToTheWhole)
+{
+    for (const std::uint32_t shards : {1u, 2u, 3u, 300u}) {
+        std::uint64_t count = 0;
+        std::set<std::vector<TileIndex>> corners;
+        for (std::uint32_t shard = 1; shard <= shards; ++shard) {
+            PackingSearch search = wang_count;
+            search.shard = shard, search.shards = shards;
+            count += search_packings(search).count;
+            search.problem.kind = TileKind::corner;
+            search.task = PackingTask::all;
+            for (const auto& tiles : tiles_of(search_packings(search))) EXPECT_TRUE(corners.insert(tiles).second);
+        }
+        EXPECT_EQ(count, 203'520u) << shards;
+        EXPECT_EQ(corners.size(), 32u) << shards;
+    }
+}
+
+class PackingCheckpoint : public testing::Test
+{
+protected:
+    /// Searches with an interrupt that comes before the first question whether one has come.
+    void search_interrupted(const PackingSearch& search)
+    {
+        const InterruptScope scope;
+        std::raise(SIGINT);
+        EXPECT_THROW(search_packings(search, settings_), Interrupted);
+    }
+
+    std::string message_of_search(const PackingSearch& search) const
+    {
+        return message_of([&] { search_packings(search, settings_); });
+    }
+
+    const TemporaryFolder folder_;
+    const PackingSearchSettings settings_{.checkpoint = folder_.path() / "search.txt"};
+};
+
+TEST_F(PackingCheckpoint, GoesOnWhereASearchWasInterrupted)
+{
+    const FoundPackings whole = search_packings(all_wang);
+    for (int i = 0; i < 20; ++i) search_interrupted(all_wang);
+    const std::string content = read_whole_file(settings_.checkpoint);
+    const FoundPackings found = search_packings(all_wang, settings_);
+    EXPECT_EQ(tiles_of(found), tiles_of(whole));
+    EXPECT_EQ(found.nodes, whole.nodes) << "nothing is visited twice, and nothing is left out";
+    EXPECT_NE(read_whole_file(settings_.checkpoint), content);
+    // What is done is not done again: an interrupt would stop any work.
+    const InterruptScope scope;
+    std::raise(SIGINT);
+    EXPECT_EQ(search_packings(all_wang, settings_).count, 203'520u);
+}
+
+TEST_F(PackingCheckpoint, KeepsTheAnswerOfASearchForOne)
+{
+    const PackingSearch one{.problem = {TileKind::corner, 3, PackingMethod::fewest, 4}};
+    const auto first = tiles_of(search_packings(one));
+    for (int i = 0; i < 5; ++i) search_interrupted(one);
+    EXPECT_EQ(tiles_of(search_packings(one, settings_)), first);
+    EXPECT_EQ(tiles_of(search_packings(one, settings_)), first) << "the file has the answer";
+}
+
+/// A process that is killed leaves what was written last.
+TEST_F(PackingCheckpoint, GoesOnFromTheStateThatWasWrittenLast)
+{
+    const auto board = make_packing_board(all_wang.problem);
+    std::vector<PackingSubtree> subtrees = cut_tree(*board, 256).subtrees;
+    std::uint64_t nodes = 0;
+    for (std::size_t i = 0; i < subtrees.size(); i += 3) {
+        walk(*board, subtrees[i], {.until_nodes = i * i});
+        nodes += subtrees[i].nodes;
+    }
+    ASSERT_GT(nodes, 100'000u);
+    write_search_file(settings_, all_wang, subtrees);
+    const FoundPackings whole = search_packings(all_wang), found = search_packings(all_wang, settings_);
+    EXPECT_EQ(tiles_of(found), tiles_of(whole));
+    EXPECT_EQ(found.nodes, whole.nodes);
+}
+
+TEST_F(PackingCheckpoint, RefusesDamageAndOtherSearches)
+{
+    for (int i = 0; i < 3; ++i) search_interrupted(all_wang);
+    const std::string whole = read_whole_file(settings_.checkpoint);
+    const std::string damaged =
+        settings_.checkpoint.string() + ": is damaged, or no checkpoint of a search for packings";
+    for (std::size_t place = 0; place < whole.size(); place += whole.size() / 40 + 1) {
+        std::string content = whole;
+        content[place] = static_cast<char>(content[place] ^ 1);
+        folder_.write("search.txt", content);
+        EXPECT_EQ(message_of_search(all_wang), damaged) << place;
+    }
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 1}) {
+        folder_.write("search.txt", whole.substr(0, size));
+        EXPECT_EQ(message_of_search(all_wang), damaged) << size;
+    }
+    folder_.write("search.txt", whole);
+    PackingSearch other = all_wang;
+    other.shards = 2;
+    EXPECT_EQ(message_of_search(other),
+              settings_.checkpoint.string() +
+                  ": is of another search: all packings of Wang tiles over 2 colours by tiles, seed none, "
+                  "65536 nodes a round, shard 1/1; this one is: all packings of Wang tiles over 2 colours by "
+                  "tiles, seed none, 65536 nodes a round, shard 1/2");
+    for (const PackingMethod method : {PackingMethod::pegs, PackingMethod::fewest}) {
+        other = {.problem = {TileKind::corner, 2, method}, .task = PackingTask::count};
+        EXPECT_THAT(message_of_search(other), HasSubstr("is of another search"));
+    }
+    EXPECT_EQ(read_whole_file(settings_.checkpoint), whole) << "it is left as it was";
+    EXPECT_EQ(search_packings(all_wang, settings_).count, 203'520u);
+}
+
+TEST_F(PackingCheckpoint, SaysAtOnceThatAFileCannotBeWritten)
+{
+    EXPECT_THROW(search_packings(wang_count, {.checkpoint = folder_.path() / "none" / "search.txt"}), StorageError);
+}
+
+/// The number of all nodes below the root, by a plain recursion.
+double nodes_below(PackingBoard& board, std::size_t step = 0)
+{
+    if (step == board.steps()) return 0;
+    double nodes = 0;
+    ChoiceSet choices = board.choices();
+    for (std::size_t choice; (choice = choices.take_first()) != ChoiceSet::none;) {
+        board.put(choice);
+        nodes += 1 + nodes_below(board, step + 1);
+        board.take_back();
+    }
+    return nodes;
+}
+
+/// Knuth's estimator is unbiased: its mean is within five of its own standard errors of the number of nodes.
+TEST(PackingEstimate, IsTheNumberOfNodes)
+{
+    for (const PackingProblem& problem :
+         {PackingProblem{TileKind::corner, 2}, PackingProblem{TileKind::corner, 2, PackingMethod::pegs},
+          PackingProblem{TileKind::corner, 2, PackingMethod::fewest},
+          PackingProblem{TileKind::wang, 2, PackingMethod::symmetric},
+          PackingProblem{TileKind::wang, 2, PackingMethod::tiles, {}, true}}) {
+        const auto board = make_packing_board(problem);
+        const double nodes = nodes_below(*board);
+        const PackingTask task = problem.has_first_tile ? PackingTask::count : PackingTask::all;
+        EXPECT_EQ(static_cast<double>(search_packings({problem, task}).nodes), nodes);
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            const TreeEstimate estimate = estimate_nodes(*board, 20'000, seed);
+            EXPECT_LT(estimate.error, 0.1 * nodes);
+            EXPECT_NEAR(estimate.nodes, nodes, 5 * estimate.error) << seed;
+        }
+    }
+}
+
+/// The weights of all nodes without choices, and of packings, add up to one.
+TEST(PackingEstimate, SharesGrowFromNothingToAll)
+{
+    for (const PackingMethod method : {PackingMethod::tiles, PackingMethod::pegs, PackingMethod::fewest}) {
+        const auto board = make_packing_board({TileKind::corner, 2, method});
+        PackingSubtree whole;
+        double before = 0;
+        for (std::uint64_t until = 1; !whole.is_done; until += 37) {
+            walk(*board, whole, {.until_nodes = until});
+            EXPECT_GE(whole.share, before);
+            EXPECT_LE(whole.share, 1 + 1e-12);
+            before = whole.share;
+        }
+        EXPECT_EQ(whole.share, 1);
+        EXPECT_EQ(whole.packings, 32u);
+        const CutTree cut = cut_tree(*board, 50);
+        double weights = 0;
+        std::uint64_t nodes = cut.nodes;
+        for (PackingSubtree subtree : cut.subtrees) {
+            weights += subtree.weight;
+            walk(*board, subtree, {.until_nodes = ~std::uint64_t{0}});
+            nodes += subtree.nodes;
+        }
+        EXPECT_LE(weights, 1 + 1e-12);
+        EXPECT_EQ(nodes, whole.nodes);
+        PackingSubtree wrong = cut.subtrees.front();
+        EXPECT_TRUE(has_path(*board, wrong));
+        wrong.path.back() = 639;
+        EXPECT_FALSE(has_path(*board, wrong));
+        wrong.path.clear();
+        EXPECT_FALSE(has_path(*board, wrong));
+    }
+}
+
+TEST(PackingEstimate, SaysHowLongTheRestTakes)
+{
+    EXPECT_DOUBLE_EQ(
+        (PackingProgress{.nodes = 1000, .share = 0.25, .tree_nodes = 7, .nodes_per_second = 10}).seconds_left(), 300);
+    EXPECT_DOUBLE_EQ((PackingProgress{.nodes = 1000, .tree_nodes = 3000, .nodes_per_second = 10}).seconds_left(), 200);
+    EXPECT_DOUBLE_EQ((PackingProgress{.nodes = 1000, .tree_nodes = 500, .nodes_per_second = 10}).seconds_left(), 0);
+}
+
+}
+}
