@@ -1,4 +1,4 @@
-// What a search for tile packings places, one step after another: tiles, or the colours of corners.
+// Searches for tile packings fill a torus step by step, by tiles or by the colours of corners.
 //
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5.3: a tile at a time, in scan order, and an
 // experiment that "places colored pegs rather than tiles". Fewest choices first: Golomb and Baumert, Backtrack
@@ -94,7 +94,7 @@ public:
     /// The number of steps that fill the torus.
     virtual std::size_t steps() const = 0;
 
-    /// What the next step may be; the torus must not be full.
+    /// Returns the choices of the next step; the torus must not be full.
     virtual ChoiceSet choices() = 0;
 
     /// Makes the next step: one of choices(), which was called after the steps that are made.
@@ -111,7 +111,7 @@ public:
 /// searched.
 std::unique_ptr<PackingBoard> make_packing_board(const PackingProblem& problem);
 
-/// Those of the two methods.
+/// These make the boards that place tiles and pegs.
 std::unique_ptr<PackingBoard> make_tile_board(const PackingProblem& problem);
 std::unique_ptr<PackingBoard> make_peg_board(const PackingProblem& problem);
 

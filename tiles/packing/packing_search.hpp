@@ -30,7 +30,7 @@ struct PackingSearch
     std::uint32_t shard = 1, shards = 1; ///< of every `shards` subtrees the one of this number, from 1 on
 };
 
-/// What is known while the search goes on.
+/// A search tells this while it goes on.
 struct PackingProgress
 {
     std::uint64_t nodes = 0;    ///< visited, with those of earlier processes

@@ -36,7 +36,7 @@ void members(JsonMembers& m, S& subtree)
     m.member("is_done", subtree.state.is_done);
 }
 
-/// What is searched, in words that differ where the subtrees or their turns do.
+/// Describes a search in words that differ where the subtrees or their turns do.
 std::string search_words(const PackingSearchSettings& settings, const PackingSearch& search)
 {
     static constexpr std::array methods{"tiles", "pegs", "pegs, fewest choices first", "symmetric packings"};

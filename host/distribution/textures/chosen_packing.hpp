@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// What a search places, by the word of a method; none for methods that do not search.
+/// Returns the kind of search that the word of a method means; none for methods that do not search.
 std::optional<PackingMethod> search_method(const std::string& method);
 
 /// Throws InputError where a search finds that there is none.

@@ -98,7 +98,7 @@ TEST_F(PackingCheckpoint, GoesOnWhereASearchWasInterrupted)
     EXPECT_EQ(tiles_of(found), tiles_of(whole));
     EXPECT_EQ(found.nodes, whole.nodes) << "nothing is visited twice, and nothing is left out";
     EXPECT_NE(read_whole_file(settings_.checkpoint), content);
-    // What is done is not done again: an interrupt would stop any work.
+    // A finished search is not done again: an interrupt would stop any work.
     const InterruptScope scope;
     std::raise(SIGINT);
     EXPECT_EQ(search_packings(all_wang, settings_).count, 203'520u);
