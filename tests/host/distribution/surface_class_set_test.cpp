@@ -159,5 +159,110 @@ TEST(SurfaceClassSets, SayWhatIsWrong)
     EXPECT_THAT(message({}, {9}, {"hue"}), testing::HasSubstr("numbers of the mesh's vertices: none"));
 }
 
+/// Two sides of a sheet do not see each other. One point of the upper side is among those of the lower one: it is found
+/// from everywhere, unless so many points look for it that only those within sixteen mean distances do.
+TEST(SurfaceClassSets, StopLookingWhereManyPointsSeeNone)
+{
+    const FixedSurface surface = fixed_surface(sheet_mesh(0.5));
+    const auto on_triangle = [&](std::uint32_t triangle, std::uint32_t i) {
+        SurfacePoint point{};
+        point.triangle = triangle;
+        point.shares[0] = (i * 2654435769U) >> 2;
+        point.shares[1] = (i * 1013904223U) >> 2;
+        std::ranges::copy(place_on(surface.triangles[triangle], point.shares[0], point.shares[1]), point.place);
+        return point;
+    };
+    for (const std::uint32_t count : {300U, 36'000U}) { // 36,000 by 32,000 that are left are more than 10^9
+        std::vector<SurfacePoint> from, to;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            from.push_back(on_triangle(0, i));
+            to.push_back(on_triangle(2, i));
+        }
+        to.push_back(on_triangle(0, 77));
+        from.erase(from.begin() + 77);
+        const double spacing = std::sqrt(surface.area / static_cast<double>(to.size()));
+        double near = 0, all = 0, least = INFINITY;
+        std::size_t seen = 0;
+        for (const SurfacePoint& point : from) {
+            const double distance =
+                surface.unit * std::sqrt(static_cast<double>(squared_distance(place_of(point), place_of(to.back()))));
+            all += distance;
+            least = std::min(least, distance);
+            if (distance > 16 * spacing) continue;
+            near += distance;
+            ++seen;
+        }
+        const SurfaceNearest found = surface_nearest(surface, from, to, least_cosine(90));
+        EXPECT_NEAR(found.least, least, 1e-12);
+        const bool stops = count > 1000;
+        ASSERT_GT(seen, 100U);
+        ASSERT_LT(seen, from.size() / 2 + (stops ? 0 : from.size()));
+        EXPECT_NEAR(found.mean, stops ? near / static_cast<double>(seen) : all / static_cast<double>(from.size()),
+                    1e-12);
+    }
+}
+
+/// The first triangles of a fan, which lie in the plane, after `flat` ones without an area.
+TriangleMesh fan_mesh(std::uint32_t triangles, std::uint32_t flat)
+{
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {-2, 2, 0}, {1, 0, 0}};
+    for (std::uint32_t i = 0; i < flat; ++i) mesh.triangles.push_back({0, 5, 1});
+    for (std::uint32_t i = 0; i < triangles; ++i) mesh.triangles.push_back({0, i + 1, i + 2});
+    return mesh;
+}
+
+/// One, two and three triangles, some beside others without an area; one, two and three points, and as many as fit.
+TEST(SurfaceClassSets, AreMadeOnSmallMeshes)
+{
+    for (const std::uint32_t triangles : {1, 2, 3})
+        for (const std::uint32_t flat : {0, 2})
+            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+                SurfaceClassSettings settings = classes_on(fan_mesh(triangles, flat));
+                const double area = settings.read->surface.area;
+                EXPECT_NEAR(area, 2 * triangles, 1e-6);
+                for (const std::size_t count : {1, 2, 3}) {
+                    settings.classes.points.assign(count, count);
+                    settings.classes.relative_radius = 0.4;
+                    EXPECT_EQ(plain_set(settings, seed).darts.counts(), settings.classes.points);
+                }
+                settings.classes.points.clear();
+                settings.classes.distances = {0.5, 0.3};
+                const SurfaceClassSet full = plain_set(settings, seed);
+                EXPECT_EQ(full.darts.is_full, std::vector<bool>(2, true));
+                EXPECT_LT(full.darts.small_area, 1e-6 * area);
+                EXPECT_GT(full.darts.points.size(), 3 * triangles);
+                pairs_of(full); // which throws where two points are too near
+                for (const SurfacePoint& point : full.darts.points) EXPECT_GT(full.surface().areas[point.triangle], 0);
+            }
+}
+
+/// Two squares at a distance are as two meshes: each has all classes, and is full of them. Both are open.
+TEST(SurfaceClassSets, FillEachPartOfAMesh)
+{
+    TriangleMesh mesh = square_mesh();
+    for (const MeshPoint& corner : square_mesh().vertices)
+        mesh.vertices.push_back({corner[0] + 9, corner[1], corner[2]});
+    for (const auto& [a, b, c] : square_mesh().triangles) mesh.triangles.push_back({a + 4, b + 4, c + 4});
+    SurfaceClassSettings settings = classes_on(mesh);
+    EXPECT_EQ(settings.read->surface.open_edges, 8U);
+    settings.classes.distances = {0.2, 0.1};
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const SurfaceClassSet set = plain_set(settings, seed);
+        const PointSet places = points_of(set.surface(), set.darts.points);
+        const ClassDistances kept = set.kept();
+        for (const double left : {0, 9})
+            for (std::uint32_t own = 0; own < 2; ++own)
+                for (int i = 0; i < 41 * 41; ++i) {                           // no place has room
+                    const double x = left + i % 41 / 40.0, y = i / 41 / 40.0; // NOLINT(bugprone-integer-division)
+                    bool is_near = false;
+                    for (std::size_t k = 0; k < places.size() && !is_near; ++k)
+                        is_near = std::hypot(places[k][0] - x, places[k][1] - y) <
+                                  kept.at(own, set.darts.classes[k]) * (1 + 1e-6);
+                    ASSERT_TRUE(is_near) << x << ", " << y << " of class " << own;
+                }
+    }
+}
+
 }
 }
