@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// What an element of a drawing, or the data of a path, draws.
+/// The lines that an element of a drawing, or the data of a path, draws.
 struct SvgShape
 {
     std::string place; ///< "drawing.svg:12: <path>", for messages
