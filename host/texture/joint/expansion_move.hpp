@@ -24,7 +24,7 @@ struct PairChoice
 class ExpansionMove
 {
 public:
-    explicit ExpansionMove(std::size_t pixels) : gains_(pixels) {}
+    explicit ExpansionMove(std::size_t pixels) : gains_(pixels) { edges_.reserve(2 * pixels); }
 
     std::size_t pixels() const { return gains_.size(); }
 
