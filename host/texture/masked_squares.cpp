@@ -30,19 +30,25 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
-    Spectrum forward(std::vector<double> values) const
+    /// Overwrites the values.
+    void forward(std::vector<double>& values, Spectrum& spectrum) const
     {
-        Spectrum spectrum(size());
+        spectrum.resize(size());
         fftw_execute_dft_r2c(forward_.get(), values.data(), fftw(spectrum.data()));
+    }
+
+    Spectrum spectrum(std::vector<double> values) const
+    {
+        Spectrum spectrum;
+        forward(values, spectrum);
         return spectrum;
     }
 
-    /// Times the number of pixels.
-    std::vector<double> backward(Spectrum spectrum) const
+    /// Overwrites the spectrum; values are those of the picture times the number of pixels.
+    void backward(Spectrum& spectrum, std::vector<double>& values) const
     {
-        std::vector<double> values(pixels());
+        values.resize(pixels());
         fftw_execute_dft_c2r(backward_.get(), fftw(spectrum.data()), values.data());
-        return values;
     }
 
 private:
@@ -50,6 +56,26 @@ private:
     std::size_t line_;
     FftwPlan forward_, backward_;
 };
+
+/// Arrays as large as the exemplar, which each thread has once: searches are many, and new memory takes as long as
+/// they.
+struct Scratch
+{
+    std::vector<double> values;
+    Spectrum spectrum, product;
+
+    static Scratch& of_thread()
+    {
+        thread_local Scratch scratch;
+        return scratch;
+    }
+};
+
+/// Adds a * conj(b), without the tests for infinite numbers that the operator makes.
+void add_correlation(std::complex<double>& sum, const std::complex<double>& a, const std::complex<double>& b)
+{
+    sum += std::complex<double>(a.real() * b.real() + a.imag() * b.imag(), a.imag() * b.real() - a.real() * b.imag());
+}
 
 /// The nearest integer of a value that must be one but for rounding.
 std::int64_t exact_integer(double value)
@@ -93,20 +119,26 @@ struct MaskedSquares::Spectra
           channels(exemplar.channels)
     {
         for (int c = 0; c < channels; ++c)
-            of_channels.push_back(transform.forward(per_pixel(exemplar, [c](const std::uint8_t* v) { return v[c]; })));
-        const Spectrum of_squares = transform.forward(per_pixel(exemplar, [this](const std::uint8_t* v) {
+            of_channels.push_back(transform.spectrum(per_pixel(exemplar, [c](const std::uint8_t* v) { return v[c]; })));
+        const Spectrum of_squares = transform.spectrum(per_pixel(exemplar, [this](const std::uint8_t* v) {
             double sum = 0;
             for (int c = 0; c < channels; ++c) sum += v[c] * v[c];
             return sum;
         }));
-        window_squares = correlated(of_squares, transform.forward(placed([](std::size_t) { return 1.0; })));
+        Scratch scratch;
+        place(scratch.values, [](std::size_t) { return 1.0; });
+        transform.forward(scratch.values, scratch.spectrum);
+        scratch.product.resize(transform.size());
+        for (std::size_t i = 0; i < of_squares.size(); ++i)
+            add_correlation(scratch.product[i], of_squares[i], scratch.spectrum[i]);
+        for_each_sum(scratch, [this](std::size_t, std::int64_t sum) { window_squares.push_back(sum); });
     }
 
     /// The mask times a value of each of its pixels, in the corner of a picture of the exemplar's size.
     template <class Value>
-    std::vector<double> placed(const Value& value) const
+    void place(std::vector<double>& values, const Value& value) const
     {
-        std::vector<double> values(transform.pixels(), 0);
+        values.assign(transform.pixels(), 0);
         for (int y = 0; y < mask.height; ++y)
             for (int x = 0; x < mask.width; ++x) {
                 const auto pixel =
@@ -115,28 +147,22 @@ struct MaskedSquares::Spectra
                 values[static_cast<std::size_t>(y) * static_cast<std::size_t>(transform.width()) +
                        static_cast<std::size_t>(x)] = value(pixel);
             }
-        return values;
     }
 
-    /// Sums of products at all places of the window that is inside; none of them wraps around.
-    std::vector<std::int64_t> correlated(Spectrum picture, const Spectrum& window) const
+    /// Uses the sums of products at all places of the window that is inside, of which none wraps around.
+    template <class Use>
+    void for_each_sum(Scratch& scratch, const Use& use) const
     {
-        for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= std::conj(window[i]);
-        return integers(std::move(picture));
-    }
-
-    std::vector<std::int64_t> integers(Spectrum product) const
-    {
-        const std::vector<double> values = transform.backward(std::move(product));
+        transform.backward(scratch.product, scratch.values);
         const double scale = 1 / static_cast<double>(transform.pixels());
-        std::vector<std::int64_t> sums;
-        sums.reserve(empty.sums.size());
+        std::size_t window = 0;
         for (int y = 0; y < empty.rows; ++y)
             for (int x = 0; x < empty.columns; ++x)
-                sums.push_back(exact_integer(
-                    scale * values[static_cast<std::size_t>(y) * static_cast<std::size_t>(transform.width()) +
-                                   static_cast<std::size_t>(x)]));
-        return sums;
+                use(window++,
+                    exact_integer(
+                        scale *
+                        scratch.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(transform.width()) +
+                                       static_cast<std::size_t>(x)]));
     }
 
     PictureTransform transform;
@@ -157,20 +183,23 @@ SquareSums MaskedSquares::sums(const PngPixels& piece) const
 {
     const Spectra& s = *spectra_;
     const auto channels = static_cast<std::size_t>(s.channels);
-    Spectrum product(s.transform.size(), 0);
+    Scratch& scratch = Scratch::of_thread();
+    scratch.product.assign(s.transform.size(), 0);
     std::int64_t squares = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-        const Spectrum window = s.transform.forward(s.placed([&](std::size_t pixel) {
+        s.place(scratch.values, [&](std::size_t pixel) {
             const int value = piece.values[pixel * channels + c];
             squares += value * value;
             return static_cast<double>(value);
-        }));
-        for (std::size_t i = 0; i < product.size(); ++i) product[i] += s.of_channels[c][i] * std::conj(window[i]);
+        });
+        s.transform.forward(scratch.values, scratch.spectrum);
+        for (std::size_t i = 0; i < scratch.product.size(); ++i)
+            add_correlation(scratch.product[i], s.of_channels[c][i], scratch.spectrum[i]);
     }
-    const std::vector<std::int64_t> products = s.integers(std::move(product));
     SquareSums result = s.empty;
-    for (std::size_t i = 0; i < result.sums.size(); ++i)
-        result.sums[i] = static_cast<std::uint64_t>(squares - 2 * products[i] + s.window_squares[i]);
+    s.for_each_sum(scratch, [&](std::size_t i, std::int64_t product) {
+        result.sums[i] = static_cast<std::uint64_t>(squares - 2 * product + s.window_squares[i]);
+    });
     return result;
 }
 

@@ -24,15 +24,15 @@ struct PairChoice
 class ExpansionMove
 {
 public:
-    explicit ExpansionMove(std::size_t pixels) : kept_(pixels), taken_(pixels) {}
+    explicit ExpansionMove(std::size_t pixels) : gains_(pixels) { edges_.reserve(2 * pixels); }
 
-    std::size_t pixels() const { return kept_.size(); }
+    std::size_t pixels() const { return gains_.size(); }
 
     /// Adds to what a pixel costs by itself.
     void add_pixel(std::size_t pixel, std::int64_t kept, std::int64_t taken)
     {
-        kept_[pixel] += kept;
-        taken_[pixel] += taken;
+        constant_ += kept;
+        gains_[pixel] += kept - taken;
     }
 
     /// Throws std::logic_error for costs that no cut can minimise.
@@ -51,14 +51,19 @@ public:
     Choice best() const;
 
 private:
-    struct Pair
+    /// A part of what a pair costs: if the first pixel keeps and the second one takes, or the other way round.
+    struct Edge
     {
         std::uint32_t first = 0, second = 0;
-        PairChoice costs;
+        std::int64_t forward = 0, backward = 0;
     };
 
-    std::vector<std::int64_t> kept_, taken_;
-    std::vector<Pair> pairs_;
+    /// No flow, and no capacity that matters, is larger.
+    std::int64_t largest_flow() const;
+
+    std::int64_t constant_ = 0;       ///< the cost if all pixels keep
+    std::vector<std::int64_t> gains_; ///< by how much a pixel becomes cheaper by itself if it takes
+    std::vector<Edge> edges_;
 };
 
 }

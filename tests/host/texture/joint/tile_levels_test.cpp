@@ -6,12 +6,16 @@
 #include "tests/support/errors.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
+#include "tiles/tilings/tile_index.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -83,9 +87,74 @@ double tiling_share(const TextureSet& set, unsigned seed)
     return square_share(texture_window_pixels(set, window, set.values, set.exemplar.channels), set.size, set.size / 2);
 }
 
-/// 1,600 tiles are that many independent squares, and more over edges: the variance of normal variates errs by
-/// sqrt(2 / 1600) = 3.5 %, and 4 times that here. Once tiles are levelled, little is left but what the form leaves out:
-/// of the tiles around a corner, those beside each other share an edge, too. With two colours this is a fifth.
+/// Means over the four quarters of 16 tiles of two colours, by the colours of their corners: a digit of base 2 for NW,
+/// NE, SW and SE. Sums over channels count.
+using QuarterMeans = std::array<std::array<double, 4>, 16>;
+
+QuarterMeans plain_quarters(const TextureSet& set)
+{
+    QuarterMeans quarters{};
+    const auto size = static_cast<std::size_t>(set.size), channels = static_cast<std::size_t>(set.exemplar.channels);
+    for (std::size_t i = 0; i < set.values.size(); ++i) {
+        const std::size_t pixel = i / channels, x = pixel % size, y = pixel / size % size;
+        const CornerTile tile = corner_tile(set.tiles[pixel / size / size].index, 2);
+        quarters[tile.north_west + 2 * tile.north_east + 4 * tile.south_west + 8 * tile.south_east]
+                [(2 * y < size ? 0u : 2u) + (2 * x < size ? 0u : 1u)] +=
+            4.0 * set.values[i] / static_cast<double>(size * size);
+    }
+    return quarters;
+}
+
+/// The sum of the quarters that a square over a corner shows. Its four tiles have the first bit there, and three other
+/// corners each, as if none of them were shared.
+double apart_over_corner(const QuarterMeans& quarters, unsigned bits)
+{
+    double sum = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+        const unsigned others = bits >> (1 + 3 * k) & 7, place = 3 - k; // the corner and the quarter that it shows
+        const unsigned tile = (others & ((1u << place) - 1)) | (bits & 1) << place | others >> place << (place + 1);
+        sum += quarters[tile][place];
+    }
+    return sum;
+}
+
+/// The variance of means over squares without chance: from all 512 ways in which 3 x 3 corners have two colours. Four
+/// tiles lie between them, with a square in a tile, one over an edge of each direction, and one over the corner. Tiles
+/// around a corner are taken apart if nothing but its own colour joins them.
+double enumerated_share(const TextureSet& set, bool are_apart)
+{
+    const QuarterMeans quarters = plain_quarters(set);
+    double sum = 0, squares = 0;
+    const auto add = [&](double quarter_sum, double ways) {
+        sum += quarter_sum / 4 / (4 * ways);
+        squares += quarter_sum * quarter_sum / 16 / (4 * ways);
+    };
+    for (unsigned bits = 0; bits < 512; ++bits) {
+        const auto tile = [&](unsigned x, unsigned y) -> const std::array<double, 4>& {
+            const unsigned north = bits >> (3 * y + x) & 3, south = bits >> (3 * y + 3 + x) & 3;
+            return quarters[north + 4 * south];
+        };
+        const auto &a = tile(0, 0), &b = tile(1, 0), &c = tile(0, 1), &d = tile(1, 1);
+        add(a[0] + a[1] + a[2] + a[3], 512);
+        add(a[1] + a[3] + b[0] + b[2], 512);
+        add(a[2] + a[3] + c[0] + c[1], 512);
+        if (!are_apart) add(a[3] + b[2] + c[1] + d[0], 512);
+    }
+    for (unsigned bits = 0; are_apart && bits < 8192; ++bits) add(apart_over_corner(quarters, bits), 8192);
+    const auto channels = static_cast<std::size_t>(set.exemplar.channels), pixels = set.values.size() / channels;
+    double values = 0, value_squares = 0;
+    for (std::size_t i = 0; i < set.values.size(); i += channels) {
+        const double value = std::accumulate(&set.values[i], &set.values[i] + channels, 0.0);
+        values += value / static_cast<double>(pixels);
+        value_squares += value * value / static_cast<double>(pixels);
+    }
+    return (squares - sum * sum) / (value_squares - values * values);
+}
+
+/// The form is what an enumeration of tiles apart gives, to rounding. Tilings are those of an enumeration of all
+/// corners: 1,600 tiles are that many independent squares, and more over edges, so that the variance of normal variates
+/// errs by sqrt(2 / 1600) = 3.5 %, and 4 times that here. Between the two enumerations lies what the form leaves out:
+/// of the tiles around a corner, those beside each other share an edge, too.
 TEST(TileLevels, AreWhatTilingsShow)
 {
     for (const bool is_joint : {false, true})
@@ -95,17 +164,20 @@ TEST(TileLevels, AreWhatTilingsShow)
             const SquareVariances before = square_variances(set);
             const double shown = tiling_share(set, 1);
             EXPECT_NEAR(before.exemplar, square_share(set.exemplar, 32, 1), 1e-9);
-            EXPECT_NEAR(before.tiling, shown, 0.14 * before.tiling);
+            EXPECT_NEAR(before.tiling, enumerated_share(set, true), 1e-9);
+            EXPECT_NEAR(shown, enumerated_share(set, false), 0.14 * shown);
             level_tiles(set);
             EXPECT_TRUE(set.is_levelled);
             EXPECT_EQ(certify_texture(set).exceptions, 0u);
             certify_changes(set);
             const SquareVariances after = square_variances(set);
             EXPECT_EQ(after.exemplar, before.exemplar);
-            EXPECT_NEAR(after.tiling, tiling_share(set, 1), 0.3 * after.tiling);
+            EXPECT_NEAR(after.tiling, enumerated_share(set, true), 1e-9);
+            const double left = tiling_share(set, 1);
+            EXPECT_NEAR(left, enumerated_share(set, false), 0.14 * left);
             if (before.is_uneven()) {
                 EXPECT_LT(after.tiling, 0.9 * before.tiling);
-                EXPECT_LT(tiling_share(set, 1), 0.9 * shown);
+                EXPECT_LT(left, 0.9 * shown);
             } else {
                 EXPECT_NEAR(after.tiling, before.tiling, 0.01 * before.tiling);
             }
