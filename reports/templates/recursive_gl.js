@@ -74,11 +74,13 @@ void main() {
 }`;
 
 class RecursiveDrawing {
-  /** Throws where there is no WebGL2. */
-  constructor(canvas, plane) {
+  /** Draws on nothing, or on paper: a browser shows a canvas sooner that nothing shines through. Throws where there is no
+   *  WebGL2. */
+  constructor(canvas, plane, isOnPaper) {
     this.canvas = canvas;
     this.plane = plane;
-    const gl = (this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, premultipliedAlpha: true }));
+    this.paper = [0, 0, 0, 0];
+    const gl = (this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: !isOnPaper, premultipliedAlpha: true }));
     if (!gl) {
       document.getElementById("said").textContent = "This page needs WebGL2, which this browser does not have";
       throw new Error("no WebGL2");
@@ -148,7 +150,7 @@ class RecursiveDrawing {
     const { gl, canvas } = this;
     const set = this.plane.set;
     gl.viewport(0, 0, canvas.width, canvas.height);
-    gl.clearColor(0, 0, 0, 0);
+    gl.clearColor(...this.paper);
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.uniform1ui(this.uniform("seed"), view.seed);
     gl.uniform2f(this.uniform("size"), canvas.width / view.ratio, canvas.height / view.ratio);

@@ -46,7 +46,8 @@ const pictureStamp = (picture) => stampOf((context) => {
 
 const ownStamps = { given: [], picture: [] };
 
-function showStamps() {
+/** The chosen stamps, and the part of their width that they are as wide as; no stamps before a picture is there. */
+function stampsNow() {
   const which = byId("stamps").value;
   const ink = getComputedStyle(canvas).color;
   const all = {
@@ -55,7 +56,13 @@ function showStamps() {
     given: () => ownStamps.given,
     picture: () => ownStamps.picture,
   }[which]();
-  if (all.length > 0) drawing.setStamps(all, which === "dots" ? 0.5 / 0.85 : 1); // dots are half as wide as stamps
+  return [all, which === "dots" ? 0.5 / 0.85 : 1]; // dots are half as wide as stamps
+}
+
+function showStamps() {
+  const [all, part] = stampsNow();
+  if (all.length > 0) drawing.setStamps(all, part);
+  drawing.paper = [...getComputedStyle(document.body).backgroundColor.match(/[\d.]+/g).slice(0, 3).map((c) => c / 255), 1];
   redraw();
 }
 
@@ -150,10 +157,7 @@ byId("save-csv").addEventListener("click", () => {
   }
   save(new Blob([csvOf(windowPoints(seen), drawing.stamps)], { type: "text/plain" }), "points.csv");
 });
-byId("save-png").addEventListener("click", () => {
-  drawNow();
-  canvas.toBlob((blob) => save(blob, "painting.png"));
-});
+byId("save-png").addEventListener("click", () => transparentPicture().canvas.toBlob((blob) => save(blob, "painting.png")));
 byId("save-density").addEventListener("click", () => layerPicture().toBlob((blob) => save(blob, "density.png")));
 for (const button of document.querySelectorAll("[data-copy]"))
   button.addEventListener("click", () => {

@@ -6,7 +6,7 @@ const canvas = byId("view");
 const about = byId("recursive").dataset;
 const set = new RecursiveSet(Uint8Array.from(atob(byId("tiles").textContent.trim()), (c) => c.charCodeAt(0)), about.colors);
 const plane = new RecursivePlane(set, Number(about.seed));
-const drawing = new RecursiveDrawing(canvas, plane);
+const drawing = new RecursiveDrawing(canvas, plane, true);
 const leastZoom = 96; // pixels of a tile of level 0
 const tileZooms = [128, 512]; // pixels of a tile of any other level
 const levelsAbove = 3; // whose points are looked at one by one: lights of 8 bits are no darker than 1 / 16^3
@@ -222,10 +222,25 @@ function drawPicture() {
   isDue = false;
   const ratio = window.devicePixelRatio || 1;
   fit(canvas, ratio);
+  drawOn(drawing, ratio);
+}
+
+/** Draws the view by a drawing whose canvas has so many pixels along a pixel of the page. */
+function drawOn(where, ratio) {
   const { layer } = painted;
-  if (layer && layer.isNew) drawing.setLayer(Float32Array.from(layer.greys, (grey) => lightOf[grey]), layer.columns, layer.rows);
-  if (layer) layer.isNew = false;
-  drawing.draw({ seed: plane.random.seed, parts: partsOf(), ratio, stampPixels: stampPixels(), isTurned: about.turned === "1", layer: layerInView(), ground: lightOf[painted.ground] });
+  if (layer && (layer.isNew || where !== drawing)) where.setLayer(Float32Array.from(layer.greys, (grey) => lightOf[grey]), layer.columns, layer.rows);
+  if (layer && where === drawing) layer.isNew = false;
+  where.draw({ seed: plane.random.seed, parts: partsOf(), ratio, stampPixels: stampPixels(), isTurned: about.turned === "1", layer: layerInView(), ground: lightOf[painted.ground] });
+}
+
+let transparent = null;
+/** The view without paper, in a canvas of its own. */
+function transparentPicture() {
+  transparent ??= new RecursiveDrawing(document.createElement("canvas"), plane, false);
+  Object.assign(transparent.canvas, { width: canvas.width, height: canvas.height });
+  transparent.setStamps(...stampsNow());
+  drawOn(transparent, window.devicePixelRatio || 1);
+  return transparent;
 }
 
 function showWords() {

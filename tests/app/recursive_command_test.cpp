@@ -206,7 +206,7 @@ TEST_F(RecursivePageOfCommand, DrawsPointsWhereTheyAre)
             byId("stamp-size").value = 0.8;
             showStamps();
             drawNow();
-            const { gl } = drawing;
+            const { gl } = transparentPicture();
             const [width, height] = [canvas.width, canvas.height];
             const pixels = new Uint8Array(4 * width * height);
             gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -243,7 +243,8 @@ TEST_F(RecursivePageOfCommand, PaintsWithTheMouse)
     browser_->click("#empty");
     EXPECT_EQ(evaluate("windowPoints(seenWindow()).length"), 0);
     EXPECT_EQ(
-        evaluate("(drawNow(), seenInk = () => { const { gl } = drawing; const p = new Uint8Array(4 * canvas.width * "
+        evaluate("(drawNow(), seenInk = () => { const { gl } = transparentPicture(); const p = new Uint8Array(4 * "
+                 "canvas.width * "
                  "canvas.height); gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, p); "
                  "let sum = 0; for (let i = 3; i < p.length; i += 4) sum += p[i] > 0; return sum; }, seenInk())"),
         0);
@@ -368,7 +369,8 @@ TEST_F(RecursivePageOfCommand, HasStampsAndCountsFrames)
         "given");
     for (const char* stamps : {"dots", "leaves", "given"})
         EXPECT_GT(evaluate(fmt::format(
-                      "(byId('stamps').value = '{}', showStamps(), drawNow(), (() => {{ const {{ gl }} = drawing; "
+                      "(byId('stamps').value = '{}', showStamps(), drawNow(), (() => {{ const {{ gl }} = "
+                      "transparentPicture(); "
                       "const p = new Uint8Array(4 * canvas.width * canvas.height); gl.readPixels(0, 0, "
                       "canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, p); return p.reduce((a, b) => a + "
                       "(b > 0), 0); }})())",
