@@ -114,6 +114,13 @@ private:
     std::uint64_t seed_;
 };
 
+/// The set that is measured may have been made by a method that is beside it, with the run's seed.
+std::uint64_t seed_beside(std::uint64_t seed)
+{
+    const StreamKey key = stream_key(seed, Purpose::surface_candidates, 5);
+    return std::uint64_t{key[1]} << 32 | key[0];
+}
+
 }
 
 void complete_measures(MeshSetMeasures& set, std::size_t points, double area, double reach)
@@ -202,7 +209,7 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
 
     const auto made = [&](const std::string& method) {
         if (on_step) on_step(method + " on the mesh, to compare with");
-        return points_by_method(method, count, points.surface, settings, seed);
+        return points_by_method(method, count, points.surface, settings, seed_beside(seed));
     };
     const auto random = surface_candidates(surface, count, stream_key(seed, Purpose::surface_candidates, 1));
     const TriangleTree tree(mesh);
