@@ -218,7 +218,9 @@ class RecursiveDrawing {
     if (squares <= this.squares) return;
     this.squares = 2 * squares;
     const corners = [0, 1, 2, 2, 1, 3];
-    const indices = Uint32Array.from({ length: 6 * this.squares }, (_, i) => 4 * Math.floor(i / 6) + corners[i % 6]);
+    const indices = new Uint32Array(6 * this.squares);
+    for (let square = 0, at = 0; square < this.squares; ++square)
+      for (const corner of corners) indices[at++] = 4 * square + corner;
     this.gl.bufferData(this.gl.ELEMENT_ARRAY_BUFFER, indices, this.gl.STATIC_DRAW);
   }
 }

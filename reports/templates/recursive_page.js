@@ -238,7 +238,9 @@ let transparent = null;
 function transparentPicture() {
   transparent ??= new RecursiveDrawing(document.createElement("canvas"), plane, false);
   Object.assign(transparent.canvas, { width: canvas.width, height: canvas.height });
-  transparent.setStamps(...stampsNow());
+  const [all, part] = stampsNow();
+  if (all.length > 0) transparent.setStamps(all, part);
+  else if (!transparent.stamps) transparent.setStamps([dotStamp(getComputedStyle(canvas).color)], 0.5 / 0.85);
   drawOn(transparent, window.devicePixelRatio || 1);
   return transparent;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -17,11 +18,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Walks down for an estimate, which are made a few at a time: those of 4 colours take milliseconds each.
+/// Walks down for an estimate are made a few at a time: those of 4 colours take milliseconds each.
 constexpr std::uint32_t walks_at_a_time = 20, most_batches = 50;
 
-/// Parts of the tree, whose number bounds the size of checkpoints and does not depend on the number of threads.
-constexpr std::size_t wanted_subtrees = 256;
+/// The tree is cut into as many parts, or a little more. Their number bounds the size of checkpoints, does not depend
+/// on the number of threads, and gives each shard some.
+constexpr std::size_t least_subtrees = 256, most_subtrees = 65'536, subtrees_a_shard = 16;
 
 /// The turn in which something happens to a subtree: the lowest comes first.
 using Turn = std::pair<std::uint64_t, std::size_t>;
@@ -35,9 +37,12 @@ public:
     {
         search_.problem.has_first_tile = search.task == PackingTask::count;
         const auto board = make_packing_board(search_.problem);
-        tree_ = cut_tree(*board, wanted_subtrees);
-        if (std::error_code none; std::filesystem::exists(settings.checkpoint, none))
-            read_search_file(settings, search_, *board, tree_.subtrees);
+        tree_ = cut_tree(*board, std::clamp(subtrees_a_shard * search.shards, least_subtrees, most_subtrees));
+        std::error_code failure;
+        const bool has_file = std::filesystem::exists(settings.checkpoint, failure);
+        if (failure)
+            throw StorageError(fmt::format("{}: cannot be read: {}", settings.checkpoint.string(), failure.message()));
+        if (has_file) read_search_file(settings, search_, *board, tree_.subtrees);
         is_taken_.resize(tree_.subtrees.size());
         for (std::size_t i = 0; i < tree_.subtrees.size(); ++i) {
             note_answer(i);
@@ -161,7 +166,8 @@ private:
     PackingProgress progress() const
     {
         PackingProgress progress{.nodes = nodes_ + tree_.nodes};
-        double weights = 0, done = 0;
+        double weights = 0, done = 0, all = 0;
+        for (const PackingSubtree& subtree : tree_.subtrees) all += subtree.weight;
         for (std::size_t i = search_.shard - 1; i < tree_.subtrees.size(); i += search_.shards) {
             const PackingSubtree& subtree = tree_.subtrees[i];
             progress.packings += subtree.packings;
@@ -169,7 +175,8 @@ private:
             done += subtree.weight * subtree.share;
         }
         progress.share = weights > 0 ? done / weights : 1;
-        progress.tree_nodes = estimate_;
+        progress.tree_nodes = all > 0 ? estimate_ * weights / all : estimate_;
+        if (search_.task == PackingTask::count) progress.packings *= tiles_of_set();
         const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
         progress.nodes_per_second = static_cast<double>(nodes_ - nodes_before_) / std::max(seconds, 1e-3);
         return progress;
@@ -182,11 +189,17 @@ private:
         saved_ = Clock::now();
     }
 
+    std::size_t tiles_of_set() const
+    {
+        const std::size_t colors = search_.problem.colors;
+        return colors * colors * colors * colors;
+    }
+
     FoundPackings found() const
     {
         FoundPackings found{.nodes = nodes_ + tree_.nodes};
         const Color colors = search_.problem.colors;
-        const std::size_t tiles = std::size_t{colors} * colors * colors * colors;
+        const std::size_t tiles = tiles_of_set();
         const auto add = [&](const PackingSubtree& subtree) {
             found.count += subtree.packings;
             for (auto first = subtree.tiles.begin(); first != subtree.tiles.end();

@@ -36,7 +36,7 @@ struct PackingProgress
     std::uint64_t nodes = 0;    ///< visited, with those of earlier processes
     std::uint64_t packings = 0; ///< found
     double share = 0;           ///< of the tree of this shard, by Knuth's weights
-    double tree_nodes = 0;      ///< of the whole tree, estimated; exact once all is done
+    double tree_nodes = 0;      ///< of the shard's part of the tree, estimated
     double nodes_per_second = 0;
 
     /// The seconds that all the rest takes, by the number of nodes.

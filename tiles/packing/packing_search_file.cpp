@@ -87,13 +87,15 @@ void read_search_file(const PackingSearchSettings& settings, const PackingSearch
         throw InputError::at(place, fmt::format("is of another search: {}; this one is: {}", printable(words),
                                                 search_words(settings, search)));
     m.objects("subtrees", begun);
+    const std::size_t colors = search.problem.colors, tiles = colors * colors * colors * colors;
     for (StoredSubtree& stored : begun) {
         const bool is_there = stored.number < subtrees.size();
         if (is_there) {
             stored.state.depth = subtrees[stored.number].depth;
             stored.state.weight = subtrees[stored.number].weight;
         }
-        if (!is_there || !has_path(board, stored.state))
+        const std::size_t kept = search.task == PackingTask::count ? 0 : stored.state.packings;
+        if (!is_there || !has_path(board, stored.state) || stored.state.tiles.size() != kept * tiles)
             throw InputError::at(place, "has a subtree that this search has not: another version may have written it");
         subtrees[stored.number] = std::move(stored.state);
     }

@@ -23,7 +23,7 @@ struct PackingSubtree
     bool is_done = false;
 };
 
-/// When and for what a search stops.
+/// A search stops at these events.
 struct SubtreeWalk
 {
     std::uint64_t until_nodes = 0;   ///< pauses once so many of the subtree were visited

@@ -32,7 +32,7 @@ Prints tile indices, a row of tiles a line, north first, as `tiling` does.
   pegs       corner, C = 2, 3, 4: the same with the colours of corners, one after another
   fewest     corner, C = 2, 3, 4: where a corner has the fewest colours left first; the fastest of these three for C = 3
   symmetric  C = 2 to 5 (corner: from 3 on): one that is the same after C places to the east and with the next colours;
-             a second or seconds
+             a second; corner tiles of five colours seconds or minutes, by the seed
   grown      corner, C = 3: a random one around the printed one of two colours; seconds
 --all prints every packing of two colours, with empty lines between: 32 of corner tiles, 203520 of Wang tiles.
 --count counts them; of more than two colours nobody has.

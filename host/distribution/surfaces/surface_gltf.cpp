@@ -1,12 +1,15 @@
 #include "host/distribution/surfaces/surface_gltf.hpp"
 
+#include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace poissonlab {
 namespace {
@@ -34,6 +37,8 @@ public:
     /// Adds floats, `width` of each thing, and returns the number of their accessor.
     std::size_t add(const std::vector<float>& values, std::size_t width, bool has_bounds = false)
     {
+        if (!std::ranges::all_of(values, [](float v) { return std::isfinite(v); }))
+            throw InputError("glTF: numbers are larger than floats hold; choose a larger unit of length");
         GltfJson view{{"buffer", 0}, {"byteLength", 4 * values.size()}};
         if (!bytes_.empty()) view["byteOffset"] = bytes_.size();
         GltfJson accessor{{"bufferView", views_.size()},
@@ -88,6 +93,38 @@ private:
     std::vector<std::size_t> roots_;
 };
 
+/// Places as floats, and what their node is moved by.
+struct NearPlaces
+{
+    std::vector<float> places;
+    GltfJson node = GltfJson::object();
+};
+
+/// Floats have 24 bits: far from the origin they would not tell neighbours apart. There places count from the middle of
+/// their box.
+NearPlaces near_places(const std::vector<double>& places)
+{
+    constexpr double far = 16; // extents
+    std::array<double, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY}, origin{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        low[i % 3] = std::min(low[i % 3], places[i]);
+        high[i % 3] = std::max(high[i % 3], places[i]);
+    }
+    double extent = 0, distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        extent = std::max(extent, high[k] - low[k]);
+        distance = std::max(distance, std::abs(low[k] / 2 + high[k] / 2));
+    }
+    NearPlaces result;
+    if (extent > 0 && distance > far * extent) {
+        for (std::size_t k = 0; k < 3; ++k) origin[k] = low[k] / 2 + high[k] / 2;
+        result.node["translation"] = origin;
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        result.places.push_back(static_cast<float>(places[i] - origin[i % 3]));
+    return result;
+}
+
 /// The corners of a model, triangle by triangle, three floats each.
 struct ModelCorners
 {
@@ -116,6 +153,8 @@ ModelCorners corners_of(const TriangleMesh& model)
 
 void write_glb_parts(const std::filesystem::path& file, std::string json, std::string_view buffer)
 {
+    if (json.size() + buffer.size() + 64 > std::numeric_limits<std::uint32_t>::max())
+        throw InputError("glTF: a file has less than 4 GB; these points or models need more");
     std::string chunks = glb_chunk("JSON", std::move(json), ' ');
     if (!buffer.empty()) chunks += glb_chunk(std::string_view("BIN\0", 4), std::string(buffer), '\0');
     std::string head = "glTF";
@@ -129,8 +168,10 @@ void write_surface_glb(const std::filesystem::path& file, std::vector<GltfGroup>
     std::erase_if(groups, [](const GltfGroup& group) { return group.places.empty(); });
     GltfScene scene;
     for (const auto& [name, places, normals] : groups) {
-        const std::size_t first = scene.add(places, 3, true), second = scene.add(normals, 3);
-        scene.add_node(name, {{"attributes", {{"POSITION", first}, {"NORMAL", second}}}, {"mode", 0}}); // 0: points
+        const NearPlaces near = near_places(places);
+        const std::size_t first = scene.add(near.places, 3, true), second = scene.add(normals, 3);
+        scene.add_node(name, {{"attributes", {{"POSITION", first}, {"NORMAL", second}}}, {"mode", 0}}, // 0: points
+                       near.node);
     }
     scene.write(file);
 }
@@ -144,8 +185,9 @@ void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInsta
     for (const GltfInstances& group : groups) {
         const ModelCorners corners = corners_of(*group.model);
         const std::size_t places = scene.add(corners.places, 3, true), normals = scene.add(corners.normals, 3);
+        NearPlaces near = near_places(group.places);
         GltfJson attributes{
-            {"TRANSLATION", scene.add(group.places, 3)},
+            {"TRANSLATION", scene.add(near.places, 3)},
             {"ROTATION", scene.add(group.turns, 4)},
             {"SCALE", scene.add(std::vector<float>(3 * group.ids.size(), group.scale), 3)},
             {"_ID", scene.add(group.ids, 1)},
@@ -157,9 +199,10 @@ void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInsta
                                {"metallicFactor", 0},
                                {"roughnessFactor", 0.8}}},
                              {"doubleSided", true}});
+        near.node["extensions"] = {{extension, {{"attributes", attributes}}}};
         scene.add_node(group.name,
                        {{"attributes", {{"POSITION", places}, {"NORMAL", normals}}}, {"material", material}},
-                       {{"extensions", {{extension, {{"attributes", attributes}}}}}});
+                       near.node);
     }
     GltfJson more = GltfJson::object();
     if (!groups.empty()) {

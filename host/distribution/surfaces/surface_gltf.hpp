@@ -12,15 +12,18 @@
 
 namespace poissonlab {
 
-/// Points that a node of a glTF file has: three floats of each place, and three of each normal.
+/// Points that a node of a glTF file has: three numbers of each place, and three of each normal.
 struct GltfGroup
 {
     std::string name; ///< empty: none
-    std::vector<float> places, normals;
+    std::vector<double> places;
+    std::vector<float> normals;
 };
 
 /// Writes a node with a mesh of points for each group, whole or not at all. Groups without points are left out, because
-/// glTF has no empty meshes. Throws StorageError.
+/// glTF has no empty meshes. Places are floats; where they lie far from the origin for their extent, the node is moved
+/// there and they count from it. Throws StorageError, and InputError where numbers are too large for floats or the file
+/// for glTF.
 void write_surface_glb(const std::filesystem::path& file, std::vector<GltfGroup> groups);
 
 /// Copies of a model, which one node of a glTF file draws.
@@ -29,7 +32,7 @@ struct GltfInstances
     std::string name;
     const TriangleMesh* model = nullptr;
     std::array<float, 3> color{};  ///< linear, from 0 to 1
-    std::vector<float> places;     ///< three of each copy
+    std::vector<double> places;    ///< three of each copy
     std::vector<float> turns;      ///< four of each: quaternions x, y, z, w of length 1
     std::vector<float> ids;        ///< one of each
     float scale = 1;               ///< of all copies
@@ -38,10 +41,12 @@ struct GltfInstances
 
 /// Writes a node and a mesh for each group, whose copies are attributes of the extension EXT_mesh_gpu_instancing:
 /// TRANSLATION, ROTATION, SCALE, _ID and, for groups with a class, _CLASS, all of them floats. The file requires the
-/// extension. Groups without copies are left out. Throws StorageError.
+/// extension. Groups without copies are left out, and places far from the origin count from their node. Throws
+/// StorageError and InputError, as above.
 void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInstances> groups);
 
-/// Writes a binary glTF file: a description and the bytes of its buffer, which may be empty. Throws StorageError.
+/// Writes a binary glTF file: a description and the bytes of its buffer, which may be empty. Throws StorageError, and
+/// InputError where they have 4 GB or more.
 void write_glb_parts(const std::filesystem::path& file, std::string json, std::string_view buffer);
 
 }

@@ -92,7 +92,10 @@ void surface_model_keys(Keys& keys, SurfaceModels& models, std::size_t most_mode
 
 void read_surface_models(const Keys& keys, SurfaceModels& models, std::size_t classes)
 {
-    if (!models.are_given()) return;
+    if (!models.are_given()) {
+        if (keys.is_given("instances")) throw keys.invalid("instances", "must be at least one model");
+        return;
+    }
     if (models.names.size() > 1 && models.names.size() != classes)
         throw keys.invalid("instances", fmt::format("must be one for all, or {}, one of each class", classes));
     models.read.clear();
@@ -105,6 +108,9 @@ void read_surface_models(const Keys& keys, SurfaceModels& models, std::size_t cl
             throw keys.invalid("instances", fmt::format("{}{}: must be a mesh, or {}",
                                                         models.names.size() > 1 ? name + ": " : "", lack, cone_name));
         keys.check("instances", [&] { models.read.push_back(read_triangle_mesh(name, MeshParts::all)); });
+        if (!models.scale && radius_of(models.read.back()) == 0)
+            throw keys.invalid("instances", fmt::format("{} has no width around its y axis: {} is needed", name,
+                                                        keys.name_of("instance_scale")));
     }
 }
 
@@ -136,6 +142,9 @@ void write_surface_instances(const std::filesystem::path& file, const FixedSurfa
         const double spacing =
             std::sqrt(surface.area / static_cast<double>(std::max<std::size_t>(1, group.ids.size())));
         group.scale = static_cast<float>(models.scale.value_or(part_of_spacing * spacing / radius_of(*group.model)));
+        if (!std::isnormal(group.scale))
+            throw InputError("instances: the model's size, beside that of the mesh, needs a scale that floats do not "
+                             "hold: instance_scale gives another");
         const std::array<float, 3> color = color_of_class(own);
         std::ranges::transform(color, group.color.begin(), linear_of);
     }

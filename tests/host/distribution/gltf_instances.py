@@ -100,12 +100,12 @@ def rows_of_node(data, node):
     return rows, model
 
 
-def check_rows(rows, points, scale):
+def check_rows(rows, points, scale, origin=(0, 0, 0)):
     """Each instance stands on its point, with its y axis along the normal. Returns by how much they are turned."""
     turns = []
     for place, q, size, (number,) in zip(rows["TRANSLATION"], rows["ROTATION"], rows["SCALE"], rows["_ID"]):
         point = points[int(number)]
-        assert is_near(place, (point["x"], point["y"], point["z"]), 4 * FLOAT)
+        assert is_near([a + b for a, b in zip(origin, place)], (point["x"], point["y"], point["z"]), 4 * FLOAT)
         assert is_near(size, [scale] * 3, 2 * FLOAT * scale)
         assert abs(sum(c * c for c in q) - 1) <= 8 * FLOAT
         normal = (point["nx"], point["ny"], point["nz"])
@@ -161,6 +161,26 @@ def check_surface(folder):
     assert other["ROTATION"] != rows["ROTATION"]
 
 
+def check_far(folder):
+    """In metres of UTM, floats are half a metre apart: the node is moved there, and instances count from it."""
+    move = (500000, 5400000, 100)
+    moved = [" ".join(["v"] + [str(float(c) + d) for c, d in zip(line.split()[1:], move)]) if line.startswith("v ") else line
+             for line in BOX.splitlines()]
+    (folder / "far.obj").write_text("\n".join(moved) + "\n")
+    points = run(folder, "surface", "far.obj", "--points", "400", "--instances", "cone", "--out", "a.glb", "--out", "a.csv")
+    data = read_glb(folder / "a.glb")
+    origin = data[0]["nodes"][0]["translation"]
+    rows, _ = rows_of_node(data, data[0]["nodes"][0])
+    assert all(abs(c) <= 2 for place in rows["TRANSLATION"] for c in place)
+    check_rows(rows, points, 0.35 * math.sqrt(area_of_box() / 400) / 0.5, origin)
+    (folder / "thin.obj").write_text("v 0 0 0\nv 0 1 0\nv 0 2 0\nf 1 2 3\n")
+    for words, said in ((("--instances", "thin.obj"), "thin.obj"), (("--instances", "cone", "--instance-scale", "1e-60"), "scale")):
+        failed = subprocess.run([PROGRAM, "distribute", "surface", "box.obj", "--points", "3", *words, "--out", "no.glb"],
+                                cwd=folder, capture_output=True, text=True)
+        assert failed.returncode == 2 and said in failed.stderr and failed.stderr.count("\n") <= 2, failed.stderr
+        assert not (folder / "no.glb").exists()
+
+
 def check_classes(folder):
     words = ("surface-classes", "box.obj", "--points", "30", "300", "--out", "a.glb", "--out", "a.csv")
     points = run(folder, *words, "--instances", "wedge.obj", "--instances", "cone", "--instance-scale", "0.125")
@@ -190,3 +210,4 @@ with tempfile.TemporaryDirectory() as name:
     (place / "wedge.obj").write_text(WEDGE)
     check_surface(place)
     check_classes(place)
+    check_far(place)

@@ -102,6 +102,7 @@ TEST(RegionMonotiles, KeepTheirDistanceAndHaveTheNumberThatIsAskedFor)
         SCOPED_TRACE(word);
         RegionSeries numbered(word, yard, 400, {{"points_per_tile", std::int64_t{2}}, {"levels", std::int64_t{0}}});
         RegionSeries at_distance(word, yard, 400, {{"tiles", shipped(word)}, {"min_distance", 0.7}});
+        RegionSeries whole(word, yard, 400, {{"tiles", shipped(word)}});
         RegionSeries thinned(word, yard, 400, {{"tiles", shipped(word)}, {"density", 0.25}});
         std::set<RoundedPlaces> sets;
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -117,6 +118,10 @@ TEST(RegionMonotiles, KeepTheirDistanceAndHaveTheNumberThatIsAskedFor)
             EXPECT_GE(least_in_set(at_distance.sampler->sample(k)), 0.7);
             EXPECT_NEAR(static_cast<double>(thinned.sampler->sample(k).size()), 400, 2);
         }
+        ASSERT_GT(whole.sampler->sample(0).size(), 0U);
+        // A quarter of the points of each tile is kept: as many points need tiles of half the width.
+        EXPECT_NEAR(*thinned.sampler->traits().proven_relative_radius / *whole.sampler->traits().proven_relative_radius,
+                    0.5, 0.02);
     }
 }
 
