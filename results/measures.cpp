@@ -248,8 +248,10 @@ std::vector<Measure> spectral_measures()
             "of a line through the logarithms of the rings' powers. The hyperuniformity exponent estimates the "
             "same b by maximum likelihood, without the bias of logarithms: it is the one to quote.",
             from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error)))),
-        detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::lower, MeasureKind::estimate,
-                   decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
+        detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::neither, MeasureKind::estimate,
+                   decimals(3),
+                   "1 for random points, 0.059 for saturated dart throwing. It is the value at frequency 0 of "
+                   "a parabola that is fitted to the lowest frequencies, and falls below 0 where that does not fit.",
                    from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),
         detail(number("low_frequency_mean", "mean power at low frequencies", "", Better::lower, MeasureKind::estimate,
                       significant(2),
