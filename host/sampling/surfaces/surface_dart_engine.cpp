@@ -85,7 +85,12 @@ public:
     void set_pieces(const std::vector<SurfacePiece>& pieces) override
     {
         pieces_ = pieces.size();
-        reserve(device_, buffers_of_pieces(*buffers_, pieces_, surface_guide_size(pieces_)));
+        SurfaceDartBuffers& b = *buffers_;
+        if (b.pieces.size() < pieces_ || b.guide.size() < surface_guide_size(pieces_)) {
+            const std::size_t room = b.pieces.size() < pieces_ ? pieces_ * 3 / 2 : b.pieces.size();
+            reserve(device_, buffers_of_pieces(b, room, surface_guide_size(room)));
+            for (BufferImpl* memory : {&b.pieces.impl(), &b.ends.impl(), &b.guide.impl()}) ask_for_large_pages(*memory);
+        }
         buffers_->pieces.write(pieces);
     }
 
@@ -164,14 +169,16 @@ private:
     }
 
     /// The first `most` of the darts that are accepted, in the order in which they lie on the device.
-    std::vector<SurfacePoint> accepted_of(std::uint32_t darts, std::size_t most) const
+    std::vector<SurfacePoint> accepted_of(std::uint32_t darts, std::size_t most)
     {
-        const std::vector<std::uint32_t> states = buffers_->states.read(0, darts);
-        const std::vector<SurfacePoint> all = buffers_->darts.read(0, darts);
+        states_.resize(darts);
+        darts_.resize(darts);
+        buffers_->states.read(states_);
+        buffers_->darts.read(darts_);
         std::vector<SurfacePoint> accepted;
         for (std::uint32_t i = 0; i < darts; ++i)
-            if (states[i] == ACCEPTED) {
-                accepted.push_back(all[i]);
+            if (states_[i] == ACCEPTED) {
+                accepted.push_back(darts_[i]);
                 accepted.back().next = 0;
             }
         if (accepted.size() <= most) return accepted;
@@ -193,7 +200,9 @@ private:
 
     StreamKey stream_;
     SurfaceRule rule_{};
-    std::size_t count_ = 0; ///< points
+    std::size_t count_ = 0;             ///< points
+    std::vector<std::uint32_t> states_; ///< of a batch, as the device has them
+    std::vector<SurfacePoint> darts_;
     std::size_t pieces_ = 0;
     std::uint64_t total_ = 0;
     std::uint32_t guide_bits_ = 0;

@@ -10,6 +10,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -89,6 +90,29 @@ constexpr double dear_darts = 4;
 /// Pieces are not refined without further darts where there are more than so many for each point.
 constexpr std::size_t many_pieces = 4;
 
+/// Pieces on which threads work together.
+constexpr std::size_t pieces_a_part = 1 << 14;
+
+/// Calls work(part, begin, end) for each part of so many pieces, by all threads.
+template <class Work>
+void by_parts(std::size_t count, Work work)
+{
+    tbb::parallel_for(std::size_t{0}, (count + pieces_a_part - 1) / pieces_a_part, [&](std::size_t part) {
+        work(part, part * pieces_a_part, std::min((part + 1) * pieces_a_part, count));
+    });
+}
+
+/// The sum of numbers, added in an order that does not depend on the threads.
+template <class Number>
+double sum_of(std::size_t count, Number number)
+{
+    std::vector<double> sums(count / pieces_a_part + 1);
+    by_parts(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sums[part] += number(i);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 class ThrowingOnSurface
 {
 public:
@@ -148,9 +172,7 @@ private:
 
     double area_of_pieces() const
     {
-        double area = 0;
-        for (const SurfacePiece& piece : pieces_) area += area_of(*request_.surface, piece);
-        return area;
+        return sum_of(pieces_.size(), [&](std::size_t i) { return area_of(*request_.surface, pieces_[i]); });
     }
 
     /// Throws darts until there are enough points, or no piece is left.
@@ -190,7 +212,8 @@ private:
         const double enough = worthwhile_darts * uncovered * area_of_pieces();
         bool is_finer = true;
         do {
-            RefinedPieces left = refined(*request_.surface, pieces_, engine_.cover());
+            RefinedPieces left = refined(*request_.surface, pieces_, engine_.cover(), std::move(spare_));
+            spare_ = std::move(pieces_);
             result_.small_area += left.small_area;
             is_finer = left.is_finer;
             set_pieces(std::move(left.pieces));
@@ -219,7 +242,8 @@ private:
     const std::function<void(std::size_t)>& on_points_;
     std::size_t capacity_ = 0;
     std::vector<SurfacePiece> pieces_;
-    bool has_choice_ = false; ///< the engine has that of the pieces
+    std::vector<SurfacePiece> spare_; ///< memory for the next pieces: first touches of it take long
+    bool has_choice_ = false;         ///< the engine has that of the pieces
     SurfaceDarts result_;
 };
 
@@ -257,15 +281,14 @@ std::vector<SurfacePiece> whole_pieces(const FixedSurface& surface)
 
 double area_of(const FixedSurface& surface, const SurfacePiece& piece)
 {
-    return std::ldexp(surface.areas[piece.triangle], -static_cast<int>(piece.halvings & ~LAST_PIECE));
+    constexpr std::uint64_t exponent_of_one = 1023, exponent_place = 52; // of doubles; ldexp() takes ten times as long
+    const std::uint64_t exponent = exponent_of_one - (piece.halvings & ~LAST_PIECE);
+    return surface.areas[piece.triangle] * std::bit_cast<double>(exponent << exponent_place);
 }
 
 bool is_last(const SurfacePiece& piece) { return (piece.halvings & LAST_PIECE) != 0; }
 
 namespace {
-
-/// Pieces that are refined together.
-constexpr std::size_t refined_together = 1 << 14;
 
 /// Refines pieces `begin` to `end`, and puts what is left of them into places from `to` on.
 RefinedPieces refined_from(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
@@ -288,20 +311,25 @@ RefinedPieces refined_from(const FixedSurface& surface, const std::vector<Surfac
 }
 
 RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
-                      const std::vector<std::uint32_t>& states)
+                      const std::vector<std::uint32_t>& states, std::vector<SurfacePiece> memory)
 {
-    const std::size_t count = (pieces.size() + refined_together - 1) / refined_together;
+    const std::size_t count = (pieces.size() + pieces_a_part - 1) / pieces_a_part;
     std::vector<std::size_t> starts(count + 1); // of what is left of each part
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (states[i] == PIECE_OPEN) starts[i / refined_together + 1] += is_last(pieces[i]) ? 1 : 2;
+    by_parts(pieces.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (states[i] == PIECE_OPEN) starts[part + 1] += is_last(pieces[i]) ? 1 : 2;
+    });
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     RefinedPieces left;
-    left.pieces.reserve(starts.back());
-    ask_for_large_pages(left.pieces.data(), starts.back() * sizeof(SurfacePiece));
+    left.pieces = std::move(memory);
+    if (left.pieces.capacity() < starts.back()) {
+        left.pieces = {};
+        left.pieces.reserve(starts.back());
+        ask_for_large_pages(left.pieces.data(), starts.back() * sizeof(SurfacePiece));
+    }
     left.pieces.resize(starts.back());
     std::vector<RefinedPieces> parts(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t part) {
-        const std::size_t begin = part * refined_together, end = std::min(begin + refined_together, pieces.size());
+    by_parts(pieces.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
         parts[part] = refined_from(surface, pieces, states, begin, end, left.pieces.data() + starts[part]);
     });
     for (const RefinedPieces& part : parts) {
@@ -316,34 +344,61 @@ std::size_t surface_guide_size(std::size_t pieces)
     return std::size_t{1} << std::clamp(static_cast<std::uint32_t>(std::bit_width(pieces)), 1u, most_guide_bits);
 }
 
+namespace {
+
+/// The first piece that each entry of a guide leads to.
+void fill_guide(SurfacePieceChoice& choice)
+{
+    __extension__ using Wide = unsigned __int128;
+    choice.guide.resize(std::size_t{1} << choice.guide_bits);
+    const auto target_of = [&](std::size_t entry) {
+        return static_cast<std::uint64_t>(Wide{entry} * choice.total() >> choice.guide_bits);
+    };
+    by_parts(choice.guide.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        const auto first = std::ranges::upper_bound(choice.ends, target_of(begin));
+        auto piece = static_cast<std::uint32_t>(first - choice.ends.begin());
+        for (std::size_t i = begin; i < end; ++i) {
+            while (choice.ends[piece] <= target_of(i)) ++piece;
+            choice.guide[i] = piece;
+        }
+    });
+}
+
+/// The table of so many pieces that have these weights.
+template <class Weight>
+SurfacePieceChoice choice_of(std::size_t count, Weight weight)
+{
+    const double sum = sum_of(count, weight);
+    SurfacePieceChoice choice;
+    choice.ends.resize(count);
+    std::vector<std::uint64_t> starts(count / pieces_a_part + 2); // of each part
+    by_parts(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        std::uint64_t own = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            own += std::max<std::uint64_t>(1, static_cast<std::uint64_t>(weight(i) / sum * 0x1p62));
+            choice.ends[i] = own;
+        }
+        starts[part + 1] = own;
+    });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    by_parts(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) choice.ends[i] += starts[part];
+    });
+    choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(count))) - 1;
+    fill_guide(choice);
+    return choice;
+}
+
+}
+
 SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces)
 {
-    std::vector<double> areas;
-    areas.reserve(pieces.size());
-    for (const SurfacePiece& piece : pieces) areas.push_back(area_of(surface, piece));
-    return surface_piece_choice(areas);
+    return choice_of(pieces.size(), [&](std::size_t i) { return area_of(surface, pieces[i]); });
 }
 
 SurfacePieceChoice surface_piece_choice(const std::vector<double>& weights)
 {
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    SurfacePieceChoice choice;
-    choice.ends.reserve(weights.size());
-    std::uint64_t end = 0;
-    for (const double weight : weights) {
-        end += std::max<std::uint64_t>(1, static_cast<std::uint64_t>(weight / sum * 0x1p62));
-        choice.ends.push_back(end);
-    }
-    choice.guide_bits = static_cast<std::uint32_t>(std::bit_width(surface_guide_size(weights.size()))) - 1;
-    __extension__ using Wide = unsigned __int128;
-    choice.guide.reserve(std::size_t{1} << choice.guide_bits);
-    std::uint32_t piece = 0;
-    for (std::uint64_t i = 0; i < std::uint64_t{1} << choice.guide_bits; ++i) {
-        const auto target = static_cast<std::uint64_t>(Wide{i} * choice.total() >> choice.guide_bits);
-        while (choice.ends[piece] <= target) ++piece;
-        choice.guide.push_back(piece);
-    }
-    return choice;
+    return choice_of(weights.size(), [&](std::size_t i) { return weights[i]; });
 }
 
 contract::surface::SurfaceRule surface_rule(const FixedSurface& surface, double min_distance, double angle)

@@ -12,6 +12,7 @@
 // size at most), whose centre is covered; their area is said, and is 0 but by rare chance.
 #pragma once
 
+#include "analysis/spectra/uninitialized_vector.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/surfaces/fixed_surface.hpp"
@@ -66,8 +67,8 @@ using SurfacePiece = contract::surface::Piece;
 /// so that a piece's share is wrong by 2^-62 at most, and each has one at least.
 struct SurfacePieceChoice
 {
-    std::vector<std::uint64_t> ends;  ///< of each piece: the sum of weights up to it
-    std::vector<std::uint32_t> guide; ///< the first piece that random words with these upper bits can lead to
+    UninitializedVector<std::uint64_t> ends;  ///< of each piece: the sum of weights up to it
+    UninitializedVector<std::uint32_t> guide; ///< the first piece that random words with these upper bits can lead to
     std::uint32_t guide_bits = 1;
 
     std::uint64_t total() const { return ends.back(); }
@@ -88,6 +89,7 @@ double area_of(const FixedSurface& surface, const SurfacePiece& piece);
 bool is_last(const SurfacePiece& piece);
 
 /// Pieces that are left of those with these states (PieceState): open ones are halved, or stay where they are last.
+/// They are put into `memory`, whose content is lost.
 struct RefinedPieces
 {
     std::vector<SurfacePiece> pieces;
@@ -95,7 +97,7 @@ struct RefinedPieces
     bool is_finer = false; ///< one was halved, or dropped
 };
 RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
-                      const std::vector<std::uint32_t>& states);
+                      const std::vector<std::uint32_t>& states, std::vector<SurfacePiece> memory = {});
 
 /// There is one piece or more.
 SurfacePieceChoice surface_piece_choice(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces);
