@@ -9,7 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -112,6 +115,45 @@ private:
     double highest_;
     const PairGround& ground_;
     std::uint64_t seed_;
+};
+
+/// Says how long eigenfunctions take: before the first one by what others took, then by what these took.
+class EigenfunctionForecast
+{
+public:
+    EigenfunctionForecast(double functions, std::size_t vertices) : functions_(functions), vertices_(vertices) {}
+
+    std::string first() const
+    {
+        const double threads = tbb::this_task_arena::max_concurrency();
+        return fmt::format("some {:.0f} eigenfunctions of {} vertices: about {}", functions_, vertices_,
+                           in_words(seconds_a_vertex * functions_ * static_cast<double>(vertices_) / threads));
+    }
+
+    std::string after(std::size_t done, std::size_t all) const
+    {
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
+        const double left =
+            taken.count() * static_cast<double>(all - done) / static_cast<double>(std::max<std::size_t>(1, done));
+        return fmt::format("{} of {} eigenfunctions of {} vertices, about {} left", done, all, vertices_,
+                           in_words(left));
+    }
+
+private:
+    /// Seconds of a core for an eigenfunction and a vertex. Measured on tori of 12,700 and of 51,200 vertices: 0.7 and
+    /// 1.2 millionths.
+    static constexpr double seconds_a_vertex = 1e-6;
+
+    static std::string in_words(double seconds)
+    {
+        constexpr double short_time = 100, minute = 60;
+        return seconds < short_time ? fmt::format("{:.0f} s", std::ceil(seconds))
+                                    : fmt::format("{:.0f} min", seconds / minute);
+    }
+
+    double functions_;
+    std::size_t vertices_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// The set that is measured may have been made by a method that is beside it, with the run's seed.
@@ -217,8 +259,11 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     for (const std::string& method : methods_beside(settings)) compared.push_back(made(method));
     std::vector<std::vector<MeshPosition>> sets;
     for (const auto& of : compared) sets.push_back(positions_of(tree, points_of(surface, of)));
+    const EigenfunctionForecast forecast(eigenfunctions_up_to(frequency_of(highest), surface.area),
+                                         mesh.vertices.size());
+    if (on_step) on_step(forecast.first());
     const EigenfunctionPowers found = eigenfunction_powers(mesh, highest, sets, [&](std::size_t done, std::size_t all) {
-        if (on_step) on_step(fmt::format("{} of {} eigenfunctions of {} vertices", done, all, mesh.vertices.size()));
+        if (on_step) on_step(forecast.after(done, all));
     });
     spectra.eigenfunctions = found.eigenvalues.size();
     const PairGround ground{surface, points.mesh,
