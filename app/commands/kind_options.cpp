@@ -62,6 +62,16 @@ std::string value_name_of(const KeySpec& spec)
     }
 }
 
+/// Throws for a file that the command reads as well: it would be lost.
+void check_is_no_input(const std::string& command, const std::filesystem::path& out, const KindSettings& settings)
+{
+    std::error_code unknown;
+    for (const std::filesystem::path& input : settings.inputs)
+        if (std::filesystem::is_regular_file(out, unknown) && std::filesystem::equivalent(out, input, unknown))
+            throw InputError(fmt::format("{}: --out {}: is a file that the command reads: must be another one", command,
+                                         printable(out.string())));
+}
+
 }
 
 KindOptions::KindOptions(const Kind& kind, OutputFiles files, std::string placed)
@@ -137,7 +147,10 @@ KindSettings KindOptions::settings() const
                 : InputError(fmt::format("{}: {}: is given twice", kind_.command, typed.name));
         table.push_back({typed.spec.value.key, node_of(typed)});
     }
-    return read_kind(kind_, table, {kind_.command, 0, true}, kind_.command);
+    KindSettings settings = read_kind(kind_, table, {kind_.command, 0, true}, kind_.command);
+    check_is_no_input(command(), out, settings);
+    for (const std::filesystem::path& file : outs.files()) check_is_no_input(command(), file, settings);
+    return settings;
 }
 
 std::string KindOptions::command_comment(const std::string& what) const

@@ -12,7 +12,9 @@
 #include "host/distribution/surfaces/surface_files.hpp"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -73,6 +75,9 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
     check_count("densities_from", classes.densities_from.size(), 1);
     check_set(keys, s);
     read_surface_models(keys, s.instances, classes.classes());
+    check_instance_count(
+        keys, "points", s.instances,
+        static_cast<double>(std::accumulate(classes.points.begin(), classes.points.end(), std::size_t{0})));
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
     for (const std::string& model : s.instances.names)
         for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);

@@ -114,6 +114,15 @@ void read_surface_models(const Keys& keys, SurfaceModels& models, std::size_t cl
     }
 }
 
+void check_instance_count(const Keys& keys, const std::string& key, const SurfaceModels& models, double points)
+{
+    if (models.are_given() && points > static_cast<double>(most_surface_instances))
+        throw keys.invalid(key,
+                           fmt::format("makes some {:.4g} points: glTF has at most {} instances, whose numbers are "
+                                       "exact",
+                                       points, most_surface_instances));
+}
+
 void write_surface_instances(const std::filesystem::path& file, const FixedSurface& surface,
                              const std::vector<SurfacePoint>& points, const SurfaceClasses& classes,
                              const SurfaceModels& models, std::uint64_t seed)

@@ -28,6 +28,9 @@ void surface_model_keys(Keys& keys, SurfaceModels& models, std::size_t most_mode
 /// Reads the models. Throws InputError for what is no mesh, and where they are neither one nor one of each class.
 void read_surface_models(const Keys& keys, SurfaceModels& models, std::size_t classes);
 
+/// Throws InputError for a key that asks for more instances than glTF has: before points are made.
+void check_instance_count(const Keys& keys, const std::string& key, const SurfaceModels& models, double points);
+
 /// Ids are floats, which hold whole numbers up to that many exactly.
 inline constexpr std::size_t most_surface_instances = std::size_t{1} << 24;
 

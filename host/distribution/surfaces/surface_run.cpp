@@ -129,6 +129,17 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
     keys.check(keys.is_given("start") ? "start" : "obstacles", [&] { s.beginning = surface_beginning(s, *s.read); });
 }
 
+/// Points that a distance decides are only about so many: they are refused where they are sure to be too many.
+void check_instances(const Keys& keys, const MeshPointSettings& s)
+{
+    constexpr double sure = 0.95;
+    if (s.points)
+        check_instance_count(keys, "points", s.instances, static_cast<double>(*s.points));
+    else if (s.min_distance)
+        check_instance_count(keys, "min_distance", s.instances,
+                             sure * saturated_count(s.read->surface.area, *s.min_distance));
+}
+
 void surface_keys(Keys& keys, MeshPointSettings& s)
 {
     keys.file("mesh", s.mesh, "the surface: a file of polygons, .obj, .ply, .off, .stl, .gltf or .glb", "a mesh")
@@ -209,6 +220,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
     if (has_quads) keys.check("mesh", [&] { s.quads.read = quad_surface(s.quads); });
     check_surface_keys(keys, s);
     read_surface_models(keys, s.instances, 1);
+    check_instances(keys, s);
     for (const auto& file : files_beside_mesh(s.mesh)) keys.reads_too(file);
     for (const std::string& model : s.instances.names)
         for (const auto& file : files_beside_mesh(model)) keys.reads_too(file);

@@ -58,6 +58,7 @@ std::uint32_t kept_points(const Parameters& given, const MonotilePointsFile& fil
 
 void check_density(const Parameters& given, const MonotilePointsFile& file, const SampleRequest& request)
 {
+    if (given.is_given("min_distance")) return; // the length of edges follows from it, not from a number of points
     const double density = given.number(density_key), kept = kept_points(given, file);
     if (density < 1 && static_cast<double>(request.points) / (density * kept) > 0x1p26)
         throw given.error(density_key, "must be larger: a window would have more than 2^26 tiles");
