@@ -117,43 +117,49 @@ private:
     std::uint64_t seed_;
 };
 
-/// Says how long eigenfunctions take: before the first one by what others took, then by what these took.
+/// Says how long eigenfunctions take: until the second word by what others took, then by what these took.
 class EigenfunctionForecast
 {
 public:
-    EigenfunctionForecast(double functions, std::size_t vertices) : functions_(functions), vertices_(vertices) {}
+    EigenfunctionForecast(double functions, std::size_t vertices)
+        : vertices_(vertices), all_(static_cast<std::size_t>(functions)),
+          seconds_each_(seconds_a_vertex * static_cast<double>(vertices) / tbb::this_task_arena::max_concurrency())
+    {}
 
     std::string first() const
     {
-        const double threads = tbb::this_task_arena::max_concurrency();
-        return fmt::format("some {:.0f} eigenfunctions of {} vertices: about {}", functions_, vertices_,
-                           in_words(seconds_a_vertex * functions_ * static_cast<double>(vertices_) / threads));
+        return fmt::format("some {} eigenfunctions of {} vertices: about {}", all_, vertices_, words_for(all_));
     }
 
-    std::string after(std::size_t done, std::size_t all) const
+    /// Eigenvalues are counted before the first functions are found, so that time counts from these on.
+    std::string after(std::size_t done, std::size_t all)
     {
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
-        const double left =
-            taken.count() * static_cast<double>(all - done) / static_cast<double>(std::max<std::size_t>(1, done));
+        const auto now = std::chrono::steady_clock::now();
+        if (begun_ == 0) {
+            begun_ = done;
+            begin_ = now;
+        } else if (done > begun_) {
+            seconds_each_ = std::chrono::duration<double>(now - begin_).count() / static_cast<double>(done - begun_);
+        }
         return fmt::format("{} of {} eigenfunctions of {} vertices, about {} left", done, all, vertices_,
-                           in_words(left));
+                           words_for(all - done));
     }
 
 private:
-    /// Seconds of a core for an eigenfunction and a vertex. Measured on tori of 12,700 and of 51,200 vertices: 0.7 and
-    /// 1.2 millionths.
+    /// Seconds of a core. Measured on tori of 12,700 and of 51,200 vertices: 0.7 and 1.2 millionths.
     static constexpr double seconds_a_vertex = 1e-6;
 
-    static std::string in_words(double seconds)
+    std::string words_for(std::size_t functions) const
     {
-        constexpr double short_time = 100, minute = 60;
-        return seconds < short_time ? fmt::format("{:.0f} s", std::ceil(seconds))
+        const double seconds = seconds_each_ * static_cast<double>(functions), minute = 60;
+        return seconds < 2 * minute ? fmt::format("{:.0f} s", std::ceil(seconds))
                                     : fmt::format("{:.0f} min", seconds / minute);
     }
 
-    double functions_;
-    std::size_t vertices_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::size_t vertices_, all_;
+    double seconds_each_;
+    std::size_t begun_ = 0; ///< functions that had been found at the first word
+    std::chrono::steady_clock::time_point begin_{};
 };
 
 /// The set that is measured may have been made by a method that is beside it, with the run's seed.
@@ -259,8 +265,7 @@ MeshSpectra measure_mesh_set(const MeshWithPoints& points, const MeshSetSettings
     for (const std::string& method : methods_beside(settings)) compared.push_back(made(method));
     std::vector<std::vector<MeshPosition>> sets;
     for (const auto& of : compared) sets.push_back(positions_of(tree, points_of(surface, of)));
-    const EigenfunctionForecast forecast(eigenfunctions_up_to(frequency_of(highest), surface.area),
-                                         mesh.vertices.size());
+    EigenfunctionForecast forecast(eigenfunctions_up_to(frequency_of(highest), surface.area), mesh.vertices.size());
     if (on_step) on_step(forecast.first());
     const EigenfunctionPowers found = eigenfunction_powers(mesh, highest, sets, [&](std::size_t done, std::size_t all) {
         if (on_step) on_step(forecast.after(done, all));
