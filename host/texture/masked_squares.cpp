@@ -3,6 +3,7 @@
 #include "analysis/spectra/fftw_plan.hpp"
 
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 namespace poissonlab {
@@ -57,18 +58,36 @@ private:
     FftwPlan forward_, backward_;
 };
 
-/// Arrays as large as the exemplar, which each thread has once: searches are many, and new memory takes as long as
-/// they.
+/// Arrays as large as the exemplar, 24 bytes a pixel.
 struct Scratch
 {
     std::vector<double> values;
     Spectrum spectrum, product;
+};
 
-    static Scratch& of_thread()
+/// Lends each call its scratch: calls are many, and new memory takes as long as their transforms. There are as many as
+/// calls at a time, and the memory is free when the pool is gone.
+class ScratchPool
+{
+public:
+    Scratch take()
     {
-        thread_local Scratch scratch;
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return {};
+        Scratch scratch = std::move(idle_.back());
+        idle_.pop_back();
         return scratch;
     }
+
+    void give_back(Scratch scratch)
+    {
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(scratch));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<Scratch> idle_;
 };
 
 /// Adds a * conj(b), without the tests for infinite numbers that the operator makes.
@@ -132,6 +151,7 @@ struct MaskedSquares::Spectra
         for (std::size_t i = 0; i < of_squares.size(); ++i)
             add_correlation(scratch.product[i], of_squares[i], scratch.spectrum[i]);
         for_each_sum(scratch, [this](std::size_t, std::int64_t sum) { window_squares.push_back(sum); });
+        pool.give_back(std::move(scratch));
     }
 
     /// The mask times a value of each of its pixels, in the corner of a picture of the exemplar's size.
@@ -171,6 +191,7 @@ struct MaskedSquares::Spectra
     int channels;
     std::vector<Spectrum> of_channels;
     std::vector<std::int64_t> window_squares; ///< sum of m S^2 for each window
+    mutable ScratchPool pool;
 };
 
 MaskedSquares::MaskedSquares(const PngPixels& exemplar, const PieceMask& mask)
@@ -183,7 +204,7 @@ SquareSums MaskedSquares::sums(const PngPixels& piece) const
 {
     const Spectra& s = *spectra_;
     const auto channels = static_cast<std::size_t>(s.channels);
-    Scratch& scratch = Scratch::of_thread();
+    Scratch scratch = s.pool.take();
     scratch.product.assign(s.transform.size(), 0);
     std::int64_t squares = 0;
     for (std::size_t c = 0; c < channels; ++c) {
@@ -200,6 +221,7 @@ SquareSums MaskedSquares::sums(const PngPixels& piece) const
     s.for_each_sum(scratch, [&](std::size_t i, std::int64_t product) {
         result.sums[i] = static_cast<std::uint64_t>(squares - 2 * product + s.window_squares[i]);
     });
+    s.pool.give_back(std::move(scratch));
     return result;
 }
 

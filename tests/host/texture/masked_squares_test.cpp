@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <malloc.h>
+
 namespace poissonlab {
 namespace {
 
@@ -57,6 +59,19 @@ TEST(MaskedSquares, AreExactAtTheEndsOfTheRange)
     const PngPixels black{64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 0)};
     const SquareSums sums = MaskedSquares(white, {64, 64, std::vector<std::uint8_t>(64 * 64, 1)}).sums(black);
     for (const std::uint64_t sum : sums.sums) ASSERT_EQ(sum, 255u * 255 * 3 * 64 * 64);
+}
+
+/// The two spectra and the numbers of one call for this exemplar take 6 MB, which a thread that lives on must not keep.
+TEST(MaskedSquares, LeaveNoMemoryWithTheirThread)
+{
+    const PngPixels exemplar = test::random_picture(512, 512, 1, 1), piece = test::random_picture(8, 8, 1, 2);
+    const auto used = [] {
+        const struct mallinfo2 now = mallinfo2();
+        return now.uordblks + now.hblkhd;
+    };
+    const auto before = used();
+    MaskedSquares(exemplar, random_mask(8, 8, 3)).sums(piece);
+    EXPECT_LT(used(), before + 1'000'000);
 }
 
 }
