@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace py = pybind11;
 
@@ -119,6 +121,18 @@ public:
         experiment_.workplace->on_step = [](const std::string&) { stop_if_interrupted(); };
     }
 
+    /// See Sampler::expect(). Numbers that no realization has are refused by sample().
+    void expect(std::int64_t first, std::int64_t count)
+    {
+        const auto number = [](std::int64_t value) {
+            return static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, UINT32_MAX));
+        };
+        without_lock([&] {
+            expected_ = {number(first), number(count)};
+            if (sampler_) sampler_->expect(expected_.first, expected_.second);
+        });
+    }
+
     /// The sampler holds memory of a device, and may be in use by no one else.
     py::array_t<double> sample(std::int64_t realization)
     {
@@ -143,7 +157,10 @@ private:
         if (realization < 0 || realization > most)
             throw InputError(fmt::format("{}: realization {}: must be from 0 to {}", name_, realization, most));
         try {
-            if (!sampler_) sampler_ = task().create();
+            if (!sampler_) {
+                sampler_ = task().create();
+                sampler_->expect(expected_.first, expected_.second);
+            }
             return sampler_->sample(static_cast<std::uint32_t>(realization));
         } catch (const InputError& error) {
             throw error.place().file == name_ ? error.moved_to({name_}) : error;
@@ -153,6 +170,7 @@ private:
     std::string name_;
     Experiment experiment_;
     std::unique_ptr<Sampler> sampler_; ///< made for the first set
+    std::pair<std::uint32_t, std::uint32_t> expected_{};
 };
 
 }
@@ -165,6 +183,8 @@ void add_samplers(py::module_& module)
     module.def("samplers", descriptions, "The methods and their parameters, a dict each.");
     py::class_<SetMaker>(module, "SetMaker", "Makes the point sets of one series of a config.")
         .def(py::init<std::string, const std::string&>(), py::arg("name"), py::arg("config"))
+        .def("expect", &SetMaker::expect, py::arg("first"), py::arg("count"),
+             "Tells that so many realizations are asked for next: some methods make several at once.")
         .def("sample", &SetMaker::sample, py::arg("realization"), "A realization, shape (points, dimension).")
         .def_property_readonly("sizes_vary", trait(&SetTraits::sizes_vary))
         .def_property_readonly("is_window", trait(&SetTraits::is_window))

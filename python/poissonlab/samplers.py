@@ -115,6 +115,8 @@ class Sampler:
             raise InputError(f"{type(self).__name__}: realizations: k = {k}: must be an integer of at least 1")
         sets = []
         try:
+            self._prepare(n)
+            self._maker.expect(first, k)
             for _ in range(k):
                 sets.append(self.random(n))
                 if len(sets[-1]) != len(sets[0]):

@@ -57,6 +57,32 @@ TEST_F(DeviceLuck, IsNamedByTheCall)
     }
 }
 
+/// The second of two series fails at its last call of a kind, as drivers do that allocate late or build late: the first
+/// is kept and shown.
+TEST_F(DeviceLuck, FailsInTheSecondSeriesAndKeepsTheFirst)
+{
+    write_config("tiny.toml", "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
+                              "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
+    const std::vector<std::pair<std::string, std::pair<int, std::string>>> failures{
+        {"clCreateBuffer", {-4, "CL_MEM_OBJECT_ALLOCATION_FAILURE"}},
+        {"clEnqueueNDRangeKernel", {-4, "CL_MEM_OBJECT_ALLOCATION_FAILURE"}},
+        {"clEnqueueReadBuffer", {-5, "CL_OUT_OF_RESOURCES"}},
+        {"clBuildProgram", {-11, "CL_BUILD_PROGRAM_FAILURE"}},
+    };
+    for (const auto& [call, error] : failures) {
+        SCOPED_TRACE(call);
+        const long all = calls({"run", "tiny.toml", "--out", "whole-" + call, "--quiet"}, "BAD_LUCK=" + call);
+        const std::string out = "out-" + call;
+        const std::string fails = "BAD_LUCK=" + call + " BAD_LUCK_AFTER=" + std::to_string(all - 1) +
+                                  " BAD_LUCK_ERROR=" + std::to_string(error.first);
+        expect_one_line(run(out, bad_luck(fails)), 3, call + " failed with " + error.second);
+        const std::string results = content_of(path(out) / "results.json");
+        EXPECT_THAT(results, HasSubstr("\"sampler\": \"dart-throwing\""));
+        EXPECT_THAT(results, ContainsRegex("\"missing\": \\["));
+        EXPECT_THAT(left_over(path(out)), IsEmpty());
+    }
+}
+
 TEST_F(DeviceLuck, VanishesWhileTilesAreMade)
 {
     const std::vector<std::string> build{

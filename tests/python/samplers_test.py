@@ -80,6 +80,17 @@ class Samplers(FolderTest):
         self.assert_same_bytes(sampler.reset().realizations(2, 100), numpy.stack([first, second]))
         self.assertEqual(sampler.realization, 2)
 
+    def test_make_realizations_side_by_side_that_are_those_of_one_by_one(self):
+        for k, n in ((1, 1), (2, 2), (3, 64), (40, 100)):
+            sampler = pl.Lloyd(iterations=3, rng=4)
+            expected = [sampler.reset().fast_forward(i).random(n) for i in range(k)]
+            sampler = pl.Lloyd(iterations=3, rng=4)
+            self.assert_same_bytes(sampler.realizations(k, n), numpy.stack(expected))
+            self.assertEqual(sampler.realization, k)
+            self.assert_same_bytes(sampler.reset().random(n), expected[0])
+        with self.assertRaisesRegex(pl.InputError, "realization 4294967300: must be from 0 to"):
+            pl.Lloyd(iterations=1).fast_forward(4294967300).realizations(2, 10)
+
     def test_give_arrays_of_points_in_the_unit_square_or_cube(self):
         for d in (2, 3):
             points = pl.Random(d=d).random(1000)
