@@ -1,6 +1,7 @@
 // Searches for packings in parts: on threads, in shards, from checkpoints; and what is known of the rest meanwhile.
 #include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_lock.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/programs/interrupt_scope.hpp"
@@ -11,9 +12,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <set>
+#include <thread>
 
 namespace poissonlab {
 namespace {
@@ -167,6 +170,78 @@ TEST_F(PackingCheckpoint, SaysAtOnceThatAFileCannotBeWritten)
     EXPECT_THROW(search_packings(wang_count, {.checkpoint = folder_.path() / "none" / "search.txt"}), StorageError);
 }
 
+TEST_F(PackingCheckpoint, IsOfOneProcessAtATime)
+{
+    const auto link = folder_.path() / "link.txt"; // another name of the file
+    const std::string busy = ": another process is at work on this search: each needs a checkpoint of its own";
+    {
+        const auto other = FileLock::try_lock(settings_.checkpoint.string() + ".lock");
+        ASSERT_TRUE(other);
+        EXPECT_EQ(message_of_search(wang_count), settings_.checkpoint.string() + busy);
+        EXPECT_FALSE(std::filesystem::exists(settings_.checkpoint));
+        EXPECT_EQ(search_packings(wang_count, {.checkpoint = folder_.path() / "other.txt"}).count, 203'520u);
+    }
+    EXPECT_EQ(search_packings(wang_count, settings_).count, 203'520u) << "the lock is released";
+    std::filesystem::create_symlink(settings_.checkpoint, link);
+    const auto other = FileLock::try_lock(settings_.checkpoint.string() + ".lock");
+    ASSERT_TRUE(other);
+    EXPECT_EQ(message_of([&] { search_packings(wang_count, {.checkpoint = link}); }), link.string() + busy);
+}
+
+/// A search whose folder is away for a while.
+class PackingDisk : public PackingCheckpoint
+{
+protected:
+    PackingDisk()
+    {
+        std::filesystem::create_directory(here_);
+        settings_.on_unwritten = [this](const std::string& reason) {
+            ++told_;
+            reason_ = reason;
+        };
+    }
+    void unplug() const { std::filesystem::rename(here_, folder_.path() / "away"); }
+    void plug_in() const { std::filesystem::rename(folder_.path() / "away", here_); }
+
+    const std::filesystem::path here_ = folder_.path() / "here";
+    PackingSearchSettings settings_{.checkpoint = here_ / "search.txt", .between_checkpoints = {}};
+    std::atomic<int> told_ = 0;
+    std::string reason_;
+};
+
+TEST_F(PackingDisk, ThatIsFullEndsNoSearch)
+{
+    struct Enough
+    {
+    };
+    int calls = 0;
+    settings_.on_progress = [&](const PackingProgress&) {
+        if (++calls == 1) return unplug();
+        EXPECT_EQ(told_, 1) << "many writes have failed meanwhile";
+        if (calls == 2) return plug_in();
+        if (calls == 3) throw Enough();
+    };
+    const PackingSearch years{.problem = {TileKind::corner, 4}};
+    EXPECT_THROW(search_packings(years, settings_), Enough);
+    EXPECT_THAT(reason_, HasSubstr("search.txt"));
+    EXPECT_EQ(calls, 3);
+    EXPECT_THAT(read_whole_file(settings_.checkpoint), HasSubstr("\"nodes\""));
+}
+
+TEST_F(PackingDisk, ThatIsFullAtTheEndLosesNoAnswer)
+{
+    std::thread other([&] {
+        while (!std::filesystem::exists(settings_.checkpoint)) std::this_thread::yield();
+        unplug();
+    });
+    const FoundPackings found = search_packings(wang_count, settings_);
+    other.join();
+    EXPECT_EQ(found.count, 203'520u);
+    EXPECT_THAT(found.unwritten, HasSubstr("search.txt"));
+    plug_in();
+    EXPECT_EQ(search_packings(wang_count, settings_).unwritten, "");
+}
+
 /// The number of all nodes below the root, by a plain recursion.
 double nodes_below(PackingBoard& board, std::size_t step = 0)
 {
@@ -226,12 +301,13 @@ TEST(PackingEstimate, SharesGrowFromNothingToAll)
         }
         EXPECT_LE(weights, 1 + 1e-12);
         EXPECT_EQ(nodes, whole.nodes);
-        PackingSubtree wrong = cut.subtrees.front();
-        EXPECT_TRUE(has_path(*board, wrong));
-        wrong.path.back() = 639;
-        EXPECT_FALSE(has_path(*board, wrong));
-        wrong.path.clear();
-        EXPECT_FALSE(has_path(*board, wrong));
+        const PackingSubtree &root = cut.subtrees.front(), &other = cut.subtrees.back();
+        EXPECT_TRUE(has_path(*board, root, root.path));
+        EXPECT_FALSE(has_path(*board, root, other.path)) << "the board allows it, but it lies below another root";
+        std::vector<std::size_t> wrong = root.path;
+        wrong.back() = 639;
+        EXPECT_FALSE(has_path(*board, {.path = wrong, .depth = root.depth}, wrong));
+        EXPECT_FALSE(has_path(*board, root, {}));
     }
 }
 
