@@ -34,6 +34,17 @@ bool begins_option(const std::string& word) { return word.starts_with("-"); }
 /// The arguments have an option that the command does not know: an option that seems to be missing may be misspelt.
 bool has_unknown_option(const CLI::App& program) { return std::ranges::any_of(program.remaining(true), begins_option); }
 
+/// "; did you mean ...?": "--distance" is a word of "--min-distance", and misspells "--distances", which is less likely
+/// to be meant. Of several options with the word, the first one is the command's principal one.
+std::string option_meant(const std::string& typed, const std::vector<std::string>& known)
+{
+    const std::string ending = typed.starts_with("--") && typed.size() > 4 ? typed.substr(1) : "";
+    const auto found = std::ranges::find_if(known, [&](const std::string& option) {
+        return !ending.empty() && option.ends_with(ending) && option != typed;
+    });
+    return found == known.end() ? did_you_mean(typed, known) : "; did you mean \"" + *found + "\"?";
+}
+
 /// The first option that there is not, or the first argument too many.
 std::string words_for_extras(const CLI::App& program, const CLI::App& command)
 {
@@ -43,7 +54,7 @@ std::string words_for_extras(const CLI::App& program, const CLI::App& command)
         return fmt::format("{}: is one argument too many", shortened(printable(extras.front())));
     std::vector<std::string> known;
     for (const CLI::Option* each : command.get_options()) known.push_back(each->get_name());
-    return fmt::format("{}: there is no such option{}", shortened(printable(*option)), did_you_mean(*option, known));
+    return fmt::format("{}: there is no such option{}", shortened(printable(*option)), option_meant(*option, known));
 }
 
 std::string words_for_missing(const CLI::App& command, const std::string& name_of_missing)

@@ -188,8 +188,9 @@ std::vector<Measure> sizes_and_distances()
             row("relative_radius", "relative radius", of_largest_distance, Better::higher, MeasureKind::per_set,
                 significant(4),
                 "The smallest distance between two points, over the largest that so many points could keep: 0 for "
-                "random points, 1 for a perfect lattice. Good sets reach 0.65 to 0.85; above that, points fall into "
-                "rows. Dart throwing of many points cannot pass 0.777 in 2D and 0.804 in 3D. The mean over the K "
+                "random points, 1 for a perfect lattice. Dart throwing of many points cannot pass "
+                "0.777 in 2D and 0.804 in 3D; methods that move points reach 0.75 to 0.85, farthest points more than "
+                "0.9; towards 1, points fall into rows. The mean over the K "
                 "sets, and from the smallest to the largest.",
                 [](const Series& series) { return value_of(series.relative_radius); })),
         detail(number("proven_relative_radius", "proven relative radius", of_largest_distance, Better::higher,
@@ -271,8 +272,10 @@ std::vector<Measure> spectral_measures()
             "hyperuniformity_p_value", "p-value of hyperuniformity", "", Better::neither, MeasureKind::estimate,
             significant(2),
             "The probability that a hyperuniform set looks as little hyperuniform as this one: the significance test "
-            "of Klatt, Last and Henze. Below 0.05 some power is left at frequency 0, however little it is, see the "
-            "mean power at low frequencies."),
+            "of Klatt, Last and Henze. Below 0.05 the set is not hyperuniform: some power is left at frequency 0, "
+            "however "
+            "little (see the mean power at low frequencies). Larger values do not contradict hyperuniformity, and are "
+            "no rank: 0.9 is no better than 0.3."),
         number("anisotropy_above_chance", "anisotropy above chance", "dB", Better::lower, MeasureKind::estimate,
                decimals(1),
                "How far the anisotropy of a {ring|shell} rises above the −10 log₁₀ K dB that chance gives, at most; 0 "

@@ -71,4 +71,11 @@ License: CC0-1.0
  The full text is in /usr/share/poissonlab/tile_sets/LICENSE.
 ")
 install(FILES ${PROJECT_BINARY_DIR}/generated/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# cpack --config CPackSourceConfig.cmake, or the target package_source: one archive, without what is built and made here.
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_SOURCE_GENERATOR TGZ)
+set(CPACK_SOURCE_PACKAGE_FILE_NAME poissonlab-${PROJECT_VERSION})
+string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" source_pattern "${PROJECT_SOURCE_DIR}")
+set(CPACK_SOURCE_IGNORE_FILES "^${source_pattern}/build/" "^${source_pattern}/out/" "/\\.git/" "/\\.git$" "/__pycache__/")
 include(CPack)

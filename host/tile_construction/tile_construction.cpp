@@ -264,9 +264,10 @@ private:
         const std::string reached = squared_reached == 0
                                         ? "its points did not fit"
                                         : fmt::format("reached {:.4f}", relative_radius_of(squared_reached, p_));
-        const std::string advice = p_.repulsion ? "a smaller relative_radius"
-                                                : "repulsion, more lloyd_iterations or a smaller relative_radius";
-        throw InputError(fmt::format("relative_radius = {}: {} of the {} tile set {} after {} attempts; {} may help",
+        const std::string advice = p_.repulsion
+                                       ? "a smaller relative radius"
+                                       : "repulsion, more iterations of Lloyd's method or a smaller relative radius";
+        throw InputError(fmt::format("a relative radius of {}: {} of the {} tile set {} after {} attempts; {} may help",
                                      p_.relative_radius, what, kind_name(p_), reached, attempts, advice));
     }
 

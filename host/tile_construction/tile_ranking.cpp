@@ -276,10 +276,6 @@ private:
     std::vector<std::uint16_t> ranks_;
 };
 
-}
-
-namespace {
-
 /// The rank in its tile of each point by its rank in its class, class after class: by the part of its class that is
 /// there then.
 std::vector<std::uint16_t> ranks_of_classes(const TileClasses& classes)

@@ -257,7 +257,8 @@ PageData best_lines(const Site& site)
         }
         line.set("wishes", wishes);
         line.set("blue_noise", optional_text(blue_noise_words(all, dimension)));
-        line.set("directions", optional_text(directions_words(all, dimension)));
+        const std::string hidden = hidden_best_words(all, dimension);
+        line.set("directions", optional_text(directions_words(all, dimension) + (hidden.empty() ? "" : " " + hidden)));
         lines << line;
     }
     return lines;

@@ -181,4 +181,21 @@ std::string directions_words(const std::vector<const ReportSeries*>& all, int di
     return fmt::format("Left out here for their preferred directions: {}.", fmt::join(directed, "; "));
 }
 
+std::string hidden_best_words(const std::vector<const ReportSeries*>& all, int dimension)
+{
+    const auto ranked = ranked_of(all, dimension);
+    auto even = ranked;
+    std::erase_if(even, [](const ReportSeries* series) { return has_directions(*series); });
+    std::vector<std::string> parts;
+    for (const Wish& wish : wishes) {
+        const Measure& wanted = measure(wish.key);
+        const ReportSeries* best = compare(wanted, ranked) ? best_of(wanted, ranked) : nullptr;
+        if (!best || !has_directions(*best)) continue;
+        const ReportSeries* shown = best_of(wanted, even);
+        if (shown && !is_as_good(wanted, *shown, *best))
+            parts.push_back(fmt::format("{} for {}", best->full_label, wish.what));
+    }
+    return parts.empty() ? "" : fmt::format("Of all series, the best would be {}.", fmt::join(parts, "; "));
+}
+
 }

@@ -45,10 +45,15 @@ struct BestFor
 /// lattices: where there are series without directions, the best is one of these.
 std::vector<BestFor> best_series(const std::vector<const ReportSeries*>& all, int dimension);
 
-/// "None of them has preferred directions.", "Preferred directions: A, B.": of the ranked series of a dimension.
 /// "Blue noise? Yes: dart-throwing. Weakly: jittered. No: random."; empty where no series has an answer.
 std::string blue_noise_words(const std::vector<const ReportSeries*>& all, int dimension);
 
+/// "None of them has preferred directions.", "Left out here for their preferred directions: A; B.": of the ranked
+/// series of a dimension.
 std::string directions_words(const std::vector<const ReportSeries*>& all, int dimension);
+
+/// "Of all series, the best would be A for points far apart.": those with preferred directions that would be best if
+/// they were not left out; empty where there is none.
+std::string hidden_best_words(const std::vector<const ReportSeries*>& all, int dimension);
 
 }

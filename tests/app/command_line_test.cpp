@@ -111,6 +111,11 @@ TEST_F(CommandLine, WrongArguments)
     expect_error({"run"}, 2, "run: needs CONFIG (see poissonlab run --help)");
     expect_error({"run", config_, "--otu", "x"}, 2,
                  "run: --otu: there is no such option; did you mean \"--out\"? (see poissonlab run --help)");
+    // Part of a name goes before letters that were missed.
+    expect_error(
+        {"distribute", "darts", "--distance", "4"}, 2,
+        "distribute darts: --distance: there is no such option; did you mean \"--min-distance\"? (see poissonlab "
+        "distribute darts --help)");
     expect_error({"run", config_, "another"}, 2, "run: another: is one argument too many (see poissonlab run --help)");
     expect_error({"run", config_, "--threads", "0"}, 2,
                  "run: --threads 0: must be an integer from 1 to 4096 (see poissonlab run --help)");

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -117,8 +119,16 @@ TEST_F(PackingCommand, GoesOnFromItsCheckpoint)
     const std::vector<std::string> words = {"packing", "corner", "--colors",     "4",    "--method", "search",
                                             "--seed",  "7",      "--checkpoint", "c.txt"};
     const auto nodes_after = [&](int signal) {
+        const std::filesystem::path file = folder_.path() / "c.txt";
+        const auto number_of_file = [&] { // of its inode: each write makes another one
+            struct stat state = {};
+            return ::stat(file.c_str(), &state) == 0 ? state.st_ino : 0;
+        };
+        const auto before = number_of_file();
         StartedProgram process(folder_.path(), words);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        // A search writes its file before it begins, and asks for interrupts after some thousands of nodes.
+        for (int tries = 0; number_of_file() == before && tries < 6000; ++tries)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
         process.send(signal);
         const int status = process.wait();
         if (signal == SIGINT) {
@@ -146,6 +156,30 @@ TEST_F(PackingCommand, GoesOnFromItsCheckpoint)
     folder_.write("c.txt", content_of(folder_.path() / "c.txt") + "x");
     expect_error("corner --colors 4 --method search --seed 7 --quiet --checkpoint c.txt",
                  "c.txt: is damaged, or no checkpoint of a search for packings");
+}
+
+/// The packing that the whole tree has first is in one of its shards; where a shard has none, that is an answer.
+TEST_F(PackingCommand, HasShardsWithoutPackings)
+{
+    int found = 0, none = 0;
+    for (int shard = 1; shard <= 8; ++shard) {
+        const std::string words = "corner --colors 2 --method pegs --shard " + std::to_string(shard) + "/300";
+        const Outcome outcome = run(words + " --out shard.svg");
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        if (outcome.out.empty()) {
+            ++none;
+            EXPECT_THAT(outcome.error, HasSubstr("poissonlab: note: shard " + std::to_string(shard) +
+                                                 "/300 has no such packing of 2 colours\n"));
+            EXPECT_FALSE(std::filesystem::exists(folder_.path() / "shard.svg"));
+            EXPECT_EQ(printed(words + " --json --quiet"), "{\"tiles\": [\n]}\n");
+        } else {
+            ++found;
+            EXPECT_TRUE(is_packing(rows_of(outcome.out), true, 2));
+            std::filesystem::remove(folder_.path() / "shard.svg");
+        }
+    }
+    EXPECT_GT(found, 0);
+    EXPECT_GT(none, 0);
 }
 
 TEST_F(PackingCommand, VerifiesWhatItPrinted)
@@ -207,6 +241,16 @@ TEST_F(PackingCommand, WrongArguments)
     expect_error("corner --colors 3 --method search --shard 4/3",
                  "packing: --shard 4/3: must be i/n, with i from 1 to n");
     expect_error("corner --colors 5 --method printed", "packing: --method printed: has at most 4 colours");
+    expect_error("corner --colors 3 --method printed --count --seed 5",
+                 "packing: --method printed: cannot be combined with --count, which searches: must be search, pegs, "
+                 "fewest or symmetric");
+    const std::string random = ": is for one packing of --method eulerian, search, pegs, fewest, symmetric or grown";
+    for (const std::string words : {"--method printed", "--method closed", "--count", "--all", "--verify p.txt"})
+        expect_error("corner --colors 2 --seed 5 " + words, "packing: --seed 5" + random);
+    expect_error("corner --colors 2 --threads 2", "packing: --threads 2: is for searches only");
+    expect_error("corner --colors 2 --kerf 0.1", "packing: --piece and --kerf need --puzzle");
+    expect_error("corner --colors 2 --method pegs --verify p.txt",
+                 "packing: --method pegs: cannot be combined with --verify");
 }
 
 }

@@ -127,6 +127,16 @@ if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
     sed 's|^\./|./usr/|' | grep -v -e copyright -e __pycache__ | sort) ]] || fail "the package holds other files than an installation"
 fi
 
+# The archive of sources has what git keeps, and nothing that was built.
+"${cmake%cmake}cpack" --config "$build/CPackSourceConfig.cmake" -B sources >"$folder/log"
+tar -tzf sources/poissonlab-*.tar.gz | grep -v '/$' | sed 's|^[^/]*/||' | sort >packed
+grep -qx CMakeLists.txt packed || fail "the archive of sources has no CMakeLists.txt"
+! grep -q -e '^build/' -e '^out/' -e '__pycache__' packed || fail "the archive of sources has what was built"
+if tracked=$(git -C "$source" ls-files 2>/dev/null); then
+  missing=$(sort <<<"$tracked" | comm -23 - packed)
+  [[ -z $missing ]] || fail "the archive of sources lacks $missing"
+fi
+
 # Uninstalling takes what was written and leaves what others wrote.
 mv "$folder/moved" "$folder/first"
 touch "$folder/first/share/of_another"

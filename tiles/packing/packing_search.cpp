@@ -2,6 +2,7 @@
 
 #include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_lock.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/programs/side_by_side.hpp"
 
@@ -12,6 +13,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -29,11 +31,32 @@ constexpr std::size_t least_subtrees = 256, most_subtrees = 65'536, subtrees_a_s
 using Turn = std::pair<std::uint64_t, std::size_t>;
 constexpr Turn never{std::numeric_limits<std::uint64_t>::max(), 0};
 
+/// Keeps other processes away from a checkpoint: of two that write it in turns, one would lose its work. The lock is on
+/// a file beside it, because a checkpoint is replaced whenever it is written. File systems without locks have none, nor
+/// have devices.
+std::optional<FileLock> lock_beside(const std::filesystem::path& checkpoint)
+{
+    std::error_code none;
+    if (checkpoint.empty()) return std::nullopt;
+    const auto status = std::filesystem::status(checkpoint, none);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return std::nullopt;
+    const auto target = std::filesystem::weakly_canonical(checkpoint, none);
+    std::optional<FileLock> lock;
+    try {
+        lock = FileLock::try_lock((target.empty() ? checkpoint : target).string() + ".lock");
+    } catch (const StorageError&) {
+        return std::nullopt; // where nothing can be written, the first save says so
+    }
+    if (lock) return lock;
+    throw InputError::at({checkpoint.string()}, "another process is at work on this search: each needs a checkpoint of "
+                                                "its own");
+}
+
 class ParallelSearch
 {
 public:
     ParallelSearch(const PackingSearch& search, const PackingSearchSettings& settings)
-        : search_(search), settings_(settings)
+        : search_(search), settings_(settings), lock_(lock_beside(settings.checkpoint))
     {
         search_.problem.has_first_tile = search.task == PackingTask::count;
         const auto board = make_packing_board(search_.problem);
@@ -63,8 +86,13 @@ public:
             save();
             throw;
         }
-        save();
-        return found();
+        FoundPackings all = found();
+        try {
+            save();
+        } catch (const StorageError& error) { // what was found is not lost with it
+            all.unwritten = error.what();
+        }
+        return all;
     }
 
 private:
@@ -102,7 +130,19 @@ private:
         tree_.subtrees[number] = std::move(subtree);
         is_taken_[number] = false;
         note_answer(number);
-        if (Clock::now() - saved_ >= settings_.between_checkpoints) save();
+        if (Clock::now() - saved_ >= settings_.between_checkpoints) save_or_go_on();
+    }
+
+    /// A disk that is full for an hour must not end a search of months.
+    void save_or_go_on()
+    {
+        try {
+            save();
+            is_unwritten_ = false;
+        } catch (const StorageError& error) {
+            saved_ = Clock::now(); // tried again after as long
+            if (!std::exchange(is_unwritten_, true) && settings_.on_unwritten) settings_.on_unwritten(error.what());
+        }
     }
 
     /// Does turns until there are no more. What fails stops the other threads as well.
@@ -217,6 +257,7 @@ private:
 
     PackingSearch search_;
     const PackingSearchSettings& settings_;
+    std::optional<FileLock> lock_; ///< held as long as the search goes on
     CutTree tree_;
     std::unique_ptr<PackingBoard> estimated_;
     double estimate_ = 0; ///< of the tree's nodes, the mean of so many batches
@@ -226,7 +267,7 @@ private:
     Turn answer_ = never;
     std::uint64_t nodes_ = 0;
     std::uint64_t nodes_before_ = 0; ///< of earlier processes
-    bool is_stopping_ = false;
+    bool is_stopping_ = false, is_unwritten_ = false;
     Clock::time_point begin_ = Clock::now(), saved_ = begin_, told_ = begin_;
 };
 

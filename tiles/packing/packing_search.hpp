@@ -49,6 +49,8 @@ struct PackingSearchSettings
     std::chrono::duration<double> between_checkpoints = std::chrono::seconds(30);
     std::uint64_t nodes_a_round = std::uint64_t{1} << 16;               ///< of each subtree
     std::function<void(const PackingProgress& progress)> on_progress{}; ///< one call at a time, some a second
+    /// Is told why the checkpoint could not be written, the first time; the search goes on and tries again.
+    std::function<void(const std::string& reason)> on_unwritten{};
 };
 
 struct FoundPackings
@@ -56,11 +58,14 @@ struct FoundPackings
     std::vector<TilePacking> packings{}; ///< those that were asked for, in the order of the search
     std::uint64_t count = 0;             ///< of all packings of this shard; of a search for one: 1 or 0
     std::uint64_t nodes = 0;             ///< visited
+    std::string unwritten{};             ///< why the file lacks the end of the search; empty: it has it
 };
 
 /// Searches on the threads that ThreadLimit allows, from where the checkpoint is, if there is one. Throws InputError
-/// for problems that are not searched and for checkpoints of other searches or damaged ones, StorageError where the
-/// checkpoint cannot be written, and Interrupted, as what on_progress throws, once the checkpoint is written.
+/// for problems that are not searched, for checkpoints of other searches or damaged ones, and for one that another
+/// process is at work on (a lock on a file beside it, NAME.lock); StorageError where the checkpoint cannot be written
+/// at the beginning; and Interrupted, as what on_progress throws, once the checkpoint is written. A checkpoint that
+/// cannot be written later on stops no search.
 FoundPackings search_packings(const PackingSearch& search, const PackingSearchSettings& settings = {});
 
 /// The first packing with choices tried in a random order. Throws as above.

@@ -95,7 +95,8 @@ void read_search_file(const PackingSearchSettings& settings, const PackingSearch
             stored.state.weight = subtrees[stored.number].weight;
         }
         const std::size_t kept = search.task == PackingTask::count ? 0 : stored.state.packings;
-        if (!is_there || !has_path(board, stored.state) || stored.state.tiles.size() != kept * tiles)
+        if (!is_there || !has_path(board, subtrees[stored.number], stored.state.path) ||
+            stored.state.tiles.size() != kept * tiles)
             throw InputError::at(place, "has a subtree that this search has not: another version may have written it");
         subtrees[stored.number] = std::move(stored.state);
     }

@@ -125,13 +125,14 @@ void visit_level(PackingBoard& board, std::size_t depth, std::vector<std::size_t
 
 }
 
-bool has_path(PackingBoard& board, const PackingSubtree& subtree)
+bool has_path(PackingBoard& board, const PackingSubtree& root, const std::vector<std::size_t>& path)
 {
-    if (subtree.path.size() < subtree.depth || subtree.path.size() >= board.steps()) return false;
+    if (path.size() < root.depth || path.size() >= board.steps()) return false;
+    if (!std::equal(root.path.begin(), root.path.end(), path.begin())) return false;
     std::size_t made = 0;
-    while (made < subtree.path.size() && board.choices().has(subtree.path[made])) board.put(subtree.path[made++]);
+    while (made < path.size() && board.choices().has(path[made])) board.put(path[made++]);
     for (std::size_t step = 0; step < made; ++step) board.take_back();
-    return made == subtree.path.size();
+    return made == path.size();
 }
 
 void walk(PackingBoard& board, PackingSubtree& subtree, const SubtreeWalk& how)

@@ -32,8 +32,8 @@ struct SubtreeWalk
     std::function<bool()> goes_on{}; ///< is asked now and then; false, or an exception, leaves what can go on later
 };
 
-/// True if an empty board allows the path of a subtree, and leaves steps below it.
-bool has_path(PackingBoard& board, const PackingSubtree& subtree);
+/// True if a path lies below the root of a fresh subtree, and an empty board allows it and leaves steps below it.
+bool has_path(PackingBoard& board, const PackingSubtree& root, const std::vector<std::size_t>& path);
 
 /// Goes on with the search of a subtree, whose path is there, on an empty board, which is empty again afterwards.
 void walk(PackingBoard& board, PackingSubtree& subtree, const SubtreeWalk& how);

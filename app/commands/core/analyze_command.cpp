@@ -45,6 +45,7 @@ their histogram, and the pixels below thresholds.
   --set analysis.box=[2,1]            the sets lie in a periodic box of these sides, with coordinates over them
   --set analysis.envelope=99          with --region: so many random sets are measured beside (default 39)
   --set analysis.tapers=8             with --region: the spectrum is the mean by so many orthogonal tapers
+  --set analysis.eigenfunctions=20000 with --surface: how many eigenfunctions of the mesh measure the spectrum
   --set analysis.density=age.png      with --region: what points follow, a picture or a formula over the region's box
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 

@@ -37,9 +37,10 @@ Prints tile indices, a row of tiles a line, north first, as `tiling` does.
 --all prints every packing of two colours, with empty lines between: 32 of corner tiles, 203520 of Wang tiles.
 --count counts them; of more than two colours nobody has.
 Searches use all cores (--threads) and give the same packing on any number of them. --checkpoint FILE keeps a search
-every 30 seconds and when it is interrupted; the same command goes on. --shard i/n is for clusters: each share of the
-tree with a checkpoint of its own, and the counts of all shares add up. A line says how much of the tree is done, and how
-many nodes it has by an estimate.
+every 30 seconds and when it is interrupted; the same command goes on. FILE.lock beside it keeps other processes away.
+--shard i/n is for clusters: each share of the tree has a checkpoint of its own, and the counts of all shards add up. A
+shard without a packing prints none and exits with status 0; the whole tree without one is an error. A line says how much
+of the tree is done, and how many nodes it has by an estimate.
 --verify reads such a table: exit status 2 if it is no packing.
 --puzzle writes jigsaw pieces for a laser cutter, in millimetres: red lines are cut, blue ones point to the north.
   poissonlab packing corner --colors 3
@@ -82,6 +83,12 @@ PackingProblem problem_of(const PackingOptions& options, const PackingSettings& 
     return problem;
 }
 
+/// Fails, once all is printed, where the checkpoint lacks the end of the search.
+void check_is_written(const FoundPackings& found)
+{
+    if (!found.unwritten.empty()) throw StorageError(found.unwritten);
+}
+
 void print_all_packings(const PackingOptions& options, const PackingSettings& asked)
 {
     const FoundPackings found = found_packings(problem_of(options, asked), options.search, options);
@@ -91,6 +98,7 @@ void print_all_packings(const PackingOptions& options, const PackingSettings& as
         print_packing(rows, packing);
     }
     rows.finish();
+    check_is_written(found);
 }
 
 void print_count(const PackingOptions& options, const PackingSettings& asked)
@@ -104,6 +112,7 @@ void print_count(const PackingOptions& options, const PackingSettings& asked)
                                .dump(2));
     else
         fmt::print("{}\n", found.count);
+    check_is_written(found);
 }
 
 void check_drawn_colors(Color colors)
@@ -131,6 +140,31 @@ void check_cut(const PackingOptions& options)
             fmt::format("packing: --kerf {}: must be a number from 0 to {:.4g}, in millimetres", kerf, piece / 50));
 }
 
+/// Refuses options that would change nothing: seeds and threads of what is neither random nor searched, and methods of
+/// tables that are not made.
+void check_unused_options(const PackingOptions& options, const PackingSettings& asked)
+{
+    const SearchOptions& search = options.search;
+    const bool is_searched = search_method(asked.method).has_value(), tries_all = search.all || search.count;
+    if (tries_all && !is_searched && asked.method != "closed")
+        throw InputError(
+            fmt::format("packing: --method {}: cannot be combined with {}, which searches: must be search, "
+                        "pegs, fewest or symmetric",
+                        asked.method, search.all ? "--all" : "--count"));
+    const bool is_random = (is_searched || asked.method == "eulerian" || asked.method == "grown") && !tries_all;
+    if (!options.verified.empty() && asked.method != "closed")
+        throw InputError(fmt::format("packing: --method {}: cannot be combined with --verify", asked.method));
+    if (options.seed() != 1 && (!is_random || !options.verified.empty()))
+        throw InputError(
+            fmt::format("packing: --seed {}: is for one packing of --method eulerian, search, pegs, fewest, "
+                        "symmetric or grown",
+                        options.seed()));
+    if (search.threads > 0 && !is_searched && !tries_all)
+        throw InputError(fmt::format("packing: --threads {}: is for searches only", search.threads));
+    if (options.puzzle.empty() && (options.cut.piece != PuzzleCut{}.piece || options.cut.kerf != PuzzleCut{}.kerf))
+        throw InputError("packing: --piece and --kerf need --puzzle");
+}
+
 void check_search(const PackingOptions& options, const PackingSettings& asked, bool is_drawn)
 {
     const SearchOptions& search = options.search;
@@ -156,6 +190,7 @@ void check_packing_options(const PackingOptions& options, const PackingSettings&
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
     if (is_drawn) check_drawn_colors(asked.colors);
     check_search(options, asked, is_drawn);
+    check_unused_options(options, asked);
     check_cut(options);
     if (!options.out.empty()) checked_output("packing", "--out", options.out, packing_formats);
     if (!options.puzzle.empty()) checked_output("packing", "--puzzle", options.puzzle, puzzle_formats);
@@ -214,14 +249,18 @@ void pack(const PackingOptions& options)
                    [&](PackingPlace place) { return packed_tile(asked.kind, place, asked.colors); });
         return rows.finish();
     }
-    const TilePacking packing =
-        search_method(asked.method)
-            ? found_packings(problem_of(options, asked), options.search, options).packings.front()
-            : chosen_packing(asked, options.seed());
-    draw_packing(options, packing);
+    FoundPackings found;
+    if (search_method(asked.method))
+        found = found_packings(problem_of(options, asked), options.search, options);
+    else
+        found.packings.push_back(chosen_packing(asked, options.seed()));
     TileRows rows(options.prints_json());
-    print_packing(rows, packing);
+    for (const TilePacking& packing : found.packings) { // one, or none of a shard
+        draw_packing(options, packing);
+        print_packing(rows, packing);
+    }
     rows.finish();
+    check_is_written(found);
 }
 
 }

@@ -36,6 +36,14 @@ public:
         if (is_open_) fmt::print(stderr, "\r\033[K");
     }
 
+    /// Says once, below the line, that the file lacks what was done since it was written.
+    void warn(const std::string& reason)
+    {
+        fmt::print(stderr, "{}poissonlab: warning: {}; the search goes on, and tries to write it again\n",
+                   is_open_ ? "\r\033[K" : "", printable(reason));
+        is_open_ = false;
+    }
+
     void show(const PackingProgress& progress)
     {
         const auto between = std::chrono::seconds(is_terminal_ ? 1 : 30);
@@ -90,11 +98,14 @@ FoundPackings found_packings(const PackingProblem& problem, const SearchOptions&
     const ThreadLimit limit(search.threads);
     PackingSearchSettings settings{.checkpoint = search.checkpoint};
     settings.on_progress = [&](const PackingProgress& progress) { line.show(progress); };
+    settings.on_unwritten = [&](const std::string& reason) { line.warn(reason); };
     const PackingTask task = search.all ? PackingTask::all : search.count ? PackingTask::count : PackingTask::first;
     FoundPackings found = search_packings({problem, task, shard.number, shard.count}, settings);
-    if (task == PackingTask::first && found.packings.empty())
-        throw InputError(fmt::format("there is no such packing of {} colours{}", problem.colors,
-                                     search.shard.empty() ? "" : " in shard " + search.shard));
+    if (task == PackingTask::first && found.packings.empty()) {
+        if (search.shard.empty())
+            throw InputError(fmt::format("there is no such packing of {} colours", problem.colors));
+        options.say_note(fmt::format("shard {} has no such packing of {} colours", search.shard, problem.colors));
+    }
     return found;
 }
 

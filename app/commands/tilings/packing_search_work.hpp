@@ -18,7 +18,8 @@ struct SearchOptions
 };
 
 /// Searches, with a line of progress now and then on standard error, unless the command is quiet. Throws InputError
-/// where there is nothing to be found, and what search_packings() throws.
+/// where a search for one packing finds none in the whole tree, and what search_packings() throws; a shard may have
+/// none.
 FoundPackings found_packings(const PackingProblem& problem, const SearchOptions& search, const KindOptions& options);
 
 }

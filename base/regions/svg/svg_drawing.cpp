@@ -52,9 +52,12 @@ std::string property_of(const SvgAttributes& attributes, const std::string& name
         if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name)
             value = trimmed(one.substr(colon + 1));
     }
-    if (!value.empty()) return value;
-    const auto attribute = attributes.find(name);
-    return attribute == attributes.end() ? "" : std::string(trimmed(attribute->second));
+    value = trimmed(std::string_view(value).substr(0, value.find('!'))); // "none !important"
+    if (value.empty()) {
+        const auto attribute = attributes.find(name);
+        if (attribute != attributes.end()) value = trimmed(attribute->second);
+    }
+    return value == "inherit" ? "" : value; // groups hand their state on in any case
 }
 
 class SvgReader
@@ -161,9 +164,10 @@ private:
     void enter(SvgContext& context, const std::string& element, const SvgAttributes& attributes)
     {
         context.is_left_out = context.is_left_out || property_of(attributes, "display") == "none";
+        if (context.is_left_out) return;
         for (const std::string_view refused : svg_refused) {
             const std::string value = property_of(attributes, std::string(refused));
-            if (!value.empty() && value != "none" && !context.is_left_out)
+            if (!value.empty() && value != "none")
                 throw problem(fmt::format("<{}>: {} is not known here", printable(element), refused));
         }
         const std::string rule = property_of(attributes, "fill-rule"), seen = property_of(attributes, "visibility");

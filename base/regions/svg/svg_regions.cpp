@@ -31,11 +31,18 @@ struct RingWinding
 std::vector<RingWinding> windings_of(const std::vector<RegionRing>& rings)
 {
     std::vector<RingWinding> windings(rings.size());
+    std::vector<RegionBox> boxes; // a drawing may have thousands of rings, most of them far from each other
+    for (const RegionRing& ring : rings) boxes.push_back(box_of({{{ring}}}));
+    const auto is_in_box = [&](std::size_t j, const std::array<double, 2>& place) {
+        return boxes[j].low[0] <= place[0] && place[0] <= boxes[j].high[0] && boxes[j].low[1] <= place[1] &&
+               place[1] <= boxes[j].high[1];
+    };
     for (std::size_t i = 0; i < rings.size(); ++i) {
         const std::array<double, 2> middle{(rings[i][0][0] + rings[i][1][0]) / 2,
                                            (rings[i][0][1] + rings[i][1][1]) / 2};
         for (std::size_t j = 0; j < rings.size(); ++j)
-            if (j != i && encloses(rings[j], middle)) windings[i].outside += signed_area_of(rings[j]) > 0 ? 1 : -1;
+            if (j != i && is_in_box(j, middle) && encloses(rings[j], middle))
+                windings[i].outside += signed_area_of(rings[j]) > 0 ? 1 : -1;
         windings[i].inside = windings[i].outside + (signed_area_of(rings[i]) > 0 ? 1 : -1);
     }
     return windings;

@@ -167,6 +167,9 @@ TEST(RankingOrder, NamesTheBestOfThoseWithoutDirections)
     EXPECT_EQ(best[0].series->full_label, "even");
     EXPECT_EQ(best[1].series->full_label, "quiet");
     EXPECT_EQ(directions_words(report.series(), 2), "Left out here for their preferred directions: lattice.");
+    EXPECT_EQ(hidden_best_words(report.series(), 2), "Of all series, the best would be lattice for points far apart; "
+                                                     "lattice for little noise at low frequencies.");
+    EXPECT_EQ(hidden_best_words(report.series(), 3), "");
     EXPECT_TRUE(best_series(report.series(), 3).empty());
 }
 

@@ -1,6 +1,7 @@
-// Searches for packings in parts: on threads, in shards, from checkpoints; and what is known of the rest meanwhile.
+// Searches for packings in parts: on threads, in shards, from checkpoints; and disks that fail.
 #include "base/crew/thread_limit.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_lock.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/programs/interrupt_scope.hpp"
@@ -11,9 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <atomic>
 #include <csignal>
 #include <set>
+#include <thread>
 
 namespace poissonlab {
 namespace {
@@ -167,80 +169,76 @@ TEST_F(PackingCheckpoint, SaysAtOnceThatAFileCannotBeWritten)
     EXPECT_THROW(search_packings(wang_count, {.checkpoint = folder_.path() / "none" / "search.txt"}), StorageError);
 }
 
-/// The number of all nodes below the root, by a plain recursion.
-double nodes_below(PackingBoard& board, std::size_t step = 0)
+TEST_F(PackingCheckpoint, IsOfOneProcessAtATime)
 {
-    if (step == board.steps()) return 0;
-    double nodes = 0;
-    ChoiceSet choices = board.choices();
-    for (std::size_t choice; (choice = choices.take_first()) != ChoiceSet::none;) {
-        board.put(choice);
-        nodes += 1 + nodes_below(board, step + 1);
-        board.take_back();
+    const auto link = folder_.path() / "link.txt"; // another name of the file
+    const std::string busy = ": another process is at work on this search: each needs a checkpoint of its own";
+    {
+        const auto other = FileLock::try_lock(settings_.checkpoint.string() + ".lock");
+        ASSERT_TRUE(other);
+        EXPECT_EQ(message_of_search(wang_count), settings_.checkpoint.string() + busy);
+        EXPECT_FALSE(std::filesystem::exists(settings_.checkpoint));
+        EXPECT_EQ(search_packings(wang_count, {.checkpoint = folder_.path() / "other.txt"}).count, 203'520u);
     }
-    return nodes;
+    EXPECT_EQ(search_packings(wang_count, settings_).count, 203'520u) << "the lock is released";
+    std::filesystem::create_symlink(settings_.checkpoint, link);
+    const auto other = FileLock::try_lock(settings_.checkpoint.string() + ".lock");
+    ASSERT_TRUE(other);
+    EXPECT_EQ(message_of([&] { search_packings(wang_count, {.checkpoint = link}); }), link.string() + busy);
 }
 
-/// Knuth's estimator is unbiased: its mean is within five of its own standard errors of the number of nodes.
-TEST(PackingEstimate, IsTheNumberOfNodes)
+/// A search whose folder is away for a while.
+class PackingDisk : public PackingCheckpoint
 {
-    for (const PackingProblem& problem :
-         {PackingProblem{TileKind::corner, 2}, PackingProblem{TileKind::corner, 2, PackingMethod::pegs},
-          PackingProblem{TileKind::corner, 2, PackingMethod::fewest},
-          PackingProblem{TileKind::wang, 2, PackingMethod::symmetric},
-          PackingProblem{TileKind::wang, 2, PackingMethod::tiles, {}, true}}) {
-        const auto board = make_packing_board(problem);
-        const double nodes = nodes_below(*board);
-        const PackingTask task = problem.has_first_tile ? PackingTask::count : PackingTask::all;
-        EXPECT_EQ(static_cast<double>(search_packings({problem, task}).nodes), nodes);
-        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-            const TreeEstimate estimate = estimate_nodes(*board, 20'000, seed);
-            EXPECT_LT(estimate.error, 0.1 * nodes);
-            EXPECT_NEAR(estimate.nodes, nodes, 5 * estimate.error) << seed;
-        }
+protected:
+    PackingDisk()
+    {
+        std::filesystem::create_directory(here_);
+        settings_.on_unwritten = [this](const std::string& reason) {
+            ++told_;
+            reason_ = reason;
+        };
     }
+    void unplug() const { std::filesystem::rename(here_, folder_.path() / "away"); }
+    void plug_in() const { std::filesystem::rename(folder_.path() / "away", here_); }
+
+    const std::filesystem::path here_ = folder_.path() / "here";
+    PackingSearchSettings settings_{.checkpoint = here_ / "search.txt", .between_checkpoints = {}};
+    std::atomic<int> told_ = 0;
+    std::string reason_;
+};
+
+TEST_F(PackingDisk, ThatIsFullEndsNoSearch)
+{
+    struct Enough
+    {
+    };
+    int calls = 0;
+    settings_.on_progress = [&](const PackingProgress&) {
+        if (++calls == 1) return unplug();
+        EXPECT_EQ(told_, 1) << "many writes have failed meanwhile";
+        if (calls == 2) return plug_in();
+        if (calls == 3) throw Enough();
+    };
+    const PackingSearch years{.problem = {TileKind::corner, 4}};
+    EXPECT_THROW(search_packings(years, settings_), Enough);
+    EXPECT_THAT(reason_, HasSubstr("search.txt"));
+    EXPECT_EQ(calls, 3);
+    EXPECT_THAT(read_whole_file(settings_.checkpoint), HasSubstr("\"nodes\""));
 }
 
-/// The weights of all nodes without choices, and of packings, add up to one.
-TEST(PackingEstimate, SharesGrowFromNothingToAll)
+TEST_F(PackingDisk, ThatIsFullAtTheEndLosesNoAnswer)
 {
-    for (const PackingMethod method : {PackingMethod::tiles, PackingMethod::pegs, PackingMethod::fewest}) {
-        const auto board = make_packing_board({TileKind::corner, 2, method});
-        PackingSubtree whole;
-        double before = 0;
-        for (std::uint64_t until = 1; !whole.is_done; until += 37) {
-            walk(*board, whole, {.until_nodes = until});
-            EXPECT_GE(whole.share, before);
-            EXPECT_LE(whole.share, 1 + 1e-12);
-            before = whole.share;
-        }
-        EXPECT_EQ(whole.share, 1);
-        EXPECT_EQ(whole.packings, 32u);
-        const CutTree cut = cut_tree(*board, 50);
-        double weights = 0;
-        std::uint64_t nodes = cut.nodes;
-        for (PackingSubtree subtree : cut.subtrees) {
-            weights += subtree.weight;
-            walk(*board, subtree, {.until_nodes = ~std::uint64_t{0}});
-            nodes += subtree.nodes;
-        }
-        EXPECT_LE(weights, 1 + 1e-12);
-        EXPECT_EQ(nodes, whole.nodes);
-        PackingSubtree wrong = cut.subtrees.front();
-        EXPECT_TRUE(has_path(*board, wrong));
-        wrong.path.back() = 639;
-        EXPECT_FALSE(has_path(*board, wrong));
-        wrong.path.clear();
-        EXPECT_FALSE(has_path(*board, wrong));
-    }
-}
-
-TEST(PackingEstimate, SaysHowLongTheRestTakes)
-{
-    EXPECT_DOUBLE_EQ(
-        (PackingProgress{.nodes = 1000, .share = 0.25, .tree_nodes = 7, .nodes_per_second = 10}).seconds_left(), 300);
-    EXPECT_DOUBLE_EQ((PackingProgress{.nodes = 1000, .tree_nodes = 3000, .nodes_per_second = 10}).seconds_left(), 200);
-    EXPECT_DOUBLE_EQ((PackingProgress{.nodes = 1000, .tree_nodes = 500, .nodes_per_second = 10}).seconds_left(), 0);
+    std::thread other([&] {
+        while (!std::filesystem::exists(settings_.checkpoint)) std::this_thread::yield();
+        unplug();
+    });
+    const FoundPackings found = search_packings(wang_count, settings_);
+    other.join();
+    EXPECT_EQ(found.count, 203'520u);
+    EXPECT_THAT(found.unwritten, HasSubstr("search.txt"));
+    plug_in();
+    EXPECT_EQ(search_packings(wang_count, settings_).unwritten, "");
 }
 
 }

@@ -111,6 +111,14 @@ TEST_F(SvgFileRegions, LeaveOutWhatIsNotSeen)
                              "<g visibility='hidden'><rect width='9' height='9'/>\n"
                              "<rect x='20' width='3' height='2' visibility='visible'/></g>")),
               6);
+    // Properties that are inherited by name, and those of style sheets' words.
+    EXPECT_EQ(area_of(region("<g visibility='hidden'><rect visibility='inherit' width='9' height='9'/></g>\n"
+                             "<g visibility='visible'><rect visibility='inherit' width='2' height='3'/></g>\n"
+                             "<rect style='display:none !important' x='20' width='3' height='2'/>")),
+              6);
+    EXPECT_EQ(area_of(region("<g fill-rule='evenodd'><path fill-rule='inherit' d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>")),
+              72);
+    EXPECT_EQ(area_of(region("<g display='none' transform='scale(0)'/><rect width='2' height='3'/>")), 6);
 }
 
 TEST_F(SvgFileRegions, RefuseWhatIsNotKnown)
