@@ -23,7 +23,7 @@ using testing::DoubleNear;
 using testing::EndsWith;
 using testing::Pointwise;
 
-constexpr double grey_light = 0.502886, rounding = 1e-6;
+constexpr double grey_light = 0.502886, rounding_of_light = 1e-6;
 
 class TransparentPictures : public testing::Test
 {
@@ -38,7 +38,7 @@ protected:
 
     void expect_numbers(const std::string& name, const std::string& from, const std::vector<double>& expected) const
     {
-        EXPECT_THAT(numbers(name, from), Pointwise(DoubleNear(rounding), expected)) << name << ", " << from;
+        EXPECT_THAT(numbers(name, from), Pointwise(DoubleNear(rounding_of_light), expected)) << name << ", " << from;
     }
 
     TemporaryFolder folder_;
@@ -66,8 +66,8 @@ TEST_F(TransparentPictures, AreNoLightAndNoInkWhereTheyAreClear)
         }
         expect_numbers("colors.png", "G", {0.2 * grey_light, 0, 0, 1});
         const LinearPicture beneath = read_linear_picture(file("colors.png"), AlphaUse::left_out);
-        EXPECT_NEAR(static_cast<double>(beneath.at(1, 1, 2)), grey_light, rounding);
-        EXPECT_NEAR(static_cast<double>(beneath.at(0, 1, 2)), grey_light, rounding);
+        EXPECT_NEAR(static_cast<double>(beneath.at(1, 1, 2)), grey_light, rounding_of_light);
+        EXPECT_NEAR(static_cast<double>(beneath.at(0, 1, 2)), grey_light, rounding_of_light);
     }
 }
 

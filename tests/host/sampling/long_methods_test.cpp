@@ -6,7 +6,7 @@
 #include "host/sampling/regions/region_candidates.hpp"
 #include "host/sampling/regions/region_lloyd.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
-#include "tests/support/random_region.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,11 +19,6 @@
 
 namespace poissonlab {
 namespace {
-
-PlaneRegion long_plane_of(const std::string& name)
-{
-    return name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), 0x1p31) : read_region(name);
-}
 
 struct LongRelaxationCase
 {
@@ -94,7 +89,7 @@ TEST_P(RelaxationInSquares, IsThatOfTheReferenceInsideAndFarEnoughApart)
         request.space = std::make_shared<const FixedSpace>(read_space_region(name));
         request.cubes = std::make_shared<const RegionSquares<FixedSpace>>(squares_of(*request.space, 1 << 14));
     } else {
-        request.region = std::make_shared<const FixedRegion>(long_plane_of(name));
+        request.region = std::make_shared<const FixedRegion>(test::named_region(name));
         request.squares = std::make_shared<const RegionSquares<FixedRegion>>(squares_of(*request.region, 1 << 14));
     }
     const RelaxationDarts expected = reference::throw_relaxation_darts(request);
@@ -153,7 +148,7 @@ class ListedCells : public testing::TestWithParam<ListedCase>
 /// Moments are those of a grid with all cells but for rounding, and of the kernel to the last bit.
 TEST_P(ListedCells, HaveTheMomentsOfAllCells)
 {
-    const FixedRegion region(long_plane_of(GetParam().region));
+    const FixedRegion region(test::named_region(GetParam().region));
     const std::vector<TorusPoint<2>> sites =
         RegionCandidates(region, stream_key(3, Purpose::random_points, 0)).next(GetParam().sites);
     SiteGrid all(region, sites.size()), listed(region, sites.size(), true);

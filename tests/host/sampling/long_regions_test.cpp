@@ -8,7 +8,7 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/regions/region_bricks.hpp"
 #include "host/sampling/regions/region_candidates.hpp"
-#include "tests/support/random_region.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,6 @@
 
 namespace poissonlab {
 namespace {
-
-PlaneRegion long_plane(const std::string& name)
-{
-    return name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), 0x1p31) : read_region(name);
-}
 
 struct BrickCase
 {
@@ -45,7 +40,7 @@ DartThrowingRequest brick_request(const BrickCase& c)
         request.space = std::make_shared<const FixedSpace>(read_space_region(c.region));
         request.bricks = bricks_of(*request.space, cells, SIZE_MAX);
     } else {
-        request.region = std::make_shared<const FixedRegion>(long_plane(c.region));
+        request.region = std::make_shared<const FixedRegion>(test::named_region(c.region));
         request.bricks = bricks_of(*request.region, cells, SIZE_MAX);
     }
     return request;

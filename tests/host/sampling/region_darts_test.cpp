@@ -2,8 +2,7 @@
 // uncovered places that are found without cells.
 #include "host/sampling/dart_throwing.hpp"
 
-#include "base/regions/region_text.hpp"
-#include "tests/support/random_region.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +16,6 @@ namespace {
 using Place = std::array<double, 2>; // units of the region's grid
 
 constexpr double grid = 0x1p31;
-
-PlaneRegion plane_of(const std::string& name)
-{
-    return name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), grid) : read_region(name);
-}
 
 struct RegionDartCase
 {
@@ -43,7 +37,8 @@ DartThrowingRequest request_of(const RegionDartCase& c)
     request.min_distance = c.min_distance;
     if (c.points > 0) request.points = c.points;
     request.stream = stream_key(7, Purpose::dart_throwing, 0);
-    request.region = std::make_shared<const FixedRegion>(plane_of(c.region), c.has_disks ? c.min_distance / 2 : 0);
+    request.region =
+        std::make_shared<const FixedRegion>(test::named_region(c.region), c.has_disks ? c.min_distance / 2 : 0);
     return request;
 }
 
@@ -174,7 +169,7 @@ private:
 
 int uncovered_places(const RegionDartCase& c, const PointSet& points, int& candidates)
 {
-    const PlaneRegion plane = plane_of(c.region);
+    const PlaneRegion plane = test::named_region(c.region);
     const FixedRegion region(plane);
     return UncoveredPlaces(region, places_of(points), c.min_distance * 0x1p32)
         .count(plane, region.unit(), region.box(), candidates);
@@ -233,7 +228,7 @@ TEST(RegionDartDisks, LieInsideAndLeaveNoRoom)
     for (const RegionDartCase& c :
          {RegionDartCase{"rectangle 0 0 3 2", 0.02, 0, true}, {"star60", 0.02, 0, true}, {"star400", 0.05, 0, true}}) {
         const DartThrowingRequest request = request_of(c);
-        const PlaneRegion plane = plane_of(c.region);
+        const PlaneRegion plane = test::named_region(c.region);
         const FixedRegion whole(plane);
         const double distance = c.min_distance * 0x1p32;
         const std::vector<Place> points = places_of(reference::throw_darts(request));

@@ -1,7 +1,6 @@
 // Relaxation dart throwing in regions: kernel against reference, and what is inside and how far apart.
-#include "base/regions/region_text.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
-#include "tests/support/random_region.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +26,7 @@ class RelaxationDartsInRegions : public testing::TestWithParam<RelaxationRegionC
 TEST_P(RelaxationDartsInRegions, AreThoseOfTheReferenceInsideAndFarEnoughApart)
 {
     const auto& [name, points, attempts, margin] = GetParam();
-    const PlaneRegion plane =
-        name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), 0x1p31) : read_region(name);
+    const PlaneRegion plane = test::named_region(name);
     RelaxationDartThrowingRequest request;
     request.points = points;
     request.initial_radius = 0.2;

@@ -3,8 +3,7 @@
 #include "host/sampling/classes/class_darts.hpp"
 
 #include "base/geometry/torus.hpp"
-#include "base/regions/region_text.hpp"
-#include "tests/support/random_region.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +13,6 @@
 
 namespace poissonlab {
 namespace {
-
-constexpr double grid = 0x1p31;
 
 struct ClassRegionCase
 {
@@ -33,11 +30,6 @@ void PrintTo(const ClassRegionCase& c, std::ostream* out)
          << (c.factor < 1 ? ", relaxed" : "");
 }
 
-PlaneRegion plane_of(const std::string& name)
-{
-    return name.starts_with("star") ? test::star_with_holes(5, std::stoi(name.substr(4)), grid) : read_region(name);
-}
-
 ClassDartRequest request_of(const ClassRegionCase& c, std::uint32_t realization = 0)
 {
     ClassDartRequest request{.dimension = 2,
@@ -46,7 +38,7 @@ ClassDartRequest request_of(const ClassRegionCase& c, std::uint32_t realization 
                              .points = c.points,
                              .factor = c.factor,
                              .stream = stream_key(5, Purpose::class_darts, realization),
-                             .region = std::make_shared<const FixedRegion>(plane_of(c.region), c.margin)};
+                             .region = std::make_shared<const FixedRegion>(test::named_region(c.region), c.margin)};
     for (const double d : c.distances) request.shares.push_back(1 / (d * d));
     if (!c.points.empty()) request.shares.assign(c.points.begin(), c.points.end());
     return request;
