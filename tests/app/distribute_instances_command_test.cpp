@@ -109,7 +109,7 @@ TEST_F(DistributeInstances, RefuseWhatTheyCannotDo)
     refuse("forest --scale 0.5 2", "--scale 0.5 2: must be a number from 0.001 to 1, { uniform = [a, b] }");
     refuse("forest --models 0", "--models 0: must be an integer from 1 to 65536");
     refuse("forest --models many", "--models many: must be an integer from 1 to 65536");
-    refuse("forest --out a.obj", "must end in .csv, .ply, .usda or .png");
+    refuse("forest --out a.obj", "must end in .csv, .ply, .usda, .glb or .png");
 }
 
 TEST_F(DistributeInstances, HaveNeighboursThatAreIcons)

@@ -24,8 +24,9 @@ distances, heights between pixels are linear), or asteroids: the points of a til
 --ring.
 Of tiles whose points have classes (tiles build --class-points) each class has models of its own: the number of a model
 modulo the number of classes is the class, which .csv and .ply have as well. With as many models, each class is one.
---out, as often as you like: .csv, .ply (vertices with properties), .usda (a point instancer with stand-ins for your
-models), .png (a shaded view from above, --pixels wide).
+--out, as often as you like: .csv, .ply (vertices with properties), .usda (a point instancer) and .glb (glTF with
+EXT_mesh_gpu_instancing, y upwards), both with stand-ins for your models, .png (a shaded view from above, --pixels
+wide).
   poissonlab distribute instances forest --window 0 0 1 1 --out forest.csv --out forest.png
   poissonlab distribute instances forest --window 0 0 2 1 --terrain hills.png --terrain-area 0 0 2 1 --height 0.2 \
     --out forest.usda
@@ -38,6 +39,7 @@ void write_instances(const std::filesystem::path& file, const std::vector<Instan
     if (extension == ".csv") write_whole_file(file, instances_csv(instances));
     if (extension == ".ply") write_whole_file(file, instances_ply(instances));
     if (extension == ".usda") write_whole_file(file, instances_usda(instances, settings, radius));
+    if (extension == ".glb") write_instances_glb(file, instances, settings, radius);
     if (extension == ".png") write_png(file, view_from_above(instances, settings, radius));
 }
 
@@ -61,7 +63,7 @@ void place_instances(const KindOptions& o)
 
 Command distribute_instances_command()
 {
-    return kind_command(*find_kind("distribution", "instances"), {{{".csv", ".ply", ".usda", ".png"}}},
+    return kind_command(*find_kind("distribution", "instances"), {{{".csv", ".ply", ".usda", ".glb", ".png"}}},
                         distribute_instances_notes, place_instances, "scene");
 }
 

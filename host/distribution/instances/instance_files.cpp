@@ -7,23 +7,14 @@
 namespace poissonlab {
 namespace {
 
-/// A turn about z, then a tilt about the horizontal axis across its direction: w, x, y, z of the quaternion.
-std::array<double, 4> orientation_of(const Instance& i)
-{
-    const double c = std::cos(i.tilt / 2), s = std::sin(i.tilt / 2), w = std::cos(i.turn / 2), z = std::sin(i.turn / 2);
-    const double ax = -std::sin(i.tilt_direction) * s, ay = std::cos(i.tilt_direction) * s;
-    return {c * w, ax * w + ay * z, ay * w - ax * z, c * z};
-}
-
 /// The shape that stands for a model, as high as its number says.
 std::string stand_in(const InstanceSettings& settings, std::uint32_t model, double radius)
 {
-    const double part = 1 + 0.5 * model / settings.models;
     if (settings.scene == "asteroids")
         return fmt::format(
             "            def Sphere \"Rock\"\n            {{\n                double radius = {}\n            }}\n",
             radius);
-    const double height = (settings.scene == "forest" ? 3 : 1.5) * part * radius;
+    const double height = height_of_stand_in(settings, model) * radius;
     return fmt::format("            def Cone \"Plant\"\n            {{\n                double height = {}\n"
                        "                double radius = {}\n                token axis = \"Z\"\n"
                        "                double3 xformOp:translate = (0, 0, {})\n"
@@ -54,6 +45,18 @@ std::string class_text(const Instance& instance, char separator)
     return instance.of_class ? fmt::format("{}{}", separator, *instance.of_class) : "";
 }
 
+}
+
+std::array<double, 4> orientation_of(const Instance& i)
+{
+    const double c = std::cos(i.tilt / 2), s = std::sin(i.tilt / 2), w = std::cos(i.turn / 2), z = std::sin(i.turn / 2);
+    const double ax = -std::sin(i.tilt_direction) * s, ay = std::cos(i.tilt_direction) * s;
+    return {c * w, ax * w + ay * z, ay * w - ax * z, c * z};
+}
+
+double height_of_stand_in(const InstanceSettings& settings, std::uint32_t model)
+{
+    return (settings.scene == "forest" ? 3 : 1.5) * (1 + 0.5 * model / settings.models);
 }
 
 std::string instances_csv(const std::vector<Instance>& instances)

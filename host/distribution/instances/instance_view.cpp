@@ -34,14 +34,12 @@ double lambert(Direction normal, double ambient)
     return ambient + (1 - ambient) * std::max(0.0, cosine);
 }
 
-/// A colour of a model between two, the same for all its instances.
-LinearColor model_color(const Instance& instance, const InstanceSettings& settings, const LinearColor& first,
-                        const LinearColor& last)
+/// The colours of the first and the last model of a scene.
+std::array<LinearColor, 2> colors_of_models(const std::string& scene)
 {
-    const double part = settings.models > 1 ? static_cast<double>(instance.model) / (settings.models - 1) : 0;
-    LinearColor color{};
-    for (std::size_t i = 0; i < 3; ++i) color[i] = first[i] + (last[i] - first[i]) * part;
-    return color;
+    if (scene == "forest") return {{{0.2, 0.42, 0.14}, {0.62, 0.55, 0.2}}};
+    if (scene == "sunflowers") return {{{0.98, 0.8, 0.1}, {0.95, 0.62, 0.05}}};
+    return {{{0.6, 0.56, 0.52}, {0.78, 0.66, 0.5}}};
 }
 
 /// A place on an instance: in its own coordinates, of which 1 is its radius, and turned with it.
@@ -68,7 +66,7 @@ std::optional<SeenBody> tree_at(const Instance& tree, const InstanceSettings& se
     const double u = p.away * std::cos(p.angle), v = p.away * std::sin(p.angle);
     const double bump_x = 0.4 * std::sin(7 * u + 2 * std::sin(6 * v)),
                  bump_y = 0.4 * std::sin(6 * v - 3 * std::sin(5 * u));
-    const LinearColor color = model_color(tree, settings, {0.2, 0.42, 0.14}, {0.62, 0.55, 0.2});
+    const LinearColor color = color_of_model(settings, tree.model);
     return SeenBody{lit(color, lambert({p.x + bump_x, p.y + bump_y, height + 0.35}, 0.3)), height};
 }
 
@@ -82,7 +80,7 @@ std::optional<SeenBody> sunflower_at(const Instance& flower, const InstanceSetti
     }
     const double wave = std::abs(std::cos(petals * p.angle / 2));
     if (p.away >= 0.55 + 0.45 * std::sqrt(wave)) return std::nullopt;
-    const LinearColor color = model_color(flower, settings, {0.98, 0.8, 0.1}, {0.95, 0.62, 0.05});
+    const LinearColor color = color_of_model(settings, flower.model);
     return SeenBody{lit(color, (0.75 + 0.25 * wave) * lambert({0.3 * p.x, 0.3 * p.y, 1}, 0.5)), 0.9};
 }
 
@@ -94,7 +92,7 @@ std::optional<SeenBody> rock_at(const Instance& rock, const InstanceSettings& se
     const double height = std::sqrt(1 - p.away * p.away / (border * border));
     const double u = p.away * std::cos(p.angle), v = p.away * std::sin(p.angle);
     const double bump_x = 0.4 * std::sin(9 * u + phase), bump_y = 0.4 * std::sin(8 * v - 2 * phase);
-    const LinearColor color = model_color(rock, settings, {0.6, 0.56, 0.52}, {0.78, 0.66, 0.5});
+    const LinearColor color = color_of_model(settings, rock.model);
     return SeenBody{lit(color, lambert({p.x + bump_x, p.y + bump_y, height + 0.1}, 0.08)), height};
 }
 
@@ -222,6 +220,15 @@ private:
     std::vector<double> heights_;
 };
 
+}
+
+std::array<double, 3> color_of_model(const InstanceSettings& settings, std::uint32_t model)
+{
+    const auto [first, last] = colors_of_models(settings.scene);
+    const double part = settings.models > 1 ? static_cast<double>(model) / (settings.models - 1) : 0;
+    LinearColor color{};
+    for (std::size_t i = 0; i < 3; ++i) color[i] = first[i] + (last[i] - first[i]) * part;
+    return color;
 }
 
 PngPixels view_from_above(const std::vector<Instance>& instances, const InstanceSettings& settings, double radius)

@@ -86,6 +86,7 @@ DistributionResult make_instances(const InstanceSettings& settings, std::uint64_
     write_whole_file(files.add("instances.csv", result), instances_csv(instances));
     write_whole_file(files.add("instances.ply", result), instances_ply(instances));
     write_whole_file(files.add("instances.usda", result), instances_usda(instances, settings, radius));
+    write_instances_glb(files.add("instances.glb", result), instances, settings, radius);
     result.numbers = instance_numbers(instances.size(), settings, radius);
     return result;
 }

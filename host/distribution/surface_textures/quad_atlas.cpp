@@ -3,7 +3,7 @@
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
-#include "host/distribution/surfaces/surface_gltf.hpp"
+#include "host/distribution/gltf_files.hpp"
 
 #include <nlohmann/json.hpp>
 

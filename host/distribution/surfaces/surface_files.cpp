@@ -3,7 +3,7 @@
 
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
-#include "host/distribution/surfaces/surface_gltf.hpp"
+#include "host/distribution/gltf_files.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

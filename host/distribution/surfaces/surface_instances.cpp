@@ -3,7 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/file_kind.hpp"
 #include "base/random/random.hpp"
-#include "host/distribution/surfaces/surface_gltf.hpp"
+#include "host/distribution/gltf_files.hpp"
 #include "host/distribution/surfaces/surface_view.hpp"
 
 #include <fmt/format.h>
@@ -24,21 +24,6 @@ constexpr double part_of_spacing = 0.35;
 
 /// Turns have random numbers of their own: other uses of the purpose have smaller numbers here.
 constexpr std::uint32_t stream_of_turns = 4;
-
-TriangleMesh cone_model()
-{
-    constexpr std::uint32_t sides = 12;
-    TriangleMesh cone;
-    cone.vertices = {{0, 1, 0}, {0, 0, 0}};
-    for (std::uint32_t i = 0; i < sides; ++i) {
-        const double angle = 2 * std::numbers::pi * i / sides;
-        const std::uint32_t here = 2 + i, next = 2 + (i + 1) % sides;
-        cone.vertices.push_back({std::cos(angle) / 2, 0, std::sin(angle) / 2});
-        cone.triangles.push_back({0, next, here});
-        cone.triangles.push_back({1, here, next});
-    }
-    return cone;
-}
 
 /// The largest distance of a model from its y axis.
 double radius_of(const TriangleMesh& model)
@@ -101,7 +86,7 @@ void read_surface_models(const Keys& keys, SurfaceModels& models, std::size_t cl
     models.read.clear();
     for (const std::string& name : models.names) {
         if (name == cone_name) {
-            models.read.push_back(cone_model());
+            models.read.push_back(turned_model(1, {{.radius = 0.5, .height = 0}}, 0));
             continue;
         }
         if (const std::string lack = lack_of_file(name); !lack.empty())
@@ -150,8 +135,10 @@ void write_surface_instances(const std::filesystem::path& file, const FixedSurfa
         if (!classes.empty()) group.of_class = static_cast<float>(own);
         const double spacing =
             std::sqrt(surface.area / static_cast<double>(std::max<std::size_t>(1, group.ids.size())));
-        group.scale = static_cast<float>(models.scale.value_or(part_of_spacing * spacing / radius_of(*group.model)));
-        if (!std::isnormal(group.scale))
+        const auto scale =
+            static_cast<float>(models.scale.value_or(part_of_spacing * spacing / radius_of(*group.model)));
+        group.scales.assign(group.ids.size(), scale);
+        if (!std::isnormal(scale))
             throw InputError("instances: the model's size, beside that of the mesh, needs a scale that floats do not "
                              "hold: instance_scale gives another");
         const std::array<float, 3> color = color_of_class(own);

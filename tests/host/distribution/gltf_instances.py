@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 PROGRAM = sys.argv[1]
+TILE_SETS = pathlib.Path(__file__).resolve().parents[3] / "runtime" / "tile_sets"
 FLOAT = 2.0**-24  # half of the last place of a float of 1
 EXTENSION = "EXT_mesh_gpu_instancing"
 
@@ -204,6 +205,73 @@ def check_classes(folder):
         check_rows(rows_of_node(data, node)[0], points, 0.35 * math.sqrt(area_of_box() / count) / 2)
 
 
+def turned(point, v):
+    """A vector of space, z up, turned about z and then tilted, by Rodrigues' formula about the axis across the tilt."""
+    c, s = math.cos(point["turn"]), math.sin(point["turn"])
+    x, y, z = c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]
+    kx, ky = -math.sin(point["tilt_direction"]), math.cos(point["tilt_direction"])
+    c, s, along = math.cos(point["tilt"]), math.sin(point["tilt"]), kx * x + ky * y
+    return (x * c + ky * z * s + kx * along * (1 - c), y * c - kx * z * s + ky * along * (1 - c),
+            z * c + (kx * y - ky * x) * s)
+
+
+def upwards(v):
+    """The axes of glTF, y up, of a vector whose z is up."""
+    return v[0], v[2], -v[1]
+
+
+def check_scene(folder, scene, tiles, models, *words):
+    words = ("instances", scene, "--tiles", str(TILE_SETS / tiles), "--models", str(models), *words, "--out", "a.csv")
+    points = run(folder, *words, "--out", "a.glb")
+    said = subprocess.run([PROGRAM, "distribute", *words, "--json"], cwd=folder, check=True, capture_output=True)
+    radius = json.loads(said.stdout)["radius"]
+    data = read_glb(folder / "a.glb")
+    numbers = []
+    for node in data[0]["nodes"]:
+        rows, shape = rows_of_node(data, node)
+        assert ("_CLASS" in rows) == ("class" in points[0])
+        far = max(map(abs, sum(shape["POSITION"], ())))
+        if scene == "asteroids":
+            assert all(abs(math.hypot(*corner) - radius) <= 4 * FLOAT * radius for corner in shape["POSITION"])
+        else:
+            assert abs(max(math.hypot(x, z) for x, _, z in shape["POSITION"]) - radius) <= 4 * FLOAT * radius
+            assert min(y for _, y, _ in shape["POSITION"]) == 0 and far > radius
+        for k in range(0, len(shape["POSITION"]), 3):  # corners run counterclockwise, as seen from outside
+            a, b, c = shape["POSITION"][k:k + 3]
+            u, v = [[q - p for p, q in zip(a, end)] for end in (b, c)]
+            normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+            middle = [(p + q + r) / 3 - h for p, q, r, h in zip(a, b, c, (0, 0 if scene == "asteroids" else radius / 9, 0))]
+            assert sum(p * q for p, q in zip(normal, middle)) > 0
+            assert sum(p * q for p, q in zip(normal, shape["NORMAL"][k])) > 0
+        origin = node.get("translation", (0, 0, 0))
+        for i, (number,) in enumerate(rows["_ID"]):
+            point = points[int(number)]
+            assert node["name"] == f"model_{point['model']:.0f}"
+            place = upwards((point["x"], point["y"], point["z"]))
+                size = max(1, *map(abs, rows["TRANSLATION"][i]))
+            assert is_near([a + b for a, b in zip(origin, rows["TRANSLATION"][i])], place, 4 * FLOAT * size)
+            assert is_near(rows["SCALE"][i], [point["scale"]] * 3, FLOAT)
+            if "class" in point:
+                assert rows["_CLASS"][i] == (point["class"],)
+            for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
+                assert is_near(rotated(rows["ROTATION"][i], upwards(axis)), upwards(turned(point, axis)), 16 * FLOAT)
+            numbers.append(int(number))
+    assert sorted(numbers) == list(range(len(points)))
+    return points
+
+
+def check_scenes(folder):
+    plane = "corner-c3-n64-r075.ptiles"
+    assert len(check_scene(folder, "forest", plane, 5, "--density", "300", "--terrain", "x*y", "--terrain-area", "0", "0",
+                           "1", "1")) > 200
+    assert check_scene(folder, "sunflowers", plane, 1, "--window", "3000", "-2", "0.5", "0.5")[0]["x"] > 3000
+    assert len(check_scene(folder, "asteroids", "sphere-c2-n128-r075.ptiles", 8, "--density", "1000")) > 100
+    points = check_scene(folder, "forest", "corner-classes-c3-n8-16-40-r070.ptiles", 3, "--density", "300")
+    assert len({point["class"] for point in points}) == 3
+    few = check_scene(folder, "forest", plane, 65536, "--density", "10")  # models without instances have no node
+    assert len(few) < 20
+
+
 with tempfile.TemporaryDirectory() as name:
     place = pathlib.Path(name)
     (place / "box.obj").write_text(BOX)
@@ -211,3 +279,4 @@ with tempfile.TemporaryDirectory() as name:
     check_surface(place)
     check_classes(place)
     check_far(place)
+    check_scenes(place)

@@ -1,4 +1,4 @@
-// Binary glTF 2.0 files of points with normals, and of models that stand on points, in nodes.
+// Binary glTF 2.0 files of points with normals, and of models that are repeated at places, in nodes.
 #pragma once
 
 #include "base/surfaces/triangle_mesh.hpp"
@@ -35,7 +35,7 @@ struct GltfInstances
     std::vector<double> places;    ///< three of each copy
     std::vector<float> turns;      ///< four of each: quaternions x, y, z, w of length 1
     std::vector<float> ids;        ///< one of each
-    float scale = 1;               ///< of all copies
+    std::vector<float> scales;     ///< one of each
     std::optional<float> of_class; ///< of all copies
 };
 
@@ -44,6 +44,16 @@ struct GltfInstances
 /// extension. Groups without copies are left out, and places far from the origin count from their node. Throws
 /// StorageError and InputError, as above.
 void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInstances> groups);
+
+/// A ring of corners around the y axis.
+struct ModelRing
+{
+    double radius = 0, height = 0;
+};
+
+/// A closed body of twelve sides around the y axis, from a point at the height `top` over rings, downwards, to one at
+/// `bottom`: a cone has one ring.
+TriangleMesh turned_model(double top, const std::vector<ModelRing>& rings, double bottom);
 
 /// Writes a binary glTF file: a description and the bytes of its buffer, which may be empty. Throws StorageError, and
 /// InputError where they have 4 GB or more.

@@ -1,4 +1,4 @@
-#include "host/distribution/surfaces/surface_gltf.hpp"
+#include "host/distribution/gltf_files.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -149,6 +150,37 @@ ModelCorners corners_of(const TriangleMesh& model)
     return corners;
 }
 
+/// Along all three axes.
+std::vector<float> thrice(const std::vector<float>& scales)
+{
+    std::vector<float> all;
+    for (const float scale : scales) all.insert(all.end(), 3, scale);
+    return all;
+}
+
+}
+
+TriangleMesh turned_model(double top, const std::vector<ModelRing>& rings, double bottom)
+{
+    constexpr std::uint32_t sides = 12;
+    TriangleMesh model;
+    model.vertices = {{0, top, 0}, {0, bottom, 0}};
+    for (const auto& [radius, height] : rings)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            model.vertices.push_back({radius * std::cos(angle), height, radius * std::sin(angle)});
+        }
+    const auto last = static_cast<std::uint32_t>(2 + (rings.size() - 1) * sides);
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides;
+        model.triangles.push_back({0, 2 + next, 2 + i});
+        for (std::uint32_t ring = 2; ring < last; ring += sides) {
+            model.triangles.push_back({ring + i, ring + next, ring + sides + next});
+            model.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
+        }
+        model.triangles.push_back({1, last + i, last + next});
+    }
+    return model;
 }
 
 void write_glb_parts(const std::filesystem::path& file, std::string json, std::string_view buffer)
@@ -189,7 +221,7 @@ void write_instance_glb(const std::filesystem::path& file, std::vector<GltfInsta
         GltfJson attributes{
             {"TRANSLATION", scene.add(near.places, 3)},
             {"ROTATION", scene.add(group.turns, 4)},
-            {"SCALE", scene.add(std::vector<float>(3 * group.ids.size(), group.scale), 3)},
+            {"SCALE", scene.add(thrice(group.scales), 3)},
             {"_ID", scene.add(group.ids, 1)},
         };
         if (group.of_class) attributes["_CLASS"] = scene.add(std::vector<float>(group.ids.size(), *group.of_class), 1);
