@@ -248,7 +248,7 @@ def check_scene(folder, scene, tiles, models, *words):
             point = points[int(number)]
             assert node["name"] == f"model_{point['model']:.0f}"
             place = upwards((point["x"], point["y"], point["z"]))
-                size = max(1, *map(abs, rows["TRANSLATION"][i]))
+            size = max(1, *map(abs, rows["TRANSLATION"][i]))
             assert is_near([a + b for a, b in zip(origin, rows["TRANSLATION"][i])], place, 4 * FLOAT * size)
             assert is_near(rows["SCALE"][i], [point["scale"]] * 3, FLOAT)
             if "class" in point:
