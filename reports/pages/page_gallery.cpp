@@ -1,5 +1,7 @@
 // The table of a run's series beside the methods of the gallery.
+#include "reports/pages/gallery_words.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/ranking_order.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -39,6 +41,29 @@ PageData gallery_row(const std::string& label, bool is_own, std::size_t sets, co
     return row;
 }
 
+/// Runs of more series have a ranking, where readers look first.
+constexpr std::size_t most_judged = 3;
+
+/// Which methods are better than each series that can be compared with them.
+PageData judged_series(const ReportRun& run, const std::vector<const GalleryMethod*>& gallery)
+{
+    PageData judged{PageData::type::list};
+    if (run.series.size() > most_judged) return judged;
+    for (const ReportSeries& series : run.series) {
+        if (!is_ranked(series)) continue;
+        PageData lines{PageData::type::list};
+        for (const char* key : gallery_columns)
+            if (const auto words = better_in_gallery(measure(key), *series.stored, run.stored->dimension, gallery);
+                !words.empty())
+                lines << words;
+        PageData entry;
+        entry.set("label", series.label);
+        entry.set("lines", lines);
+        judged << entry;
+    }
+    return judged;
+}
+
 }
 
 PageData gallery_table(const Site& site, const ReportRun& run)
@@ -63,14 +88,11 @@ PageData gallery_table(const Site& site, const ReportRun& run)
     for (const GalleryMethod* method : gallery)
         rows << gallery_row(fmt::format("{}, N = {}", method->label, format_count(method->curve.points)), false,
                             static_cast<std::size_t>(method->curve.periodograms),
-                            [&](const Measure& measure) -> std::optional<MeasuredValue> {
-                                const auto found = method->measures.find(measure.key);
-                                if (found == method->measures.end()) return std::nullopt;
-                                return MeasuredValue{found->second.value, found->second.standard_error};
-                            });
+                            [&](const Measure& measure) { return value_in_gallery(*method, measure); });
     PageData table;
     table.set("columns", columns);
     table.set("rows", rows);
+    table.set("judged", judged_series(run, gallery));
     return table;
 }
 

@@ -109,11 +109,15 @@ std::vector<const ReportSeries*> ranking_order(std::vector<const ReportSeries*> 
 bool is_as_good(const Measure& measure, const ReportSeries& series, const ReportSeries& best)
 {
     const auto value = measure.get(*series.stored), best_value = measure.get(*best.stored);
-    if (!value || !best_value) return false;
+    return value && best_value && is_as_good(measure, *value, *best_value);
+}
+
+bool is_as_good(const Measure& measure, const MeasuredValue& value, const MeasuredValue& best)
+{
     const double error =
-        std::hypot(standard_error_of(measure, *value).value_or(0), standard_error_of(measure, *best_value).value_or(0));
-    return std::abs(value->value - best_value->value) <= errors_apart * error ||
-           words_of(measure, *value).shown == words_of(measure, *best_value).shown;
+        std::hypot(standard_error_of(measure, value).value_or(0), standard_error_of(measure, best).value_or(0));
+    return std::abs(value.value - best.value) <= errors_apart * error ||
+           words_of(measure, value).shown == words_of(measure, best).shown;
 }
 
 const ReportSeries* best_to_mark(const Measure& measure, const std::vector<const ReportSeries*>& all, int dimension)

@@ -32,6 +32,7 @@ const ReportSeries* best_to_mark(const Measure& measure, const std::vector<const
 
 /// True where a series' value is no further from the best one than two standard errors, or shown with the same digits.
 bool is_as_good(const Measure& measure, const ReportSeries& series, const ReportSeries& best);
+bool is_as_good(const Measure& measure, const MeasuredValue& value, const MeasuredValue& best);
 
 /// Something that sets are wanted for, and the series that is best for it.
 struct BestFor

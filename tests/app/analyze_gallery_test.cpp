@@ -31,7 +31,8 @@ TEST(AnalyzeGallery, LaysReferenceCurvesBehindASet)
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const auto page = content_of(folder.path() / "o/index.html");
     for (const char* words :
-         {"Beside the gallery", "Sample elimination", "Dart throwing, ρ = 0.75", "Effective Nyquist"})
+         {"Beside the gallery", "Sample elimination", "Dart throwing, ρ = 0.75", "Effective Nyquist",
+          "Methods that are better than mine", " methods are better, the best is Farthest point"})
         EXPECT_THAT(page, HasSubstr(words));
     for (const char* stem : {"radial-gallery", "structure-factor-gallery", "anisotropy-gallery"}) {
         const auto plot = content_of(folder.path() / "o" / (std::string(stem) + ".svg"));
