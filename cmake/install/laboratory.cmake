@@ -34,7 +34,6 @@ install(FILES ${PROJECT_BINARY_DIR}/poissonlab.1.gz DESTINATION ${CMAKE_INSTALL_
 # cpack -G DEB. The libraries that the program is linked with are found by dpkg-shlibdeps; the rest is named here.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the authors of the Poisson disk laboratory <poissonlab@localhost>")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
