@@ -44,11 +44,16 @@ PageData gallery_row(const std::string& label, bool is_own, std::size_t sets, co
 /// Runs of more series have a ranking, where readers look first.
 constexpr std::size_t most_judged = 3;
 
-/// Which methods are better than each series that can be compared with them.
-PageData judged_series(const ReportRun& run, const std::vector<const GalleryMethod*>& gallery)
+/// Tells which methods are better than each series that can be compared with them. Lattices would be the best by most
+/// measures: methods with preferred directions are left out.
+PageData judged_series(const ReportRun& run, std::vector<const GalleryMethod*> gallery)
 {
     PageData judged{PageData::type::list};
     if (run.series.size() > most_judged) return judged;
+    std::erase_if(gallery, [](const GalleryMethod* method) {
+        const auto directions = value_in_gallery(*method, measure("anisotropy_above_chance"));
+        return directions && directions->value > 0;
+    });
     for (const ReportSeries& series : run.series) {
         if (!is_ranked(series)) continue;
         PageData lines{PageData::type::list};

@@ -30,9 +30,9 @@ TEST(AnalyzeGallery, LaysReferenceCurvesBehindASet)
     const Outcome outcome = run_program(folder.path(), {"analyze", "mine.dat", "--gallery", "--out", "o"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const auto page = content_of(folder.path() / "o/index.html");
-    for (const char* words :
-         {"Beside the gallery", "Sample elimination", "Dart throwing, ρ = 0.75", "Effective Nyquist",
-          "Methods that are better than mine", " methods are better, the best is Farthest point"})
+    for (const char* words : {"Beside the gallery", "Sample elimination", "Dart throwing, ρ = 0.75",
+                              "Effective Nyquist", "Methods without preferred directions that are better than mine",
+                              " methods are better, the best is Farthest point"})
         EXPECT_THAT(page, HasSubstr(words));
     for (const char* stem : {"radial-gallery", "structure-factor-gallery", "anisotropy-gallery"}) {
         const auto plot = content_of(folder.path() / "o" / (std::string(stem) + ".svg"));

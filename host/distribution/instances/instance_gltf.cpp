@@ -22,7 +22,7 @@ TriangleMesh ball_model(double radius)
     return turned_model(radius, rings, -radius);
 }
 
-TriangleMesh stand_in(const InstanceSettings& settings, std::uint32_t model, double radius)
+TriangleMesh stand_in_mesh(const InstanceSettings& settings, std::uint32_t model, double radius)
 {
     if (settings.scene == "asteroids") return ball_model(radius);
     return turned_model(radius * height_of_stand_in(settings, model), {{radius, 0}}, 0);
@@ -49,7 +49,7 @@ void write_instances_glb(const std::filesystem::path& file, const std::vector<In
     for (std::uint32_t model = 0; model < settings.models; ++model) {
         GltfInstances& group = groups[model];
         if (group.ids.empty()) continue;
-        models[model] = stand_in(settings, model, radius);
+        models[model] = stand_in_mesh(settings, model, radius);
         group.model = &models[model];
         group.name = fmt::format("model_{}", model);
         const auto color = color_of_model(settings, model);

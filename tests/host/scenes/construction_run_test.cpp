@@ -194,7 +194,7 @@ TEST_F(ConstructionRun, SaysWhichTableCannotBeMade)
     const Outcome outcome = run_program(folder_.path(), {"run", "c.toml", "--out", "out"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error,
-                testing::HasSubstr("c.toml:2: [[construction]]: relative_radius = 0.97: one of the corners"));
+                testing::HasSubstr("c.toml:2: [[construction]]: a relative radius of 0.97: one of the corners"));
 }
 
 }

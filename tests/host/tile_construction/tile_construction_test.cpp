@@ -118,7 +118,7 @@ TEST(TileConstructionErrors, NameThePieceAndWhatItReached)
 {
     PoissonTileParameters p = with_lloyd(tile_set_parameters(corner, 2, 2, 32, 0.85), 1);
     EXPECT_THAT(message_of([&] { built(p); }),
-                AllOf(HasSubstr("relative_radius = 0.85"), HasSubstr("one of the corners"), HasSubstr("reached 0."),
+                AllOf(HasSubstr("a relative radius of 0.85"), HasSubstr("one of the corners"), HasSubstr("reached 0."),
                       HasSubstr("repulsion")));
     p = with_lloyd(tile_set_parameters(frame, 2, 3, 32, 0.9), 1);
     EXPECT_THROW(built(p), InputError);
