@@ -28,8 +28,8 @@ TEST(GalleryWords, SayHowManyMethodsAreBetterAndWhichIsBest)
         EXPECT_TRUE(all.empty() || all.starts_with(title)) << all;
         return all.substr(std::min(all.size(), title.size()));
     };
-    EXPECT_EQ(words("low_frequency_mean"), "1 of 3 methods is better, the best is A (0.02).") << "B is as good";
-    EXPECT_EQ(words("mean_nearest_distance"), "2 of 3 methods are better, the best is B (0.95).");
+    EXPECT_EQ(words("low_frequency_mean"), "1 of 3 methods is better, the best is A (0.0200).") << "B is as good";
+    EXPECT_EQ(words("mean_nearest_distance"), "2 of 3 methods are better, the best is B (0.9500).");
     series.measures.numbers["mean_nearest_distance"] = {0.96, {}};
     EXPECT_EQ(words("mean_nearest_distance"), "none of 3 methods is better.");
     EXPECT_EQ(words("oscillation"), "") << "the series has none";
