@@ -36,8 +36,9 @@ bool has_unknown_option(const CLI::App& program) { return std::ranges::any_of(pr
 
 /// "; did you mean ...?": "--distance" is a word of "--min-distance", and misspells "--distances", which is less likely
 /// to be meant. Of several options with the word, the first one is the command's principal one.
-std::string option_meant(const std::string& typed, const std::vector<std::string>& known)
+std::string option_meant(const std::string& argument, const std::vector<std::string>& known)
 {
+    const std::string typed = argument.substr(0, argument.find('=')); // "--distance=4"
     const std::string ending = typed.starts_with("--") && typed.size() > 4 ? typed.substr(1) : "";
     const auto found = std::ranges::find_if(known, [&](const std::string& option) {
         return !ending.empty() && option.ends_with(ending) && option != typed;

@@ -273,8 +273,8 @@ std::vector<Measure> spectral_measures()
             significant(2),
             "The probability that a hyperuniform set looks as little hyperuniform as this one: the significance test "
             "of Klatt, Last and Henze. Below 0.05 the set is not hyperuniform: some power is left at frequency 0, "
-            "however "
-            "little (see the mean power at low frequencies). Larger values do not contradict hyperuniformity, and are "
+            "however little (see the mean power at low frequencies). Larger values do not contradict hyperuniformity, "
+            "and are "
             "no rank: 0.9 is no better than 0.3."),
         number("anisotropy_above_chance", "anisotropy above chance", "dB", Better::lower, MeasureKind::estimate,
                decimals(1),

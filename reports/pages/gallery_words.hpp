@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// What the gallery has of a measure.
+/// Returns the value of a measure in the gallery; none where the gallery lacks it.
 std::optional<MeasuredValue> value_in_gallery(const GalleryMethod& method, const Measure& measure);
 
 /// "Relative radius: 2 of 3 methods are better, the best is A (0.925).": those whose values differ by more than two

@@ -116,6 +116,9 @@ TEST_F(CommandLine, WrongArguments)
         {"distribute", "darts", "--distance", "4"}, 2,
         "distribute darts: --distance: there is no such option; did you mean \"--min-distance\"? (see poissonlab "
         "distribute darts --help)");
+    expect_error({"distribute", "darts", "--distance=4"}, 2,
+                 "distribute darts: --distance=4: there is no such option; did you mean \"--min-distance\"? (see "
+                 "poissonlab distribute darts --help)");
     expect_error({"run", config_, "another"}, 2, "run: another: is one argument too many (see poissonlab run --help)");
     expect_error({"run", config_, "--threads", "0"}, 2,
                  "run: --threads 0: must be an integer from 1 to 4096 (see poissonlab run --help)");

@@ -128,7 +128,7 @@ void visit_level(PackingBoard& board, std::size_t depth, std::vector<std::size_t
 bool has_path(PackingBoard& board, const PackingSubtree& root, const std::vector<std::size_t>& path)
 {
     if (path.size() < root.depth || path.size() >= board.steps()) return false;
-    if (!std::equal(root.path.begin(), root.path.end(), path.begin())) return false;
+    if (!std::equal(path.begin(), path.begin() + root.depth, root.path.begin())) return false;
     std::size_t made = 0;
     while (made < path.size() && board.choices().has(path[made])) board.put(path[made++]);
     for (std::size_t step = 0; step < made; ++step) board.take_back();

@@ -46,13 +46,14 @@ double area_of(const FixedSurface& surface, const std::vector<SurfacePiece>& pie
 bool is_last(const SurfacePiece& piece);
 
 /// Pieces that are left of those with these states (PieceState): open ones are halved, or stay where they are last.
-/// They are put into `memory`, whose content is lost.
 struct RefinedPieces
 {
     std::vector<SurfacePiece> pieces;
     double small_area = 0; ///< of those that were dropped within the limit
     bool is_finer = false; ///< one was halved, or dropped
 };
+
+/// Refines pieces, and puts those that are left into `memory`, whose content is lost.
 RefinedPieces refined(const FixedSurface& surface, const std::vector<SurfacePiece>& pieces,
                       const std::vector<std::uint32_t>& states, std::vector<SurfacePiece> memory = {});
 

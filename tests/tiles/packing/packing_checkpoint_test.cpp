@@ -229,8 +229,8 @@ TEST_F(PackingDisk, ThatIsFullEndsNoSearch)
 
 TEST_F(PackingDisk, ThatIsFullAtTheEndLosesNoAnswer)
 {
-    std::thread other([&] {
-        while (!std::filesystem::exists(settings_.checkpoint)) std::this_thread::yield();
+    std::jthread other([&](const std::stop_token& ended) {
+        while (!std::filesystem::exists(settings_.checkpoint) && !ended.stop_requested()) std::this_thread::yield();
         unplug();
     });
     const FoundPackings found = search_packings(wang_count, settings_);
