@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <malloc.h>
 #include <unistd.h>
 
 namespace poissonlab {
@@ -79,11 +80,22 @@ int tell_of_exception()
     }
 }
 
+/// Lets the process keep memory that it frees. An array of some megabytes would otherwise be given back, and the next
+/// one would get pages that the system maps and clears one by one: half of the system's time in a run.
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that the library allows
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 }
 
 int program_main(int argc, const char* const* argv)
 {
     open_standard_streams();
+    keep_freed_memory();
     try {
         const auto actions = actions_called_for(argc, argv);
         int status = 0;

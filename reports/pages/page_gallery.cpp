@@ -44,6 +44,9 @@ PageData gallery_row(const std::string& label, bool is_own, std::size_t sets, co
 /// Runs of more series have a ranking, where readers look first.
 constexpr std::size_t most_judged = 3;
 
+/// These measures depend on the number of sets as well: only methods with as many can be compared by them.
+bool depends_on_sets(std::string_view key) { return key == "oscillation" || key == "low_frequency_mean"; }
+
 /// Tells which methods are better than each series that can be compared with them. Lattices would be the best by most
 /// measures: methods with preferred directions are left out.
 PageData judged_series(const ReportRun& run, std::vector<const GalleryMethod*> gallery)
@@ -56,11 +59,16 @@ PageData judged_series(const ReportRun& run, std::vector<const GalleryMethod*> g
     });
     for (const ReportSeries& series : run.series) {
         if (!is_ranked(series)) continue;
+        const int sets = static_cast<int>(series.stored->realizations);
+        std::vector<const GalleryMethod*> as_many = gallery;
+        std::erase_if(as_many, [&](const GalleryMethod* method) { return method->curve.periodograms != sets; });
         PageData lines{PageData::type::list};
-        for (const char* key : gallery_columns)
-            if (const auto words = better_in_gallery(measure(key), *series.stored, run.stored->dimension, gallery);
+        for (const char* key : gallery_columns) {
+            const auto& methods = depends_on_sets(key) ? as_many : gallery;
+            if (const auto words = better_in_gallery(measure(key), *series.stored, run.stored->dimension, methods);
                 !words.empty())
                 lines << words;
+        }
         PageData entry;
         entry.set("label", series.label);
         entry.set("lines", lines);

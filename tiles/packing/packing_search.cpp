@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <limits>
 #include <mutex>
@@ -32,8 +34,8 @@ using Turn = std::pair<std::uint64_t, std::size_t>;
 constexpr Turn never{std::numeric_limits<std::uint64_t>::max(), 0};
 
 /// Keeps other processes away from a checkpoint: of two that write it in turns, one would lose its work. The lock is on
-/// a file beside it, because a checkpoint is replaced whenever it is written. File systems without locks have none, nor
-/// have devices.
+/// a file beside it, because a checkpoint is replaced whenever it is written. Devices have none, nor have folders where
+/// nothing can be written: the first save says so. Throws StorageError where the file beside it cannot be locked.
 std::optional<FileLock> lock_beside(const std::filesystem::path& checkpoint)
 {
     std::error_code none;
@@ -41,13 +43,10 @@ std::optional<FileLock> lock_beside(const std::filesystem::path& checkpoint)
     const auto status = std::filesystem::status(checkpoint, none);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return std::nullopt;
     const auto target = std::filesystem::weakly_canonical(checkpoint, none);
-    std::optional<FileLock> lock;
-    try {
-        lock = FileLock::try_lock((target.empty() ? checkpoint : target).string() + ".lock");
-    } catch (const StorageError&) {
-        return std::nullopt; // where nothing can be written, the first save says so
-    }
-    if (lock) return lock;
+    const std::filesystem::path file = (target.empty() ? checkpoint : target).string() + ".lock";
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (!std::filesystem::exists(file, none) && ::access(folder.c_str(), W_OK) != 0) return std::nullopt;
+    if (auto lock = FileLock::try_lock(file)) return lock;
     throw InputError::at({checkpoint.string()}, "another process is at work on this search: each needs a checkpoint of "
                                                 "its own");
 }
@@ -83,7 +82,7 @@ public:
             arena.execute(
                 [&] { for_all_side_by_side(static_cast<std::size_t>(threads), [&](std::size_t) { work(); }); });
         } catch (...) {
-            save();
+            save_or_go_on(); // a full disk must not hide why the search ended
             throw;
         }
         FoundPackings all = found();

@@ -88,8 +88,10 @@ void read_search_file(const PackingSearchSettings& settings, const PackingSearch
                                                 search_words(settings, search)));
     m.objects("subtrees", begun);
     const std::size_t colors = search.problem.colors, tiles = colors * colors * colors * colors;
+    std::size_t least = 0; // each subtree has one place in the file, in ascending order
     for (StoredSubtree& stored : begun) {
-        const bool is_there = stored.number < subtrees.size();
+        const bool is_there = stored.number >= least && stored.number < subtrees.size();
+        least = stored.number + 1;
         if (is_there) {
             stored.state.depth = subtrees[stored.number].depth;
             stored.state.weight = subtrees[stored.number].weight;

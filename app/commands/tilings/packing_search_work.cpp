@@ -98,7 +98,11 @@ FoundPackings found_packings(const PackingProblem& problem, const SearchOptions&
     const ThreadLimit limit(search.threads);
     PackingSearchSettings settings{.checkpoint = search.checkpoint};
     settings.on_progress = [&](const PackingProgress& progress) { line.show(progress); };
-    settings.on_unwritten = [&](const std::string& reason) { line.warn(reason); };
+    settings.on_unwritten = [&](const std::string& reason) {
+        line.warn(reason);
+        say_when_interrupted(fmt::format("the same command goes on from {} as it was last written",
+                                         printable(search.checkpoint.string())));
+    };
     const PackingTask task = search.all ? PackingTask::all : search.count ? PackingTask::count : PackingTask::first;
     FoundPackings found = search_packings({problem, task, shard.number, shard.count}, settings);
     if (task == PackingTask::first && found.packings.empty()) {

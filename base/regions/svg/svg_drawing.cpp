@@ -39,25 +39,35 @@ struct SvgContext
     bool is_hidden = false;   ///< unless an element in it is visible
 };
 
-/// Returns the value of a property in `style`, which goes before the attribute of that name.
+/// Returns the value of a property in `style`, which goes before the attribute of that name: the last one, unless an
+/// earlier one is important.
 std::string property_of(const SvgAttributes& attributes, const std::string& name)
 {
     const auto style = attributes.find("style");
     std::string_view rest = style == attributes.end() ? std::string_view() : std::string_view(style->second);
     std::string value;
+    bool is_kept = false;
     while (!rest.empty()) {
         const std::string_view one = rest.substr(0, rest.find(';'));
         rest.remove_prefix(std::min(rest.size(), one.size() + 1));
         const std::size_t colon = one.find(':');
-        if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name)
-            value = trimmed(one.substr(colon + 1));
+        if (colon == std::string_view::npos || trimmed(one.substr(0, colon)) != name) continue;
+        const std::string_view said = one.substr(colon + 1);
+        const bool is_important = said.find('!') != std::string_view::npos; // "none !important"
+        if (is_kept && !is_important) continue;
+        is_kept = is_important;
+        value = trimmed(said.substr(0, said.find('!')));
     }
-    value = trimmed(std::string_view(value).substr(0, value.find('!'))); // "none !important"
-    if (value.empty()) {
-        const auto attribute = attributes.find(name);
-        if (attribute != attributes.end()) value = trimmed(attribute->second);
-    }
-    return value == "inherit" ? "" : value; // groups hand their state on in any case
+    if (!value.empty()) return value;
+    const auto attribute = attributes.find(name);
+    return attribute == attributes.end() ? "" : std::string(trimmed(attribute->second));
+}
+
+/// True for a value of `clip-path`, `mask`, `transform-origin` or `transform` by which an element is as without it.
+bool is_without(std::string_view value)
+{
+    static constexpr std::array<std::string_view, 6> words{"", "none", "initial", "unset", "revert", "revert-layer"};
+    return std::ranges::find(words, value) != words.end();
 }
 
 class SvgReader
@@ -167,14 +177,16 @@ private:
         if (context.is_left_out) return;
         for (const std::string_view refused : svg_refused) {
             const std::string value = property_of(attributes, std::string(refused));
-            if (!value.empty() && value != "none")
+            if (!is_without(value) && value != "inherit") // a group that has one is refused
                 throw problem(fmt::format("<{}>: {} is not known here", printable(element), refused));
         }
         const std::string rule = property_of(attributes, "fill-rule"), seen = property_of(attributes, "visibility");
-        if (!rule.empty()) context.is_even_odd = rule == "evenodd";
-        if (!seen.empty()) context.is_hidden = seen != "visible";
+        // Other words, such as inherit and unset, leave both as the group has them.
+        if (rule == "evenodd" || rule == "nonzero" || rule == "initial") context.is_even_odd = rule == "evenodd";
+        if (seen == "visible" || seen == "initial") context.is_hidden = false;
+        if (seen == "hidden" || seen == "collapse") context.is_hidden = true;
         const std::string transform = property_of(attributes, "transform");
-        if (transform.empty() || transform == "none") return;
+        if (is_without(transform)) return;
         const auto step = svg_transform(transform);
         if (!step || !(std::abs(step->det()) > 0) || !std::isfinite(step->det()))
             throw problem(fmt::format("<{}>: transform \"{}\": must be made of matrix, translate, scale, rotate, skewX "

@@ -169,6 +169,13 @@ TEST_F(PackingCheckpoint, SaysAtOnceThatAFileCannotBeWritten)
     EXPECT_THROW(search_packings(wang_count, {.checkpoint = folder_.path() / "none" / "search.txt"}), StorageError);
 }
 
+TEST_F(PackingCheckpoint, IsNotSharedWhereItCannotBeLocked)
+{
+    std::filesystem::create_directory(settings_.checkpoint.string() + ".lock");
+    EXPECT_THROW(search_packings(wang_count, settings_), StorageError);
+    EXPECT_FALSE(std::filesystem::exists(settings_.checkpoint));
+}
+
 TEST_F(PackingCheckpoint, IsOfOneProcessAtATime)
 {
     const auto link = folder_.path() / "link.txt"; // another name of the file
@@ -214,17 +221,37 @@ TEST_F(PackingDisk, ThatIsFullEndsNoSearch)
     {
     };
     int calls = 0;
+    std::string before;
     settings_.on_progress = [&](const PackingProgress&) {
         if (++calls == 1) return unplug();
         EXPECT_EQ(told_, 1) << "many writes have failed meanwhile";
-        if (calls == 2) return plug_in();
         if (calls == 3) throw Enough();
+        if (calls > 2) return;
+        plug_in();
+        before = read_whole_file(settings_.checkpoint);
     };
     const PackingSearch years{.problem = {TileKind::corner, 4}};
     EXPECT_THROW(search_packings(years, settings_), Enough);
     EXPECT_THAT(reason_, HasSubstr("search.txt"));
     EXPECT_EQ(calls, 3);
-    EXPECT_THAT(read_whole_file(settings_.checkpoint), HasSubstr("\"nodes\""));
+    const std::string after = read_whole_file(settings_.checkpoint);
+    EXPECT_THAT(after, HasSubstr("\"nodes\""));
+    EXPECT_NE(after, before) << "it is written again as soon as it can be";
+}
+
+TEST_F(PackingDisk, ThatIsFullHidesNotWhyASearchEnds)
+{
+    struct Reason
+    {
+    };
+    settings_.on_progress = [&](const PackingProgress&) {
+        unplug();
+        throw Reason();
+    };
+    const PackingSearch years{.problem = {TileKind::corner, 4}};
+    EXPECT_THROW(search_packings(years, settings_), Reason);
+    EXPECT_EQ(told_, 1);
+    EXPECT_THAT(reason_, HasSubstr("search.txt"));
 }
 
 TEST_F(PackingDisk, ThatIsFullAtTheEndLosesNoAnswer)

@@ -116,6 +116,15 @@ TEST_F(SvgFileRegions, LeaveOutWhatIsNotSeen)
                              "<g visibility='visible'><rect visibility='inherit' width='2' height='3'/></g>\n"
                              "<rect style='display:none !important' x='20' width='3' height='2'/>")),
               6);
+    EXPECT_EQ(area_of(region("<g visibility='hidden'><rect style='visibility:initial' width='2' height='3'/></g>\n"
+                             "<g visibility='hidden'><rect visibility='unset' x='20' width='9' height='9'/></g>\n"
+                             "<rect style='display:none !important; display:inline' x='40' width='3' height='2'/>\n"
+                             "<rect clip-path='initial' transform='unset' x='60' width='5' height='1'/>")),
+              11);
+    EXPECT_EQ(area_of(region("<g fill-rule='evenodd'><path fill-rule='unset' d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>")),
+              72);
+    EXPECT_EQ(area_of(region("<g fill-rule='evenodd'><path fill-rule='initial' d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>")),
+              81);
     EXPECT_EQ(area_of(region("<g fill-rule='evenodd'><path fill-rule='inherit' d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>")),
               72);
     EXPECT_EQ(area_of(region("<g display='none' transform='scale(0)'/><rect width='2' height='3'/>")), 6);
