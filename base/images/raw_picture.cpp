@@ -48,7 +48,7 @@ FloatImage float_image_of(const RawPicture& picture)
 PictureHeader read_picture_header(const std::filesystem::path& path)
 {
     PictureHeader header;
-    read_by_codec(path, png_header_damage, [&] { return loaded_codec().read_header(path, header); });
+    read_by_codec(path, png_damage, [&] { return loaded_codec().read_header(path, header); });
     return header;
 }
 
@@ -59,7 +59,8 @@ bool is_kept_raw(const PictureHeader& header)
 
 RawPicture read_raw_picture(const std::filesystem::path& path)
 {
-    const PictureHeader header = read_picture_header(path);
+    PictureHeader header; // whose file is checked as a whole when its pixels are read
+    read_by_codec(path, png_header_damage, [&] { return loaded_codec().read_header(path, header); });
     if (!is_kept_raw(header))
         throw InputError(fmt::format("{}: must have numbers of 8 or 16 bits in at most {} channels, or of float16 or "
                                      "float32",
