@@ -39,9 +39,9 @@ bool read_check_sum(std::ifstream& file, std::string& space, std::string_view ty
     return true;
 }
 
-}
-
-std::string png_damage(const std::filesystem::path& path)
+/// Says what is wrong with the chunks before the first one of the type `last`, or with all up to the end if none has
+/// it.
+std::string damage_before(const std::filesystem::path& path, std::string_view last)
 {
     std::ifstream file(path, std::ios::binary);
     std::string space;
@@ -51,6 +51,7 @@ std::string png_damage(const std::filesystem::path& path)
         if (head.size() < 8) return "the file is cut off";
         const auto length = load<std::uint32_t>(head, std::endian::big);
         type = head.substr(4);
+        if (type == last) return {};
         std::uint32_t sum = 0;
         if (!read_check_sum(file, space, type, length, sum)) return "the file is cut off";
         const std::string_view stored = read_bytes(file, space, 4);
@@ -60,5 +61,11 @@ std::string png_damage(const std::filesystem::path& path)
     }
     return {};
 }
+
+}
+
+std::string png_damage(const std::filesystem::path& path) { return damage_before(path, ""); }
+
+std::string png_header_damage(const std::filesystem::path& path) { return damage_before(path, "IDAT"); }
 
 }

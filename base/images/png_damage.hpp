@@ -11,4 +11,8 @@ namespace poissonlab {
 /// specification, third edition, 5.3). Empty where all chunks up to the last one are whole, and for other files.
 std::string png_damage(const std::filesystem::path& path);
 
+/// Checks only the chunks before the pixels, which are all that a header is read from: a whole large file takes a
+/// moment.
+std::string png_header_damage(const std::filesystem::path& path);
+
 }

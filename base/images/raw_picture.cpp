@@ -17,11 +17,12 @@ namespace {
 
 constexpr int most_png_channels = 4;
 
-/// Lets a function of the codec read; it returns what went wrong.
-void read_by_codec(const std::filesystem::path& path, const std::function<std::string()>& read)
+/// Lets a function of the codec read a file in which `damage` finds nothing wrong; each returns what went wrong.
+void read_by_codec(const std::filesystem::path& path, std::string (*damage)(const std::filesystem::path&),
+                   const std::function<std::string()>& read)
 {
     std::string problem = lack_of_file(path);
-    if (problem.empty()) problem = png_damage(path);
+    if (problem.empty()) problem = damage(path);
     if (problem.empty()) problem = read();
     if (!problem.empty()) throw InputError(fmt::format("{}: cannot read the picture: {}", path.string(), problem));
 }
@@ -47,7 +48,7 @@ FloatImage float_image_of(const RawPicture& picture)
 PictureHeader read_picture_header(const std::filesystem::path& path)
 {
     PictureHeader header;
-    read_by_codec(path, [&] { return loaded_codec().read_header(path, header); });
+    read_by_codec(path, png_damage, [&] { return loaded_codec().read_header(path, header); });
     return header;
 }
 
@@ -58,13 +59,14 @@ bool is_kept_raw(const PictureHeader& header)
 
 RawPicture read_raw_picture(const std::filesystem::path& path)
 {
-    const PictureHeader header = read_picture_header(path);
+    PictureHeader header; // whose file is checked as a whole when its pixels are read
+    read_by_codec(path, png_header_damage, [&] { return loaded_codec().read_header(path, header); });
     if (!is_kept_raw(header))
         throw InputError(fmt::format("{}: must have numbers of 8 or 16 bits in at most {} channels, or of float16 or "
                                      "float32",
                                      path.string(), most_png_channels));
     RawPicture picture;
-    read_by_codec(path, [&] { return loaded_codec().read_raw(path, picture); });
+    read_by_codec(path, png_damage, [&] { return loaded_codec().read_raw(path, picture); });
     return picture;
 }
 

@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -60,12 +61,20 @@ LightMap means_of_rows(const LightMap& plane, int step, const std::vector<double
                    std::vector<double>(static_cast<std::size_t>(places) * static_cast<std::size_t>(plane.height))};
     tbb::parallel_for(0, places, [&](int i) {
         const MeanAround around = mean_around(i * step, plane.width, taps);
-        for (int y = 0; y < plane.height; ++y) {
-            double sum = 0;
-            for (std::size_t k = 0; k < around.weights.size(); ++k)
-                sum += around.weights[k] * plane.at(around.first + static_cast<int>(k), y);
-            means.values[means.index(y, i)] = sum;
-        }
+        const auto weigh_rows = [&]<std::size_t rows>(int y, std::integral_constant<std::size_t, rows>) {
+            std::array<double, rows> sums{};
+            const double* values = &plane.values[plane.index(around.first, y)];
+            for (const double weight : around.weights) {
+                for (std::size_t row = 0; row < rows; ++row)
+                    sums[row] += weight * values[row * static_cast<std::size_t>(plane.width)];
+                ++values;
+            }
+            std::ranges::copy(sums, &means.values[means.index(y, i)]);
+        };
+        constexpr int at_once = 8; // whose sums do not wait for each other
+        int y = 0;
+        for (; y + at_once <= plane.height; y += at_once) weigh_rows(y, std::integral_constant<std::size_t, at_once>{});
+        for (; y < plane.height; ++y) weigh_rows(y, std::integral_constant<std::size_t, 1>{});
     });
     return means;
 }

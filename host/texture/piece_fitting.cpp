@@ -17,6 +17,16 @@ constexpr int candidates_apart = 4;
 /// So many pieces have their sums in memory at a time.
 constexpr std::size_t pieces_at_once = 16;
 
+/// The sums of a piece, and the arrays that they are computed in, take so many bytes for each pixel of the exemplar:
+/// large exemplars get fewer pieces at a time, which changes no piece.
+constexpr std::size_t bytes_a_pixel = 32, most_bytes_at_once = std::size_t{1} << 31;
+
+std::size_t fitted_at_once(const PngPixels& exemplar)
+{
+    const std::size_t pixels = static_cast<std::size_t>(exemplar.width) * static_cast<std::size_t>(exemplar.height);
+    return std::clamp<std::size_t>(most_bytes_at_once / (bytes_a_pixel * pixels), 1, pieces_at_once);
+}
+
 /// Pixels that may or may not be taken decide; those that are taken in any case have no picture below.
 PieceMask free_mask(const std::vector<PixelRole>& roles, int size)
 {
@@ -184,8 +194,9 @@ std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector
     const int size = canvases[0].size;
     const MaskedSquares squares(exemplar, free_mask(roles, size));
     StepBalance balance(exemplar, size, keeps_steps);
-    for (std::size_t first = 0; first < canvases.size(); first += pieces_at_once) {
-        const std::size_t count = std::min(pieces_at_once, canvases.size() - first);
+    const std::size_t at_once = fitted_at_once(exemplar);
+    for (std::size_t first = 0; first < canvases.size(); first += at_once) {
+        const std::size_t count = std::min(at_once, canvases.size() - first);
         std::vector<PngPixels> pixels(count);
         std::vector<SquareSums> sums(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {

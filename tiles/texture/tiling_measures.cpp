@@ -77,14 +77,15 @@ std::vector<std::complex<double>> fourier_factors(int k, int length)
 
 double channel_variance(const PngPixels& picture, int channel)
 {
-    double sum = 0, squares = 0;
+    std::int64_t sum = 0, squares = 0;
     const auto channels = static_cast<std::size_t>(picture.channels);
     for (std::size_t i = static_cast<std::size_t>(channel); i < picture.values.size(); i += channels) {
-        sum += picture.values[i];
-        squares += static_cast<double>(picture.values[i]) * picture.values[i];
+        const int value = picture.values[i];
+        sum += value;
+        squares += value * value;
     }
-    const double pixels = static_cast<double>(picture.width) * picture.height, mean = sum / pixels;
-    return squares / pixels - mean * mean;
+    const double pixels = static_cast<double>(picture.width) * picture.height, mean = static_cast<double>(sum) / pixels;
+    return static_cast<double>(squares) / pixels - mean * mean;
 }
 
 /// The power of a channel at u cycles along rows, and as many along columns as make a frequency below 1 / period.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace poissonlab {
@@ -57,15 +58,18 @@ ReducedPicture reduced_picture(const PngPixels& picture, std::size_t most, int m
     if (factor == 1) return {picture, 1};
     PngPixels small{picture.width / factor, picture.height / factor, picture.channels, {}};
     small.values.resize(small.at(0, small.height, 0));
+    const int area = factor * factor;
     tbb::parallel_for(0, small.height, [&](int y) {
-        std::vector<int> sums(small.at(0, 1, 0));
+        std::vector<int> columns(picture.at(small.width * factor, 0, 0));
         for (int row = y * factor; row < (y + 1) * factor; ++row)
-            for (int x = 0; x < small.width * factor; ++x)
-                for (int c = 0; c < picture.channels; ++c)
-                    sums[small.at(x / factor, 0, c)] += picture.values[picture.at(x, row, c)];
-        const int area = factor * factor;
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            small.values[small.at(0, y, 0) + i] = static_cast<std::uint8_t>((sums[i] + area / 2) / area);
+            std::transform(columns.begin(), columns.end(), &picture.values[picture.at(0, row, 0)], columns.begin(),
+                           std::plus{});
+        for (int x = 0; x < small.width; ++x)
+            for (int c = 0; c < picture.channels; ++c) {
+                int sum = area / 2;
+                for (int i = 0; i < factor; ++i) sum += columns[picture.at(x * factor + i, 0, c)];
+                small.values[small.at(x, y, c)] = static_cast<std::uint8_t>(sum / area);
+            }
     });
     return {std::move(small), factor};
 }

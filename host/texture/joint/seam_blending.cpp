@@ -3,12 +3,14 @@
 #include "base/errors/errors.hpp"
 #include "host/texture/joint/set_cover.hpp"
 #include "host/texture/tile_levels.hpp"
+#include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace poissonlab {
 namespace {
@@ -128,25 +130,25 @@ private:
 
 double smooth_length(const PngPixels& exemplar)
 {
-    double variance = 0, steps = 0, pairs = 0;
-    const double pixels = static_cast<double>(exemplar.width) * exemplar.height;
-    for (int c = 0; c < exemplar.channels; ++c) {
-        double sum = 0, squares = 0;
-        for (int y = 0; y < exemplar.height; ++y)
-            for (int x = 0; x < exemplar.width; ++x) {
-                const double value = exemplar.values[exemplar.at(x, y, c)];
-                sum += value;
-                squares += value * value;
-                for (const auto& [i, j] : {std::pair(x + 1, y), std::pair(x, y + 1)}) {
-                    if (i == exemplar.width || j == exemplar.height) continue;
-                    const double step = exemplar.values[exemplar.at(i, j, c)] - value;
-                    steps += step * step;
-                    ++pairs;
-                }
-            }
-        variance += squares - sum * sum / pixels;
+    const auto squares_of_steps = [](const std::uint8_t* values, std::size_t count, std::size_t distance) {
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const int step = values[i + distance] - values[i];
+            sum += step * step;
+        }
+        return sum;
+    };
+    const std::size_t row = exemplar.at(0, 1, 0), channels = static_cast<std::size_t>(exemplar.channels);
+    std::int64_t steps = 0;
+    for (int y = 0; y < exemplar.height; ++y) {
+        const std::uint8_t* const values = &exemplar.values[exemplar.at(0, y, 0)];
+        steps += squares_of_steps(values, row - channels, channels);
+        if (y + 1 < exemplar.height) steps += squares_of_steps(values, row, row);
     }
-    return steps > 0 ? std::sqrt(variance / (pixels * exemplar.channels) * pairs / steps) : 0;
+    const double width = exemplar.width, height = exemplar.height,
+                 pairs = exemplar.channels * ((width - 1) * height + width * (height - 1));
+    const double variance = variance_of_channels(exemplar) / exemplar.channels;
+    return steps > 0 ? std::sqrt(variance * pairs / static_cast<double>(steps)) : 0;
 }
 
 bool is_smooth(const PngPixels& exemplar) { return smooth_length(exemplar) >= 4; }

@@ -6,8 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace poissonlab {
@@ -39,14 +42,14 @@ constexpr double clearer_times = 4;
 /// Waves go on to the rim where their share in the whole picture is at least this part of the one in the middle.
 constexpr double least_kept = 0.5;
 
+/// Returns the light between the pixels of a map that has at least two rows and columns.
 double linear_at(const LightMap& light, double x, double y)
 {
-    x = std::clamp(x, 0.0, light.width - 1.001);
-    y = std::clamp(y, 0.0, light.height - 1.001);
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const double u = x - column, v = y - row;
-    return (1 - v) * ((1 - u) * light.at(column, row) + u * light.at(column + 1, row)) +
-           v * ((1 - u) * light.at(column, row + 1) + u * light.at(column + 1, row + 1));
+    const double* const north = &light.values[light.index(column, row)];
+    const double* const south = north + light.width;
+    return (1 - v) * ((1 - u) * north[0] + u * north[1]) + v * ((1 - u) * south[0] + u * south[1]);
 }
 
 /// Returns half the width and height, without what is too fine for that: by weights of 1, 3, 3 and 1 along each axis.
@@ -92,19 +95,25 @@ LightMap smoothed(const LightMap& light)
 /// The part of the middle of a plane as it is from straight above; slopes are those over this part.
 LightMap from_above(const LightMap& light, const Slope& slope, double part)
 {
-    LightMap map{searched_side, searched_side, std::vector<double>(std::size_t{searched_side} * searched_side)};
-    const auto place = [reach = slope.reach()](int i) { return ((i + 0.5) * 2 / searched_side - 1) * reach; };
-    auto value = map.values.begin();
-    for (int y = 0; y < searched_side; ++y)
-        for (int x = 0; x < searched_side; ++x) {
-            const Place seen = slope.seen({place(x), place(y)});
-            *value++ = linear_at(light, (part * seen.x + 1) / 2 * light.width - 0.5,
-                                 (part * seen.y + 1) / 2 * light.height - 0.5);
+    LightMap map{searched_side, searched_side, {}};
+    map.values.reserve(map.index(0, searched_side));
+    const double reach = slope.reach(), right = light.width - 1.001, bottom = light.height - 1.001;
+    std::array<double, searched_side> place, columns, rows;
+    for (int i = 0; i < searched_side; ++i)
+        place[static_cast<std::size_t>(i)] = ((i + 0.5) * 2 / searched_side - 1) * reach;
+    for (const double y : place) {
+        for (std::size_t x = 0; x < place.size(); ++x) { // without branches, for several places at once
+            const Place seen = slope.seen({place[x], y});
+            columns[x] = std::clamp((part * seen.x + 1) / 2 * light.width - 0.5, 0.0, right);
+            rows[x] = std::clamp((part * seen.y + 1) / 2 * light.height - 0.5, 0.0, bottom);
         }
+        for (std::size_t x = 0; x < place.size(); ++x) map.values.push_back(linear_at(light, columns[x], rows[x]));
+    }
     return map;
 }
 
-/// Spectra of a part of the middle as it is from above, for any slopes.
+/// Spectra of a part of the middle as it is from above, for any slopes. They are kept, some 370 KB each, because all
+/// searches look at the same slopes until they find a better one.
 class SlopedSpectra
 {
 public:
@@ -112,30 +121,24 @@ public:
 
     double part() const { return part_; }
 
-    /// Returns what `value` says of the spectrum at each slope. All searches begin with the same slopes, so that the
-    /// spectra at the first ones are kept.
+    /// Returns what `value` says of the spectrum at each slope.
     std::vector<double> values(const std::vector<Slope>& slopes,
                                const std::function<double(const WaveSpectrum&)>& value)
     {
-        if (first_.empty()) {
-            first_ = slopes;
-            spectra_.resize(slopes.size());
-            tbb::parallel_for(std::size_t{0}, slopes.size(), [&](std::size_t i) { spectra_[i] = spectrum(slopes[i]); });
-        }
-        const bool is_kept = slopes == first_;
+        std::vector<std::optional<WaveSpectrum>*> spectra;
+        for (const Slope& slope : slopes) spectra.push_back(&spectra_[{slope.east, slope.south}]);
         std::vector<double> values(slopes.size());
-        tbb::parallel_for(std::size_t{0}, slopes.size(),
-                          [&](std::size_t i) { values[i] = value(is_kept ? *spectra_[i] : spectrum(slopes[i])); });
+        tbb::parallel_for(std::size_t{0}, slopes.size(), [&](std::size_t i) {
+            if (!*spectra[i]) spectra[i]->emplace(windowed(from_above(light_, slopes[i], part_)));
+            values[i] = value(**spectra[i]);
+        });
         return values;
     }
 
 private:
-    WaveSpectrum spectrum(const Slope& slope) const { return WaveSpectrum(windowed(from_above(light_, slope, part_))); }
-
     const LightMap& light_;
     double part_;
-    std::vector<Slope> first_;
-    std::vector<std::optional<WaveSpectrum>> spectra_;
+    std::map<std::pair<double, double>, std::optional<WaveSpectrum>> spectra_;
 };
 
 /// Finds the slope with which a picture has the largest `value`: on a grid, then around the best one in steps that
@@ -145,17 +148,19 @@ Slope found_slope(SlopedSpectra& spectra, double least, const std::function<doub
     Slope best;
     double most = least;
     int reach = 4;
+    std::set<std::pair<double, double>> seen; // places of two steps have been looked at before steps halve
     for (double step = 0.1; step > 0.002; step /= 2, reach = 2) {
         std::vector<Slope> slopes;
         for (int i = -reach; i <= reach; ++i)
             for (int j = -reach; j <= reach; ++j) {
                 const Slope slope{best.east + i * step, best.south + j * step};
-                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * spectra.part())
+                if (std::abs(slope.east) + std::abs(slope.south) <= most_slope * spectra.part() &&
+                    seen.insert({slope.east, slope.south}).second)
                     slopes.push_back(slope);
             }
         const std::vector<double> values = spectra.values(slopes, value);
         const auto largest = std::ranges::max_element(values);
-        if (!(*largest > most)) continue;
+        if (largest == values.end() || !(*largest > most)) continue;
         most = *largest;
         best = slopes[static_cast<std::size_t>(largest - values.begin())];
     }

@@ -39,8 +39,24 @@ class CombSearch
 public:
     explicit CombSearch(const WaveSpectrum& spectrum)
         : spectrum_(spectrum), right_(spectrum.width() / 2), bottom_(spectrum.height() / 2),
-          means_(spectrum.shares(), right_ + 2 * margin + 1)
-    {}
+          columns_(right_ + 2 * margin + 1), powers_(spectrum.shares().size()), arounds_(spectrum.shares().size())
+    {
+        const SquareMeans means(spectrum.shares(), columns_);
+        const int rows = static_cast<int>(spectrum.shares().size()) / columns_;
+        const auto square = [&](int column, int row, int reach) {
+            const int side = 2 * reach + 1;
+            return means.mean(column - reach, row - reach, column + reach + 1, row + reach + 1) * side * side;
+        };
+        for (int row = 1; row + 1 < rows; ++row)
+            for (int column = 1; column + 1 < columns_; ++column)
+                powers_[index(column, row)] = std::max(0.0, square(column, row, 1));
+        constexpr int inner = 2, outer = 6;
+        constexpr double count = (2 * outer + 1) * (2 * outer + 1) - (2 * inner + 1) * (2 * inner + 1);
+        for (int row = outer; row + outer < rows; ++row)
+            for (int column = outer; column + outer < columns_; ++column)
+                arounds_[index(column, row)] =
+                    std::max(0.0, square(column, row, outer) - square(column, row, inner)) * 9 / count;
+    }
 
     std::vector<SpectrumPlace> places() const
     {
@@ -113,21 +129,17 @@ private:
     /// A wave to the south may lean to the west by a few periods.
     bool is_within(double x, double y) const { return x > -margin / 2.0 && x < right_ && std::abs(y) < bottom_; }
 
-    double square(int x, int y, int reach) const
+    std::size_t index(int column, int row) const
     {
-        const int column = x + margin, row = y + bottom_ + margin, side = 2 * reach + 1;
-        return means_.mean(column - reach, row - reach, column + reach + 1, row + reach + 1) * side * side;
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
+    std::size_t place_of(int x, int y) const { return index(x + margin, y + bottom_ + margin); }
 
-    double power_at(int x, int y) const { return std::max(0.0, square(x, y, 1)); }
+    /// Returns the power of a place and of the eight places beside it.
+    double power_at(int x, int y) const { return powers_[place_of(x, y)]; }
 
     /// Returns the mean power of nine places in a ring around a place.
-    double around(int x, int y) const
-    {
-        constexpr int inner = 2, outer = 6;
-        constexpr double count = (2 * outer + 1) * (2 * outer + 1) - (2 * inner + 1) * (2 * inner + 1);
-        return std::max(0.0, square(x, y, outer) - square(x, y, inner)) * 9 / count;
-    }
+    double around(int x, int y) const { return arounds_[place_of(x, y)]; }
 
     /// Compares a harmonic with what is around it and with places so many waves before and after it.
     HarmonicPower harmonic(double x, double y, int k, double away) const
@@ -163,8 +175,8 @@ private:
     }
 
     const WaveSpectrum& spectrum_;
-    int right_, bottom_;
-    SquareMeans means_;
+    int right_, bottom_, columns_;
+    std::vector<double> powers_, arounds_; ///< of all places, as most are asked for many times
 };
 
 }

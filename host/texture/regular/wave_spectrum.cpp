@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -43,14 +44,13 @@ double sum_of_rows(int rows, const OfRow& of_row)
 
 }
 
-LightMap windowed(const LightMap& light)
+LightMap windowed(LightMap light)
 {
-    LightMap map = light;
-    const std::vector<double> across = hann(map.width), down = hann(map.height);
+    const std::vector<double> across = hann(light.width), down = hann(light.height);
     const double weights =
         std::accumulate(across.begin(), across.end(), 0.0) * std::accumulate(down.begin(), down.end(), 0.0);
     const double mean =
-        sum_of_rows(map.height,
+        sum_of_rows(light.height,
                     [&](int y) {
                         return down[static_cast<std::size_t>(y)] *
                                std::inner_product(across.begin(), across.end(),
@@ -58,12 +58,13 @@ LightMap windowed(const LightMap& light)
                                                   0.0);
                     }) /
         weights;
-    tbb::parallel_for(0, map.height, [&](int y) {
-        for (int x = 0; x < map.width; ++x)
-            map.values[map.index(x, y)] =
-                across[static_cast<std::size_t>(x)] * down[static_cast<std::size_t>(y)] * (light.at(x, y) - mean);
+    tbb::parallel_for(0, light.height, [&](int y) {
+        for (int x = 0; x < light.width; ++x) {
+            double& value = light.values[light.index(x, y)];
+            value = across[static_cast<std::size_t>(x)] * down[static_cast<std::size_t>(y)] * (value - mean);
+        }
     });
-    return map;
+    return light;
 }
 
 bool stands_out(const PlacePower& power)
@@ -79,20 +80,20 @@ bool stands_out_between(const PartsBetween& parts)
            (others.share >= least_regular_share / 2 && others.share * others.times >= least_product);
 }
 
-WaveSpectrum::WaveSpectrum(const LightMap& windowed) : width_(windowed.width), height_(windowed.height)
+WaveSpectrum::WaveSpectrum(LightMap windowed) : width_(windowed.width), height_(windowed.height)
 {
     const int columns = width_ / 2 + 1;
-    std::vector<double> values = windowed.values;
-    std::vector<std::complex<double>> transform(static_cast<std::size_t>(columns) * static_cast<std::size_t>(height_));
-    const FftwPlan plan = make_fftw_plan(fftw_plan_dft_r2c_2d, height_, width_, values.data(), fftw(transform.data()),
+    std::vector<double>& values = windowed.values;
+    total_ = std::inner_product(values.begin(), values.end(), values.begin(), 0.0) * width_ * height_;
+    const auto transform = std::make_unique_for_overwrite<fftw_complex[]>(static_cast<std::size_t>(columns) *
+                                                                          static_cast<std::size_t>(height_));
+    const FftwPlan plan = make_fftw_plan(fftw_plan_dft_r2c_2d, height_, width_, values.data(), transform.get(),
                                          FFTW_ESTIMATE | FFTW_UNALIGNED);
     fftw_execute(plan.get());
-    total_ = std::inner_product(windowed.values.begin(), windowed.values.end(), windowed.values.begin(), 0.0) * width_ *
-             height_;
     const auto share_at = [&](int x, int y) {
-        const std::complex<double>& value =
+        const fftw_complex& value =
             transform[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-        return (value.real() * value.real() + value.imag() * value.imag()) / total_;
+        return (value[0] * value[0] + value[1] * value[1]) / total_;
     };
     const auto wrapped = [](int i, int count) { return (i % count + count) % count; };
     const int right = width_ / 2, bottom = height_ / 2;

@@ -15,7 +15,7 @@ inline constexpr int least_periods = 8;
 inline constexpr int wave_harmonics = 4;
 
 /// Differences from the mean, smaller towards the rim, where a picture does not go on: by the window of von Hann.
-LightMap windowed(const LightMap& light);
+LightMap windowed(LightMap light);
 
 /// The power that places of a spectrum hold.
 struct PlacePower
@@ -49,7 +49,7 @@ public:
     /// Shares of a half of the spectrum are stored with so many places around it, which searches look at most.
     static constexpr int margin = 16;
 
-    explicit WaveSpectrum(const LightMap& windowed);
+    explicit WaveSpectrum(LightMap windowed);
 
     /// The strongest wave that has at least eight periods over the picture, of those that are not parallel to another
     /// one if there is one. Of a wave and those of twice to four times its period, of which it is a harmonic, a longer

@@ -3,6 +3,7 @@
 
 #include "base/images/linear_picture.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/program.hpp"
 #include "tests/support/raw_png.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -42,6 +43,26 @@ TEST(RawPicture, KeepsTheSamplesOfPngFiles)
             EXPECT_EQ(again.channels, channels);
             EXPECT_EQ(again.samples, png.samples) << bits << " bits, " << channels << " channels";
         }
+}
+
+/// A damaged file is refused when its header is read, so that the key that names it can be told.
+TEST(RawPicture, TellsOfDamageWhereItReads)
+{
+    const TemporaryFolder folder;
+    const auto whole = folder.path() / "whole.png", cut = folder.path() / "cut.png";
+    test::write_raw_png(whole, {31, 17, 1, 8, std::vector<std::uint16_t>(31 * 17, 7)});
+    const std::string bytes = content_of(whole);
+    const auto of_cut = [&](std::size_t count) { folder.write("cut.png", bytes.substr(0, count)); };
+    of_cut(bytes.find("IDAT") + 6);
+    EXPECT_THAT(message_of([&] { read_picture_header(cut); }), HasSubstr("the file is cut off"));
+    EXPECT_THAT(message_of([&] { read_raw_picture(cut); }),
+                HasSubstr("cut.png: cannot read the picture: the file is cut off"));
+    of_cut(30); // within the first chunk
+    EXPECT_THAT(message_of([&] { read_picture_header(cut); }), HasSubstr("the file is cut off"));
+    std::string damaged = bytes;
+    damaged[17] = '\x7f'; // of the width
+    folder.write("cut.png", damaged);
+    EXPECT_THAT(message_of([&] { read_picture_header(cut); }), HasSubstr("its chunk IHDR has another check sum"));
 }
 
 /// Grey numbers of 16 bits as a TIFF file, and how they were held (TIFF 6.0, tag 274).

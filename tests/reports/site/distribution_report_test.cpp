@@ -161,6 +161,28 @@ TEST_F(DistributionReport, SaysWhichTextureToTake)
     EXPECT_THAT(text.substr(table), HasSubstr(R"(<td class="failed"><data value="1">1.00</data></td>)"));
 }
 
+/// Features of more than an eighth of a tile are not called whole, however few patches are new.
+TEST_F(DistributionReport, DoesNotCallWideShapesWhole)
+{
+    const auto texture = [&](const std::string& name, const char* size, double feature) {
+        auto json = result(name, "texture");
+        json["parameters"] = {{{"key", "exemplar"}, {"value", "pebbles"}}, {{"key", "size"}, {"value", size}}};
+        json["numbers"] = nlohmann::json::array();
+        for (const auto& [key, value] : {std::pair("recurrence", 0.0), {"novelty", 0.002}, {"feature_side", feature}})
+            json["numbers"].push_back({{"key", key}, {"title", key}, {"value", value}, {"meaning", ""}});
+        return json;
+    };
+    json_["distributions"] = {texture("narrow", "64", 9), texture("wide", "128", 9), texture("eighth", "64", 8)};
+    const std::string text = page();
+    const auto times = [&](const std::string& sentence) {
+        int count = 0;
+        for (std::size_t at = text.find(sentence); at != std::string::npos; at = text.find(sentence, at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(times("Nothing recurs; some shapes fused or broken."), 1);
+    EXPECT_EQ(times("Nothing recurs; shapes whole."), 2);
+}
+
 TEST_F(DistributionReport, CallsPackingsPackings)
 {
     json_["distributions"] = {result("distribution-packing", "packing")};
