@@ -117,7 +117,7 @@ NearPlaces near_places(const std::vector<double>& places)
         distance = std::max(distance, std::abs(low[k] / 2 + high[k] / 2));
     }
     NearPlaces result;
-    if (extent > 0 && distance > far * extent) {
+    if (distance > far * extent) { // a single instance has no extent, and stands where its node is
         for (std::size_t k = 0; k < 3; ++k) origin[k] = low[k] / 2 + high[k] / 2;
         result.node["translation"] = origin;
     }

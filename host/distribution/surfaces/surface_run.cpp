@@ -129,15 +129,17 @@ void check_surface_keys(Keys& keys, MeshPointSettings& s)
     keys.check(keys.is_given("start") ? "start" : "obstacles", [&] { s.beginning = surface_beginning(s, *s.read); });
 }
 
-/// Points that a distance decides are only about so many: they are refused where they are sure to be too many.
+/// Points that a distance decides are only about so many: they are refused where they are sure to be too many. Through
+/// space, points keep their distance from those of other sheets nearby, too, and obstacles take any part of the
+/// surface.
 void check_instances(const Keys& keys, const MeshPointSettings& s)
 {
-    constexpr double sure = 0.95;
-    if (s.points)
-        check_instance_count(keys, "points", s.instances, static_cast<double>(*s.points));
-    else if (s.min_distance)
-        check_instance_count(keys, "min_distance", s.instances,
-                             sure * saturated_count(s.read->surface.area, *s.min_distance));
+    const double sure = s.metric == SurfaceMetric::surface ? 0.95 : 0.25;
+    if (s.points) return check_instance_count(keys, "points", s.instances, static_cast<double>(*s.points));
+    if (!s.min_distance || !s.obstacles.empty()) return;
+    const double count = saturated_count(s.read->surface.area, *s.min_distance);
+    if (sure * count > static_cast<double>(most_surface_instances))
+        check_instance_count(keys, "min_distance", s.instances, count);
 }
 
 void surface_keys(Keys& keys, MeshPointSettings& s)

@@ -248,8 +248,8 @@ def check_scene(folder, scene, tiles, models, *words):
             point = points[int(number)]
             assert node["name"] == f"model_{point['model']:.0f}"
             place = upwards((point["x"], point["y"], point["z"]))
-            size = max(1, *map(abs, rows["TRANSLATION"][i]))
-            assert is_near([a + b for a, b in zip(origin, rows["TRANSLATION"][i])], place, 4 * FLOAT * size)
+            # Places count from an origin that is at most 16 extents away, and no window is more than 1 wide.
+            assert is_near([a + b for a, b in zip(origin, rows["TRANSLATION"][i])], place, 32 * FLOAT)
             assert is_near(rows["SCALE"][i], [point["scale"]] * 3, FLOAT)
             if "class" in point:
                 assert rows["_CLASS"][i] == (point["class"],)
@@ -265,6 +265,9 @@ def check_scenes(folder):
     assert len(check_scene(folder, "forest", plane, 5, "--density", "300", "--terrain", "x*y", "--terrain-area", "0", "0",
                            "1", "1")) > 200
     assert check_scene(folder, "sunflowers", plane, 1, "--window", "3000", "-2", "0.5", "0.5")[0]["x"] > 3000
+    far = check_scene(folder, "forest", plane, 300, "--window", "900000", "0", "0.3", "0.3")
+    counts = [[point["model"] for point in far].count(model) for model in range(300)]
+    assert counts.count(1) > 50 and max(counts) > 1  # models of one instance stand beside others
     assert len(check_scene(folder, "asteroids", "sphere-c2-n128-r075.ptiles", 8, "--density", "1000")) > 100
     points = check_scene(folder, "forest", "corner-classes-c3-n8-16-40-r070.ptiles", 3, "--density", "300")
     assert len({point["class"] for point in points}) == 3
