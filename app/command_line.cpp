@@ -2,6 +2,7 @@
 
 #include "app/argument_errors.hpp"
 #include "app/command_tree.hpp"
+#include "app/help_lines.hpp"
 #include "app/man_page.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
@@ -51,12 +52,12 @@ const char* const opening_words =
 constexpr auto main_summary = "makes Poisson disk point sets on OpenCL devices, analyses them, and reports";
 
 constexpr auto main_notes = R"(Examples:
-  poissonlab run configs/quick.toml                        an experiment and its report, in out/quick
-  poissonlab run configs/quick.toml --set seed=2 --out a   the same with another seed, in a
+  poissonlab run configs/quick.toml                       an experiment and its report, in out/quick
+  poissonlab run configs/quick.toml --set seed=2 --out a  the same experiment with another seed, in a
   poissonlab analyze points-*.dat --label "My method" --out mine
-  poissonlab report out/quick mine --out both              one report over both
-  poissonlab diff before after                             which numbers changed beyond their error
-  poissonlab help samplers                                 every method of making point sets
+  poissonlab report out/quick mine --out both             one report over both
+  poissonlab diff before after                            which numbers changed beyond their error
+  poissonlab help samplers                                every method of making point sets
 
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
@@ -166,11 +167,24 @@ Action action_with_device(const Command& command)
     };
 }
 
+/// Examples of a group: the first one of each of its commands.
+std::string examples_of(const Command& group)
+{
+    std::string examples;
+    for (const Command& part : group.commands) {
+        const std::size_t begin = part.notes.find("\n  poissonlab ");
+        if (begin != std::string::npos)
+            examples += part.notes.substr(begin, std::min(part.notes.find('\n', begin + 1), part.notes.size()) - begin);
+    }
+    return (examples.empty() ? "" : "Examples:" + examples + "\n\n") +
+           fmt::format("`poissonlab {} COMMAND --help` explains each.", group.name);
+}
+
 /// Makes the command part of the parser `parent`; when arguments call for it, its action joins `called`.
 void add_command(CLI::App& parent, const Command& command, std::vector<Action>& called)
 {
     CLI::App& app = *parent.add_subcommand(command.name, command.summary);
-    if (!command.notes.empty()) app.footer(command.notes);
+    app.footer(command.commands.empty() ? command.notes : examples_of(command));
     for (const Option& option : command.options) {
         const auto add = [&](auto* value) { return add_option(app, option, *value); };
         CLI::Option* const added = std::visit(add, option.target);
@@ -205,6 +219,9 @@ void add_everything(CLI::App& app, const std::vector<Command>& commands, std::ve
     app.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING "\n" POISSONLAB_BUILT_WITH,
                          "Print the version, and what was built in");
     app.footer(main_notes);
+    app.formatter_fn([](const CLI::App* asked, const std::string& name, CLI::AppFormatMode mode) {
+        return within_columns(CLI::Formatter().make_help(asked, name, mode));
+    });
     for (const Command& command : commands) add_command(app, command, called);
     // This entry is for lists of commands and `help --help`; explanation() does the work.
     app.add_subcommand("help", "Explain a command, or the samplers")

@@ -1,5 +1,6 @@
 #include "app/man_page.hpp"
 
+#include "app/help_lines.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
@@ -36,8 +37,13 @@ std::string usage(const Option& option)
     return fmt::format("\\fB{}\\fR \\fI{}\\fR", roff(option.name), roff(value));
 }
 
-/// Lines as they are, with their breaks and indents.
-std::string as_written(const std::string& text) { return fmt::format(".PP\n.nf\n{}\n.fi\n", roff(text)); }
+constexpr std::size_t man_columns = 72; ///< that man indents in a terminal of 80
+
+/// Lines with their breaks and indents, as long as a page of man has room for.
+std::string as_written(const std::string& text)
+{
+    return fmt::format(".PP\n.nf\n{}\n.fi\n", roff(within_columns(text, man_columns)));
+}
 
 void write_command(std::ostream& page, const Command& command, const std::string& group)
 {

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/standard_streams.hpp"
 #include "experiment/run/progress.hpp"
+#include "host/settings/keys/command_words.hpp"
 #include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -93,7 +94,10 @@ std::vector<Option> KindOptions::options()
 Option KindOptions::option_of(Typed& typed) const
 {
     const KeySpec& spec = typed.spec;
-    const std::string help = key_help(spec);
+    const std::string help = in_words_of_commands(key_help(spec), [&](const std::string& key) {
+        const auto found = std::ranges::find(typed_, key, [](const Typed& each) { return each.spec.value.key; });
+        return found == typed_.end() ? "" : found->name;
+    });
     if (is_flag(spec)) return {typed.name, &typed.is_set, help};
     Option option{typed.name, &typed.words, help, value_name_of(spec)}; // what is needed is said by whoever reads it
     option.may_be_left_out = spec.value.otherwise.has_value();
@@ -230,6 +234,11 @@ InputError KindOptions::of_command(const InputError& error) const
 {
     const std::string message = error.what();
     const bool has_place = !error.place().file.empty() && !error.place().is_argument;
+    // Work names keys as configs do; who typed an option reads its name.
+    const auto typed = std::ranges::find(typed_, error.key(), [](const Typed& each) { return each.spec.value.key; });
+    if (!has_place && typed != typed_.end())
+        return InputError(
+            fmt::format("{}: {} {}: {}", kind_.command, typed->name, shortened(error.value()), error.allowed()));
     return has_place || message.starts_with(kind_.command) ? error
                                                            : InputError(fmt::format("{}: {}", kind_.command, message));
 }

@@ -236,8 +236,8 @@ BuiltTexture texture_in_one_way(const TextureRequest& request, const PngPixels& 
 {
     const int width = narrowest_columns(exemplar, request.split);
     if (width < request.size || exemplar.height < request.size)
-        throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", request.size, width,
-                                     exemplar.height));
+        throw invalid_value({}, "size", fmt::format("{}", request.size),
+                            fmt::format("must be at most the exemplar's, {} x {} pixels", width, exemplar.height));
     BuiltTexture built;
     TextureSet& set = built.set;
     set.kind = request.kind;

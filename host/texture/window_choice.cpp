@@ -172,10 +172,10 @@ int window_distance(const PngPixels& exemplar, int size, std::size_t windows, st
     };
     if (asked) {
         if (static_cast<double>(windows) > fitting(*asked))
-            throw InputError(
-                fmt::format("diversity = {}: {} windows are needed, of which {:.0f} are sure to fit into an "
-                            "exemplar of {} x {} pixels",
-                            *asked, windows, std::floor(fitting(*asked)), width, exemplar.height));
+            throw invalid_value({}, "diversity", fmt::format("{}", *asked),
+                                fmt::format("{} windows are needed, of which {:.0f} are sure to fit into an "
+                                            "exemplar of {} x {} pixels",
+                                            windows, std::floor(fitting(*asked)), width, exemplar.height));
         return *asked;
     }
     int distance = size / 4;

@@ -45,11 +45,12 @@ void ChainChoice::choose(ChainPieces& pieces)
     for (std::size_t direction = 0; direction < chain_directions; ++direction)
         for (std::size_t number = 0; number < candidates_[direction].size(); ++number) {
             if (candidates(direction, number).empty())
-                throw InputError(
-                    fmt::format("relative_radius = {}: no chain from colour {} to {} was found in {} tori of "
+                throw invalid_value(
+                    {}, "relative_radius", fmt::format("{}", p_.relative_radius),
+                    fmt::format("no chain from colour {} to {} was found in {} tori of "
                                 "{} points; must be about 0.6 to 0.85 for chains, and more points per tile help",
-                                p_.relative_radius, number / p_.colors, number % p_.colors,
-                                max_torus_rounds * tori_a_pair, 4 * p_.points_per_tile));
+                                number / p_.colors, number % p_.colors, max_torus_rounds * tori_a_pair,
+                                4 * p_.points_per_tile));
             pieces.chains[direction][number] = candidates(direction, number).front().chain;
         }
 }

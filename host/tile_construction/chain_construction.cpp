@@ -109,10 +109,10 @@ private:
 
     [[noreturn]] void give_up(const Tiles& failed) const
     {
-        throw InputError(
-            fmt::format("relative_radius = {}: {} of {} tiles could not be filled; a smaller number helps, or "
-                        "more points per tile",
-                        p_.relative_radius, failed.size(), p_.tiles));
+        throw invalid_value(
+            {}, "relative_radius", fmt::format("{}", p_.relative_radius),
+            fmt::format("{} of {} tiles could not be filled; a smaller number helps, or more points per tile",
+                        failed.size(), p_.tiles));
     }
 
     // Relaxation of all tiles together.

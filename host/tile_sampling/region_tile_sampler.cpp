@@ -3,6 +3,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "base/regions/region_source.hpp"
+#include "base/regions/region_units.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
@@ -158,7 +159,7 @@ SamplerSpec region_tile_sampler(const PoissonTileFamily& family, SamplerSpec on_
     SamplerSpec spec = std::move(on_torus);
     spec.parameters.push_back({.key = distance_key,
                                .help = "the minimum distance, from which the width of tiles follows",
-                               .unit = "units of the region",
+                               .unit = region_units,
                                .maximum = 1e12,
                                .exclusive_minimum = true,
                                .symbol = "d",

@@ -98,11 +98,13 @@ class NumberVariance(NamedTuple):
 
 
 class RegionCurves(NamedTuple):
-    """Curves of points in a region over distance, in the region's units. Arrays of shape (distances,).
+    """Curves of points in a region over distance, in the region's units (metres, if it is in longitude and latitude).
+
+    Arrays of shape (distances,).
 
     Of each curve, `_low` and `_high` are the least and the largest of random sets of as many points in the region.
 
-    distance: in units of the region
+    distance: in these units
     k_isotropic: Ripley's K with his isotropic correction, in squares of these units
     pair_correlation: g by a kernel; 1 for independent points
     k: K with the translation correction; pi r^2 for independent points
@@ -134,7 +136,7 @@ class RegionCurves(NamedTuple):
         value = getattr(self, curve)
         low, high = (getattr(self, f"{curve}_{end}", value) for end in ("low", "high"))
         return views.plot_curve(ax, self.distance, value, (low, high),
-                                ("distance, units of the region", curve.replace("_", " ")), style)
+                                ("distance in the region", curve.replace("_", " ")), style)
 
     to_dataframe = views.to_dataframe
 

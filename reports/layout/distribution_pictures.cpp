@@ -60,8 +60,12 @@ void lay_out_curves(ReportDistribution& distribution)
         const auto found = std::ranges::find(stored.numbers, key, &DistributionNumber::key);
         return found == stored.numbers.end() ? 0 : found->value;
     };
-    const RegionSets sets{number("points") / number("area"), static_cast<std::size_t>(number("envelope")), false,
-                          number("covariance_error"), distribution.run->folder / *file};
+    const RegionSets sets{number("points") / number("area"),
+                          static_cast<std::size_t>(number("envelope")),
+                          false,
+                          number("covariance_error"),
+                          distribution.run->folder / *file,
+                          false};
     std::ranges::move(region_curve_panels(read_region_curves(sets.file), sets, 0),
                       std::back_inserter(distribution.curves));
 }
@@ -143,7 +147,7 @@ Panel curve_panel(const RegionSets& sets, const char* stem, Plot plot, const cha
 std::vector<Panel> region_curve_panels(const std::vector<RegionCurveRow>& rows, const RegionSets& sets,
                                        std::size_t index)
 {
-    const PlaneRegionCurves curves{index, &rows, sets.intensity, !sets.has_density};
+    const PlaneRegionCurves curves{index, &rows, sets.intensity, sets.is_in_metres, !sets.has_density};
     const std::string expected =
         sets.has_density ? "the number that random points that follow the density" : "the number that random points";
     const std::string of_formula = curves.has_formula ? " Dashes: random points." : "";
@@ -200,8 +204,12 @@ void add_region_panels(const ReportSeries& series, std::size_t index, std::vecto
 {
     if (series.region_curves.empty()) return;
     const RegionResult& region = *series.stored->region;
-    const RegionSets sets{static_cast<double>(series.stored->points) / region.area, region.envelope, region.has_density,
-                          region.covariance_error, series.run->folder / region.file};
+    const RegionSets sets{static_cast<double>(series.stored->points) / region.area,
+                          region.envelope,
+                          region.has_density,
+                          region.covariance_error,
+                          series.run->folder / region.file,
+                          region.is_in_metres};
     for (Panel& panel : region_curve_panels(series.region_curves, sets, index)) panels.push_back(std::move(panel));
 }
 

@@ -57,6 +57,7 @@ struct RegionSets
     bool has_density = false;
     double covariance_error = 0;
     std::filesystem::path file; ///< of the curves
+    bool is_in_metres = false;
 };
 
 /// Curves of a series, or of another set, in the colour of that index.

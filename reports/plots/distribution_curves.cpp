@@ -40,7 +40,6 @@ Plot chart_plot(const CurveChart& chart)
 namespace {
 
 constexpr double most_correlation = 5, most_j = 10;
-constexpr const char* region_distance_axis = "distance (units of the region)";
 
 double l_minus_r(double k, double r) { return std::sqrt(std::max(k, 0.0) / std::numbers::pi) - r; }
 
@@ -70,7 +69,7 @@ Plot function_plot(const PlaneRegionCurves& curves, RegionFunction function, con
         curve.high.push_back(shown(row.high[f], row.distance));
     }
     curve.end = curve.x.back();
-    plot.x = {.label = region_distance_axis, .high = curve.x.back()};
+    plot.x = {.label = curves.is_in_metres ? "distance (m)" : "distance (units of the region)", .high = curve.x.back()};
     plot.x.step = few_labels(plot.x);
     plot.y = {.label = name};
     plot.curves.push_back(std::move(curve));

@@ -128,8 +128,8 @@ std::unique_ptr<PackingBoard> make_packing_board(const PackingProblem& problem)
 {
     const Color most = most_searched_colors(problem.method);
     if (problem.colors < 2 || problem.colors > most)
-        throw InputError(
-            fmt::format("colors = {}: must be an integer from 2 to {} for a search", problem.colors, most));
+        throw invalid_value({}, "colors", fmt::format("{}", problem.colors),
+                            fmt::format("must be an integer from 2 to {} for a search", most));
     const bool is_of_corners = problem.kind == TileKind::corner;
     if (problem.method == PackingMethod::tiles || (problem.method == PackingMethod::symmetric && !is_of_corners))
         return make_tile_board(problem);

@@ -152,9 +152,10 @@ void check_moments(const PoissonTileParameters& p, const TileMoments& moments, c
         const MomentOrder& found = moments.orders[order - 1];
         const bool is_exact = order <= exact_moment_order(p);
         if (is_exact ? found.are_equal : found.difference <= rounded_moment(order, p.points_per_tile)) continue;
-        throw InputError(fmt::format("equal_moments = {}: must be at most {}: {} moments of {}tile {} are not those of "
-                                     "tile 0",
-                                     p.equal_moments, order - 1, moment_order_names[order - 1], whose, found.odd_tile));
+        throw invalid_value({}, "equal_moments", fmt::format("{}", p.equal_moments),
+                            fmt::format("must be at most {}: {} moments of {}tile {} are not those of "
+                                        "tile 0",
+                                        order - 1, moment_order_names[order - 1], whose, found.odd_tile));
     }
 }
 

@@ -164,7 +164,7 @@ void ScanlineTiling::stream(std::uint64_t height, const TileSink& sink)
 TileSet compact_wang_cube_set(Color colors)
 {
     if (colors > 16)
-        throw InputError(fmt::format("colors = {}: must be at most 16 for a compact set of cubes", colors));
+        throw invalid_value({}, "colors", fmt::format("{}", colors), "must be at most 16 for a compact set of cubes");
     const TileSet all = TileSet::complete(TileKind::wang_cube, colors);
     std::vector<TileIndex> indices;
     for (std::uint64_t i = 0; i < all.size(); ++i) {

@@ -110,6 +110,11 @@ nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
             {"unusable", printable(device.unusable)}};
 }
 
+constexpr auto devices_notes =
+    R"(A device is chosen by its number or a part of its name: --device, or `device = ` in the config of an experiment.
+  poissonlab devices
+  poissonlab run configs/quick.toml --device 1)";
+
 void print_devices(bool as_json)
 {
     const std::vector<DeviceInfo> devices = list_devices();
@@ -128,7 +133,7 @@ void print_devices(bool as_json)
 Command devices_command()
 {
     const auto as_json = std::make_shared<bool>(false);
-    return {"devices", "List what OpenCL offers on this machine", {json_option(*as_json)}, "", [as_json] {
+    return {"devices", "List what OpenCL offers on this machine", {json_option(*as_json)}, devices_notes, [as_json] {
                 print_devices(*as_json);
                 return 0;
             }};

@@ -5,6 +5,14 @@
 #include <fmt/format.h>
 
 namespace poissonlab {
+namespace {
+
+constexpr auto kinds_notes =
+    R"(Each kind is a table of a config, such as [[tiling]]; most are commands as well, whose options are the keys.
+  poissonlab kinds
+  poissonlab kinds --json)";
+
+}
 
 Command kinds_command()
 {
@@ -12,7 +20,7 @@ Command kinds_command()
     return {"kinds",
             "List the kinds of work that tables of configs ask for, and their keys",
             {{"--markdown", markdown.get(), "Print docs/kinds.md"}, json_option(*as_json)},
-            "",
+            kinds_notes,
             [markdown, as_json] {
                 fmt::print("{}", *as_json ? all_kinds_json() : *markdown ? all_kinds_markdown() : all_kinds_text());
                 return 0;

@@ -16,6 +16,12 @@ struct ReportOptions
     bool quiet = false;
 };
 
+constexpr auto report_notes =
+    R"(Reports are made from stored results alone: no point set is made or measured again.
+Several folders make one report, with all of their series in one ranking.
+  poissonlab report out/quick
+  poissonlab report out/quick out/mine --gallery --out out/both)";
+
 void report(const ReportOptions& options)
 {
     if (options.out.empty() && options.folders.size() > 1)
@@ -39,7 +45,7 @@ Command report_command()
              {"--print", &o->print, "Draw curves as PNG for print as well; pages need only the SVG"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the series"},
              {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
-            "",
+            report_notes,
             action_on(o, report)};
 }
 

@@ -5,6 +5,15 @@
 #include <fmt/format.h>
 
 namespace poissonlab {
+namespace {
+
+constexpr auto samplers_notes =
+    R"(Each method is a `sampler = ` of a [[method]] table; its parameters are the keys of that table. docs/methods.md says
+which one to use.
+  poissonlab samplers
+  poissonlab samplers --json)";
+
+}
 
 Command samplers_command()
 {
@@ -12,7 +21,7 @@ Command samplers_command()
     return {"samplers",
             "List the methods of making point sets and their parameters",
             {{"--markdown", markdown.get(), "Print the tables of docs/samplers.md"}, json_option(*as_json)},
-            "",
+            samplers_notes,
             [markdown, as_json] {
                 fmt::print("{}", *as_json    ? all_samplers_json()
                                  : *markdown ? all_samplers_markdown()

@@ -1,5 +1,6 @@
 // The page of commands: what `help` says of each.
 #include "app/commands/manual/manual.hpp"
+#include "app/help_lines.hpp"
 #include "app/man_page.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ void add_command_section(std::string& text, const Command& command, const std::s
             text += fmt::format("| `{}{}` | {} |\n", option.name, value.empty() ? "" : " " + value,
                                 without_bars(option.help));
         }
-        if (!command.notes.empty()) text += fmt::format("\n```text\n{}\n```\n", command.notes);
+        if (!command.notes.empty()) text += fmt::format("\n```text\n{}\n```\n", within_columns(command.notes));
     }
     for (const Command& part : command.commands) add_command_section(text, part, name);
 }

@@ -42,6 +42,11 @@ void write_stored_texts(const std::filesystem::path& checkout, const std::vector
         write_whole_file(folder / ("completion." + shell), completion_script(shell, commands));
 }
 
+constexpr auto manual_notes =
+    R"(This is for those who change the laboratory: `./lab docs` builds the whole manual.
+  poissonlab manual --stored .
+  poissonlab manual --out pages)";
+
 }
 
 Command manual_command(std::function<std::vector<Command>()> all_commands)
@@ -53,7 +58,7 @@ Command manual_command(std::function<std::vector<Command>()> all_commands)
              {"--results", &o->pages, "Put the stored results into these pages, such as docs/results.md, anew", "FILE"},
              {"--stored", &o->stored,
               "Write the words of all modules, and what programs that lack some print, in this checkout", "DIR"}},
-            "",
+            manual_notes,
             [o, all_commands = std::move(all_commands)] {
                 if (o->out.empty() && o->pages.empty() && o->stored.empty())
                     throw InputError("--out, --results or --stored is needed");

@@ -100,7 +100,8 @@ Density: points in the regions over those of as many points spread evenly. Ranke
 that parts of their points have, over what parts by chance would have; 0.5 and less is good.
 Sets of one tile that never repeats (tiles build hat, spectre): all tables but that of points are made again and compared.
 Sets whose points have classes: the distance of each pair of classes is proven as well, and where it occurs; moments are
-those of each class, too.)";
+those of each class, too.
+  poissonlab tiles verify corner.ptiles)";
 
 struct TilesVerifyOptions
 {

@@ -12,7 +12,9 @@ constexpr auto aperiodic_sets_notes =
     R"(Colours are the larger of the numbers of horizontal and vertical colours. The sets with a figure are those of the
 dissertation's chapter 8. The set of 32 tiles exists as a printed picture only. The dissertation counts 24 colours of
 Robinson's set, those of both kinds of edges together. Jeandel and Rao's set has four colours here: others
-list it with five, 0 to 4, of which its authors merge 4 with 0.)";
+list it with five, 0 to 4, of which its authors merge 4 with 0.
+  poissonlab aperiodic sets
+  poissonlab aperiodic sets --json)";
 
 void print_sets_json()
 {

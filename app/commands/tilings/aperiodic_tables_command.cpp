@@ -16,7 +16,8 @@ namespace {
 
 constexpr auto aperiodic_tables_notes =
     R"(Computes every number of the tables for the sets that are available, and searches all of their corner tiles for
-periods. The page docs/aperiodic-tiles.md is what this prints.)";
+periods. The page docs/aperiodic-tiles.md is what this prints.
+  poissonlab aperiodic tables)";
 
 constexpr std::size_t searched_width = 6;
 

@@ -15,7 +15,8 @@ constexpr auto isohedral_list_notes =
 where a symmetry of the tiling maps one to another; after the semicolon what lies across each. Topology: that of the
 Laves tiling. Aspects: tiles of a translational unit. Parameters: in how many ways corners can be moved. Curves: what
 each may be, J any, S the same after half a turn, U the same in a mirror across it, I straight. Marked: tiles of any
-shape are more symmetric than the type, so that only markings on them show it.)";
+shape are more symmetric than the type, so that only markings on them show it.
+  poissonlab isohedral list)";
 
 std::string curves_of(const IsohedralType& type)
 {

@@ -64,7 +64,7 @@ void class_density_keys(Keys& keys, ClassSettings& s, const std::string& help)
     keys.texts(std::move(spec), s.densities, "pictures' files or formulas in quotes, one of each class")
         .otherwise("classes are as dense everywhere");
     names_of_classes(keys, "densities_from", s.densities_from,
-                     "what of the pictures of densities is meant: light, ink, or one of their channels; one for all, "
+                     "what is read of the pictures of densities: light, ink, or one of their channels; one for all, "
                      "or one of each class")
         .otherwise("light");
 }

@@ -5,6 +5,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "base/programs/interrupt.hpp"
+#include "base/regions/region_units.hpp"
 #include "host/distribution/classes/class_density.hpp"
 #include "host/distribution/classes/class_lines.hpp"
 #include "host/distribution/classes/class_pictures.hpp"
@@ -219,8 +220,9 @@ std::vector<DistributionNumber> class_numbers(const ClassSet& set)
     std::vector<DistributionNumber> numbers;
     numbers.push_back({"points", "Points", static_cast<double>(all), "of all classes"});
     if (set.is_on_lines())
-        numbers.push_back(
-            {"length", "Length", set.size(), "of the lines that obstacles leave, in units of the region"});
+        numbers.push_back({"length", "Length", set.size(),
+                           "of the lines that obstacles leave, in " +
+                               (set.region() ? length_units(*set.region()) : "units of the region")});
     for (std::size_t i = 0; i < counts.size(); ++i) {
         numbers.push_back({fmt::format("points_{}", i), fmt::format("Points of class {}", i),
                            static_cast<double>(counts[i]),

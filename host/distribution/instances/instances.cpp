@@ -215,8 +215,9 @@ InstanceBox instance_box(const ObjectTileSet& tiles, const InstanceSettings& set
 void check_models(const InstanceSettings& settings, const TileClasses& classes)
 {
     if (settings.models < classes.count())
-        throw InputError(fmt::format("models = {}: must be at least {}, one for each class of the tiles' points",
-                                     settings.models, classes.count()));
+        throw invalid_value(
+            {}, "models", fmt::format("{}", settings.models),
+            fmt::format("must be at least {}, one for each class of the tiles' points", classes.count()));
 }
 
 void set_classes(std::vector<Instance>& instances, const TileClasses& classes, const InstanceSettings& settings)

@@ -8,6 +8,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
+#include "base/regions/region_units.hpp"
 #include "base/surfaces/triangle_mesh.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/region_runs/dart_pictures.hpp"
@@ -39,11 +40,11 @@ void distance_keys(Keys& keys, DartSettings& s)
             "min_distance", s.min_distance, v.text, v.from, {1e-12, 1e12},
             "the least distance of two points; where it varies, a formula in the region's x and y, or a "
             "picture over its box, and only a shape where points are given")
-        .unit("units of the region")
+        .unit(region_units)
         .otherwise("that of relative_radius");
     keys.numbers("distance_range", v.range, {{1e-12, 1e12}}, {"black", "white"},
                  "the distances where the picture of min_distance is 0 and 1")
-        .unit("units of the region")
+        .unit(region_units)
         .otherwise("needed with a picture");
     keys.word("between", v.between, kept_distances_names,
               "which distance two points keep where it varies: the smaller of theirs, or the mean of both")
@@ -291,10 +292,16 @@ void append_map_numbers(const RegionDarts& darts, DistributionNumbers& numbers)
     const RegionSource& source = *darts.request.land->whole.source;
     const auto [longitude, latitude] = source.map->middle();
     numbers.push_back({"center_longitude", "Longitude of the plane's middle", longitude,
-                       "of Lambert's azimuthal equal-area plane, in which units of the region are metres"});
+                       "of Lambert's azimuthal equal-area plane, whose units are metres"});
     numbers.push_back({"center_latitude", "Latitude of the plane's middle", latitude, "of this plane"});
     numbers.push_back(
         {"distortion", "Distortion", source.distortion, "the part by which lengths in this plane are off at most"});
+}
+
+/// The unit of lengths that numbers name.
+std::string units_of_lengths(const RegionDarts& darts)
+{
+    return darts.request.land ? length_units(darts.request.land->whole) : "units of the region";
 }
 
 /// Points lie in something of this length, area or volume.
@@ -304,12 +311,12 @@ struct RegionSize
     int dimension = 2;
     const char* key = "area";
     const char* title = "Area";
-    const char* meaning = "of the region, in squares of its units";
+    std::string meaning = "of the region, in squares of its units";
 };
 
 RegionSize size_of(const RegionDarts& darts)
 {
-    if (darts.length > 0) return {darts.length, 1, "length", "Length", "of the lines, in units of the region"};
+    if (darts.length > 0) return {darts.length, 1, "length", "Length", "of the lines, in " + units_of_lengths(darts)};
     if (darts.space) return {darts.space->volume(), 3, "volume", "Volume", "of the region, in cubes of its units"};
     RegionSize size{darts.request.region->area()};
     if (darts.request.land && is_mapped(darts.request.land->whole)) size.meaning = "of the region, in m²";
@@ -342,13 +349,14 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
     append_map_numbers(darts, numbers);
     if (darts.sure_distance > 0)
         numbers.push_back({"min_distance", "Minimum distance", darts.sure_distance,
-                           "that points are sure to have, in units of the region"});
+                           "that points are sure to have, in " + units_of_lengths(darts)});
     if (darts.points.size() < 2) return numbers;
     const NearestDistances nearest =
         darts.space ? nearest_in_space(*darts.space, darts.points) : nearest_distances(darts.points);
-    numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
+    numbers.push_back(
+        {"least_distance", "Least distance", nearest.least, "of two points, in " + units_of_lengths(darts)});
     numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
-                       "of points from their nearest ones, also beside the boundary, in its units"});
+                       "of points from their nearest ones, also beside the boundary, in " + units_of_lengths(darts)});
     if (darts.varied) {
         append_varied_numbers(*darts.varied, numbers);
         return numbers;

@@ -2,6 +2,7 @@
 #include "base/points/point_file.hpp"
 #include "base/regions/region_source.hpp"
 #include "base/regions/region_text.hpp"
+#include "base/regions/region_units.hpp"
 #include "base/text/noun.hpp"
 #include "host/distribution/regions/line_set.hpp"
 #include "host/kinds/kinds.hpp"
@@ -73,15 +74,15 @@ CurveChart gap_curves(const std::vector<double>& gaps, double mean)
     return {{"gap / mean gap", 0, most, 1}, {"part of gaps at least as long", 0, 1, 0.2}, 0, {random, found}};
 }
 
-DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set)
+DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set, const std::string& units)
 {
     const double each = set.length / static_cast<double>(points);
     DistributionNumbers numbers{
         {"points", "Points", static_cast<double>(points), "on the lines"},
-        {"length", "Length", set.length, "of the lines, in units of the region"},
-        {"least_distance", "Least distance", set.least, "of two points through the plane, in its units"},
+        {"length", "Length", set.length, "of the lines, in " + units},
+        {"least_distance", "Least distance", set.least, "of two points through the plane, in " + units},
         {"mean_nearest", "Mean nearest distance", set.mean_nearest,
-         "of points from their nearest ones through the plane, in its units"},
+         "of points from their nearest ones through the plane, in " + units},
         {"nearest_ratio", "Mean nearest distance over random", 2 * set.mean_nearest / each,
          "random points on one straight line have 1, points at equal steps 2; where lines cross or bend, less"},
         {"relative_radius", "Relative radius", set.least / each,
@@ -96,7 +97,7 @@ DistributionNumbers line_set_numbers(std::size_t points, const LineSet& set)
     for (const double gap : set.gaps) squares += (gap - mean) * (gap - mean);
     numbers.insert(numbers.end(),
                    {{"gaps", "Gaps", count, "between neighbours on one line, also around closed ones"},
-                    {"mean_gap", "Mean gap", mean, "along the line, in units of the region"},
+                    {"mean_gap", "Mean gap", mean, "along the line, in " + units},
                     {"least_gap", "Least gap", set.gaps.front(), "along the line"},
                     {"largest_gap", "Largest gap", set.gaps.back(), "along the line"},
                     {"gap_variation", "Variation of gaps", mean > 0 ? std::sqrt(squares / count) / mean : 0,
@@ -114,7 +115,7 @@ DistributionResult measure_lines(const LineSetSettings& settings, std::uint64_t 
     result.facts = {fmt::format("{} points", points.size()),
                     fmt::format("{} {}, {:.6g} long", set.lines, noun(set.lines, "line"), set.length)};
     for (const std::string& note : notes_of(region)) result.facts.push_back(note);
-    result.numbers = line_set_numbers(points.size(), set);
+    result.numbers = line_set_numbers(points.size(), set, length_units(region));
     if (set.gaps.empty()) return result;
     const double mean = std::accumulate(set.gaps.begin(), set.gaps.end(), 0.0) / static_cast<double>(set.gaps.size());
     if (mean > 0)

@@ -4,6 +4,7 @@
 #include "base/files/npy_header.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/regions/region_units.hpp"
 #include "host/distribution/regions/varied_points.hpp"
 #include "results/curve_tables.hpp"
 #include "results/file_names.hpp"
@@ -31,10 +32,10 @@ void append_varied_numbers(const VariedSet& set, DistributionNumbers& numbers)
 {
     const auto [least, most] = std::ranges::minmax(set.distances);
     const VariedRequest& request = set.request;
+    const std::string units = request.place.land ? length_units(request.place.land->whole) : "units of the region";
     numbers.push_back({"scale", "Scale", set.scale, "by which the distances that were asked for are multiplied"});
-    numbers.push_back(
-        {"smallest_distance", "Smallest distance", least, "asked for at a point, in units of the region"});
-    numbers.push_back({"largest_distance", "Largest distance", most, "asked for at a point, in its units"});
+    numbers.push_back({"smallest_distance", "Smallest distance", least, "asked for at a point, in " + units});
+    numbers.push_back({"largest_distance", "Largest distance", most, "asked for at a point, in " + units});
     numbers.push_back({"slope", "Slope", request.table.slope * set.scale,
                        "the largest one: by how much distances grow along a unit of length"});
     numbers.push_back({"slope_limit", "Limit of the slope",

@@ -2,6 +2,8 @@
 
 #include "analysis/regions/framed_region.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/regions/region_source.hpp"
+#include "base/regions/region_units.hpp"
 #include "host/distribution/regions/region_points.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/sampling/regions/region_gaussian.hpp"
@@ -140,7 +142,7 @@ ParameterSpec distance_parameter(std::string unless_given)
 {
     return {.key = "min_distance",
             .help = "the minimum distance",
-            .unit = "units of the region",
+            .unit = region_units,
             .maximum = 1e12,
             .exclusive_minimum = true,
             .symbol = "d",

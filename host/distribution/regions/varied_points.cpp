@@ -225,7 +225,7 @@ private:
             const auto [x, y] = region.own(point);
             set->distances.push_back(request_.distance(x, y) * set->scale);
             if (!(set->distances.back() > 0))
-                throw InputError(fmt::format("min_distance is {:.6g} at {:.6g}, {:.6g}: must be above 0",
+                throw InputError(fmt::format("the minimum distance is {:.6g} at {:.6g}, {:.6g}: must be above 0",
                                              set->distances.back(), x, y));
             kept.push_back(scaled_distance(request_.darts.field->at(point), made.scale));
             typed.push_back(

@@ -221,7 +221,7 @@ std::vector<PolycubeTriangle> polycube_triangles(std::vector<Corners> corners, d
             for (double& c : corner) {
                 c /= side;
                 if (!(std::abs(c) < most_cubes_from_0))
-                    throw InputError(fmt::format("the polycube is more than {} cubes from 0: cube_side is larger",
+                    throw InputError(fmt::format("the polycube is more than {} cubes from 0; larger cubes are fewer",
                                                  most_cubes_from_0));
             }
         const MeshPoint normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
@@ -258,7 +258,7 @@ std::set<Square> squares_under(const std::vector<PolycubeTriangle>& triangles)
                 hit.offer(0, t.shares_at(centre));
                 if (hit.least >= -1e-9) squares.emplace(lowest, t.axis, t.is_upper);
                 if (squares.size() > most_quads)
-                    throw InputError("the polycube has too many squares: cube_side is larger");
+                    throw InputError("the polycube has too many squares; larger cubes have fewer");
             }
     }
     return squares;

@@ -119,7 +119,8 @@ void marked_exemplar_key(Keys& keys, TextureSettings& s)
     keys.picture("marked_exemplar", s.marked_exemplar,
                  "the picture around marked corners; those of corner tiles have the second half of the colours")
         .otherwise("no corners are marked");
-    if (!s.marked_exemplar.empty() && s.exemplar.empty()) throw keys.invalid("marked_exemplar", "needs exemplar");
+    if (!s.marked_exemplar.empty() && s.exemplar.empty())
+        throw keys.invalid("marked_exemplar", "needs " + keys.name_of("exemplar"));
     s.request.split = s.marked_exemplar.empty() ? 0 : 1; // until the pictures are read
 }
 
@@ -244,7 +245,7 @@ void check_texture_shows(const Keys& keys, const TextureSettings& s)
     const auto is_shown = [&](const char* word) { return std::ranges::find(s.show, word) != s.show.end(); };
     for (const char* word : {"marks", "tiling-marks"})
         if (s.marked_exemplar.empty() && is_shown(word))
-            throw keys.invalid("show", fmt::format("\"{}\" needs marked_exemplar", word));
+            throw keys.invalid("show", fmt::format("\"{}\" needs {}", word, keys.name_of("marked_exemplar")));
     if (!is_mapped && is_shown("levels"))
         throw keys.invalid("show", "\"levels\" is for complete sets of tiles whose size is a power of two");
     if (!is_power_of_two && is_shown("plane"))
@@ -272,7 +273,8 @@ void texture_keys(Keys& keys, TextureSettings& s)
     flatten_key(keys, s);
     keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
         .otherwise("corners are marked at random");
-    if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");
+    if (!s.marks.empty() && s.marked_exemplar.empty())
+        throw keys.invalid("marks", "needs " + keys.name_of("marked_exemplar"));
     if (keys.is_read()) keys.check([&] { check(s.request); });
     keys.integer("sets", s.sets, 1, most_sets, "sets with other patches each, over which measures are averaged");
     std::vector<std::int64_t> window{static_cast<std::int64_t>(s.columns), static_cast<std::int64_t>(s.rows)};

@@ -89,24 +89,29 @@ public:
     {
         std::vector<fs::path> files;
         for (const auto& entry : fs::directory_iterator(folder_.path())) files.push_back(entry.path());
-        if (files.empty()) throw InputError("it wrote no file {out}");
-        if (files.size() > 1) throw InputError("it wrote several files that begin with {out}; one is needed");
+        if (files.empty()) throw InputError("it wrote no file at the path that it was given in place of {out}");
+        if (files.size() > 1) {
+            std::ranges::sort(files);
+            throw InputError(fmt::format("it wrote {} files, {} and {} among them; one is needed", files.size(),
+                                         files[0].filename().string(), files[1].filename().string()));
+        }
         return files.front();
     }
 
-    /// The one point set of the file: in the unit square (cube), or in a region, in its units. Throws InputError, in
-    /// words without the file's own name.
+    /// The one point set of the file: in the unit square (cube), or in a region, in its units. Throws InputError,
+    /// which names the file without its folder, which is temporary.
     PointSet read(const FramedRegion* region) const
     {
         const fs::path written = file();
+        const std::string name = "its file " + written.filename().string();
         try {
             std::vector<PointSet> sets = region ? read_points(written, any_coordinates) : read_points(written);
             if (sets.size() != 1) throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
-            if (region) region->framed(sets.front(), "{out}"); // throws where some are outside
+            if (region) region->framed(sets.front(), name); // throws where some are outside
             return std::move(sets.front());
         } catch (const InputError& error) {
             if (error.place().file.empty()) throw;
-            throw error.moved_to({"{out}", error.place().line});
+            throw error.moved_to({name, error.place().line});
         }
     }
 

@@ -174,10 +174,9 @@ void check_gaussians(const Parameters& parameters, const SampleRequest& request,
         throw parameters.error(
             "levels", fmt::format("the coarsest sets would have {} points, and need at least {}", points, least));
     if (parameters.is_given("sigma")) throw GaussianSampler::too_few(parameters, points, least);
-    throw InputError::at(where,
-                         fmt::format("sampler = \"gaussian-blue-noise\": needs at least {} points in {}D, where its "
-                                     "Gaussians do not reach around the torus; here are {}",
-                                     least, request.dimension, points));
+    throw InputError::at(where, fmt::format("Gaussian blue noise needs at least {} points in {}D, where its "
+                                            "Gaussians do not reach around the torus; here are {}",
+                                            least, request.dimension, points));
 }
 
 /// The finest level takes the most; the start makes sets for the coarsest one.

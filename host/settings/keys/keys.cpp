@@ -213,7 +213,8 @@ Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, 
 void Keys::from_of_picture(const std::string& key, const std::string& value, std::string& from)
 {
     const std::string from_key = key + "_from", unless_given = from;
-    text(from_key, from, fmt::format("what of the picture {} is meant: light, ink, or one of its channels", key));
+    text(from_key, from,
+         fmt::format("what is read of the picture that {} names: light, ink, or one of its channels", key));
     if (value.empty() && from != unless_given) throw invalid(from_key, "needs " + name_of(key));
     if (is_given(key) && !is_file_name(value) && from != unless_given)
         throw invalid(from_key,

@@ -5,6 +5,7 @@
 #include "base/images/raw_picture.hpp"
 #include "base/text/decimal_commas.hpp"
 #include "host/settings/config_tree.hpp"
+#include "host/settings/keys/command_words.hpp"
 #include "host/settings/keys/keys.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -71,7 +72,12 @@ Keys::Said Keys::Said::only_if(bool applies, const std::string& when)
 {
     ParameterSpec& value = keys_.specs_[index_].value;
     value.help += ", for " + when;
-    if (!applies && keys_.is_given(value.key)) throw keys_.invalid(value.key, "is for " + when);
+    if (!applies && keys_.is_given(value.key))
+        throw keys_.invalid(
+            value.key,
+            "is for " + (keys_.where_.is_argument
+                             ? in_words_of_commands(when, [&](const std::string& key) { return keys_.name_of(key); })
+                             : when));
     return *this;
 }
 

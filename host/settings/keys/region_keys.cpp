@@ -1,6 +1,7 @@
 #include "host/settings/keys/region_keys.hpp"
 
 #include "base/regions/region_text.hpp"
+#include "base/regions/region_units.hpp"
 
 namespace poissonlab {
 
@@ -24,7 +25,7 @@ void region_reading_keys(Keys& keys, RegionReading& reading)
               "what becomes of polygons that overlap or share edges: their union, or an error");
     keys.number("buffer", reading.buffer, {0, 1e12},
                 "the region is what lies within this distance of its lines, points and polygons")
-        .unit("units of the region");
+        .unit(region_units);
 }
 
 void obstacle_keys(Keys& keys, std::string& obstacles, std::optional<double>& distance, const std::string& usually)
@@ -33,7 +34,7 @@ void obstacle_keys(Keys& keys, std::string& obstacles, std::optional<double>& di
                 "what points keep away from: a file of GeoJSON or WKT with points, lines and polygons")
         .otherwise("none");
     keys.number("obstacle_distance", distance, {0, 1e12}, "the least distance of points from obstacles")
-        .unit("units of the region")
+        .unit(region_units)
         .otherwise(usually);
     if (keys.is_read() && keys.is_given("obstacle_distance") && obstacles.empty())
         throw keys.invalid("obstacle_distance", "needs " + keys.name_of("obstacles"));

@@ -86,10 +86,12 @@ TileSet make_tile_set(TileKind kind, WangColors colors, const std::string& name)
 {
     const Color horizontal = colors.horizontal;
     if (name != "complete" && name != "compact" && colors.vertical != horizontal)
-        throw InputError(
-            fmt::format("vertical_colors = {}: must be {}, as colors is, with {}", colors.vertical, horizontal, name));
+        throw invalid_value({}, "vertical_colors", fmt::format("{}", colors.vertical),
+                            fmt::format("must be {}, as colors is, with {}", horizontal, name));
     if (const Color own = own_colors(kind, name); own > 0) {
-        if (horizontal != own) throw InputError(fmt::format("colors = {}: must be {} with {}", horizontal, own, name));
+        if (horizontal != own)
+            throw invalid_value({}, "colors", fmt::format("{}", horizontal),
+                                fmt::format("must be {} with {}", own, name));
         return aperiodic_tile_set(kind, name);
     }
     if (name == "one-hash") return one_hash_wang_set(horizontal);

@@ -56,9 +56,8 @@ void append_mean(std::vector<float>& light, std::size_t first, int channels)
 TexturePyramid pyramid_of(const PngPixels& tiles, int size, int n, std::uint32_t seed)
 {
     if (!std::has_single_bit(static_cast<unsigned>(size)))
-        throw InputError(fmt::format("tile_size = {}: must be a power of two, so that texels of all levels are within "
-                                     "tiles",
-                                     size));
+        throw invalid_value({}, "tile_size", fmt::format("{}", size),
+                            "must be a power of two, so that texels of all levels are within tiles");
     TexturePyramid pyramid;
     pyramid.channels = tiles.channels;
     auto& levels = pyramid.levels;

@@ -207,8 +207,9 @@ bool can_be_straightened(const PngPixels& exemplar, int size)
 Straightening straightening_for(const PngPixels& exemplar, int size)
 {
     if (std::min(exemplar.width, exemplar.height) < size)
-        throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", size, exemplar.width,
-                                     exemplar.height));
+        throw invalid_value(
+            {}, "size", fmt::format("{}", size),
+            fmt::format("must be at most the exemplar's, {} x {} pixels", exemplar.width, exemplar.height));
     check_sides(exemplar);
     const SeenWaves seen = seen_waves(exemplar);
     if (seen.is_lost)
@@ -216,15 +217,17 @@ Straightening straightening_for(const PngPixels& exemplar, int size)
     if (seen.waves.empty()) throw nothing_regular(exemplar, seen);
     for (const RegularWave& wave : seen.waves)
         if (wave.period() > most_period_in_tiles * size)
-            throw InputError(fmt::format("size = {}: the picture repeats every {:.1f} pixels: must be at least {:.0f}",
-                                         size, wave.period(), std::ceil(wave.period() / most_period_in_tiles)));
+            throw invalid_value({}, "size", fmt::format("{}", size),
+                                fmt::format("the picture repeats every {:.1f} pixels: must be at least {:.0f}",
+                                            wave.period(), std::ceil(wave.period() / most_period_in_tiles)));
     const std::vector<RegularWave> waves = waves_that_fit(seen.waves, size);
     const Linear plane = plane_of_tiles(waves, size);
     const Place half = InnerRectangle(plane, seen.slope, exemplar.width, exemplar.height).half();
     Straightening map{whole_pixels(2 * half.x, exemplar.width), whole_pixels(2 * half.y, exemplar.height), {}, {}, 1};
     if (std::min(map.width, map.height) < size)
-        throw InputError(fmt::format("size = {}: must be at most the straightened exemplar's, {} x {} pixels", size,
-                                     map.width, map.height));
+        throw invalid_value(
+            {}, "size", fmt::format("{}", size),
+            fmt::format("must be at most the straightened exemplar's, {} x {} pixels", map.width, map.height));
     map.to_source = source_map(plane, seen.slope, exemplar, map.width, map.height);
     keep_pixels_that_stay(map);
     map.scale = 1 / std::sqrt(std::abs(plane.determinant()));

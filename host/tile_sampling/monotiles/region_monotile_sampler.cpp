@@ -7,6 +7,7 @@
 #include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
 #include "base/regions/region_source.hpp"
+#include "base/regions/region_units.hpp"
 #include "host/settings/sampler_table.hpp"
 #include "host/tile_points/monotile_region.hpp"
 #include "host/tile_points/tiled_region.hpp"
@@ -131,7 +132,7 @@ SamplerSpec region_monotile_sampler(const std::string& tiling, SamplerSpec in_wi
     std::erase_if(spec.parameters, [](const ParameterSpec& parameter) { return parameter.key == "kept_points"; });
     spec.parameters.push_back({.key = region_distance_key,
                                .help = "the minimum distance, from which the length of edges follows",
-                               .unit = "units of the region",
+                               .unit = region_units,
                                .maximum = 1e12,
                                .exclusive_minimum = true,
                                .symbol = "d",

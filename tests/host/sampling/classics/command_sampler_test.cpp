@@ -127,9 +127,10 @@ TEST_F(CommandSampling, SaysHowAProgramFailed)
               "realization 1: it ended with exit status 3; it said:\n    working\n    no luck today");
     EXPECT_EQ(failure_of("exit 1\n"), "realization 1: it ended with exit status 1");
     EXPECT_EQ(failure_of("kill -SEGV $$\n"), "realization 1: a signal ended it: Segmentation fault");
-    EXPECT_EQ(failure_of("echo hello\n"), "realization 1: it wrote no file {out}; it said:\n    hello");
+    EXPECT_EQ(failure_of("echo hello\n"),
+              "realization 1: it wrote no file at the path that it was given in place of {out}; it said:\n    hello");
     EXPECT_EQ(failure_of("echo 0.1 0.1 > $4.a; echo 0.2 0.2 > $4.b\n"),
-              "realization 1: it wrote several files that begin with {out}; one is needed");
+              "realization 1: it wrote 2 files, points.a and points.b among them; one is needed");
 }
 
 TEST_F(CommandSampling, ShowsTheEndOfLongOutput)
@@ -143,9 +144,9 @@ TEST_F(CommandSampling, ShowsTheEndOfLongOutput)
 
 TEST_F(CommandSampling, RefusesFilesThatAreNoPointSet)
 {
-    EXPECT_THAT(failure_of("echo 0.1 1.5 > $4\n"), MatchesRegex("realization 1: \\{out\\}:1: .*1\\.5.*"));
-    EXPECT_THAT(failure_of(": > $4\n"), HasSubstr("realization 1: {out}"));
-    EXPECT_THAT(failure_of("echo some words > $4\n"), HasSubstr("{out}:1: "));
+    EXPECT_THAT(failure_of("echo 0.1 1.5 > $4\n"), MatchesRegex("realization 1: its file points:1: .*1\\.5.*"));
+    EXPECT_THAT(failure_of(": > $4\n"), HasSubstr("realization 1: its file points"));
+    EXPECT_THAT(failure_of("echo some words > $4\n"), HasSubstr("its file points:1: "));
     EXPECT_THAT(failure_of("printf '0.1 0.1\\n#\\n0.2 0.2\\n' > $4\n"),
                 HasSubstr("it wrote 2 realizations; one is needed"));
     EXPECT_THAT(failure_of("echo 0.1 0.1 0.1 > $4\n"),

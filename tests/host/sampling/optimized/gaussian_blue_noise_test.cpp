@@ -193,8 +193,7 @@ TEST(GaussianBlueNoiseSampler, RefusesTorusesThatAreTooNarrow)
         return refusal_of([&] { spec.check(parameters, {points, dimension, 1}, {"test.toml", 9}); });
     };
     EXPECT_EQ(refusal(135, 2), "accepted");
-    EXPECT_THAT(refusal(134, 2),
-                testing::HasSubstr("test.toml:9: sampler = \"gaussian-blue-noise\": needs at least 135 "));
+    EXPECT_THAT(refusal(134, 2), testing::HasSubstr("test.toml:9: Gaussian blue noise needs at least 135 "));
     EXPECT_THAT(refusal(1000, 3), testing::HasSubstr("needs at least 1561 points in 3D"));
     parameters.set("sigma", 2.0, {"test.toml", 10});
     EXPECT_THAT(refusal(500, 2), testing::HasSubstr("test.toml:10: sigma = 2: 500 points are too few"));
