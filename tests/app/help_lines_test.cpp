@@ -24,7 +24,8 @@ TEST(HelpLines, AreBrokenBetweenWords)
     EXPECT_EQ(within_columns("one two three four", 9), "one two\nthree\nfour");
     EXPECT_EQ(within_columns("  one two three", 9), "  one two\n  three") << "the indent is that of the line";
     EXPECT_EQ(within_columns("a longestofwords b", 6), "a\nlongestofwords\nb") << "longer words stay whole";
-    EXPECT_EQ(within_columns("  -a    one two three", 16), "  -a    one two\n        three") << "in its column";
+    EXPECT_EQ(within_columns("  -a    one two three four", 20), "  -a    one two\n        three four")
+        << "in its column";
 }
 
 TEST(HelpLines, BreakCommandsBeforeAnOption)
@@ -58,7 +59,7 @@ TEST(HelpLines, OfEveryCommandFitATerminal)
 {
     std::size_t commands = 0;
     for (const Command& command : all_commands("poissonlab")) commands += check_help(command, {"poissonlab"});
-    EXPECT_GT(commands, 60u);
+    EXPECT_GT(commands, 50u);
 }
 
 }
