@@ -51,6 +51,7 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
         keys, classes,
         "the density of each class, in any unit: a formula in x, y and z in the mesh's units; the name of a "
         "number of its vertices, such as red or quality; or a picture over its texture coordinates");
+    keys.word("distance", s.metric, surface_metrics, surface_metric_help);
     keys.number("normal_angle", s.normal_angle, {1, 180},
                 "the largest angle between normals of points that keep a distance; 180: all do")
         .unit("degrees");
@@ -61,6 +62,12 @@ void surface_class_keys(Keys& keys, SurfaceClassSettings& s)
     surface_model_keys(keys, s.instances, most_classes);
     if (!keys.is_read()) return;
     check_class_lists(keys, classes);
+    if (s.metric == SurfaceMetric::surface) {
+        if (keys.is_given("normal_angle"))
+            throw keys.invalid("normal_angle",
+                               fmt::format("cannot be combined with {} surface", keys.name_of("distance")));
+        s.normal_angle = 180;
+    }
     if (keys.is_given("factor") && classes.points.empty())
         throw keys.invalid("factor", "needs " + keys.name_of("points"));
     if (!classes.densities.empty() && classes.points.empty())
@@ -105,6 +112,7 @@ DistributionResult make_surface_classes(const SurfaceClassSettings& settings, st
             : fmt::format("distances multiplied by {} until there is room for all", settings.classes.factor),
         settings.classes.matrix.empty() ? "distances of pairs by Wei's matrix" : "distances of pairs as given",
         fmt::format("{} triangles", set.surface().triangles.size())};
+    if (set.metric == SurfaceMetric::surface) result.facts.emplace_back("distances along the surface");
     for (const std::string& note : set.work.mesh->notes()) result.facts.push_back(note);
     write_png(files.add("points.png"), surface_view(set.surface(), darts.points, dots_of(set)));
     result.pictures.push_back({"points.png",
@@ -120,7 +128,7 @@ DistributionResult make_surface_classes(const SurfaceClassSettings& settings, st
     write_class_numbers(files.add("classes.npy", result), darts.classes);
     const std::vector<SurfacePair> pairs = pairs_of(set);
     result.numbers = surface_class_numbers(set, pairs);
-    result.tables.push_back(pair_table(pairs, class_numbers_as_names(set)));
+    result.tables.push_back(pair_table(pairs, class_numbers_as_names(set), set.metric == SurfaceMetric::surface));
     return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "base/errors/errors.hpp"
 #include "host/device/device_memory.hpp"
+#include "host/distribution/surface_classes/path_class_darts.hpp"
+#include "host/distribution/surfaces/along_surface.hpp"
 #include "host/distribution/surfaces/surface_density.hpp"
 #include "host/distribution/surfaces/surface_pairs.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -25,8 +27,11 @@ double packed_distance_in(double area, std::size_t points)
     return std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(points));
 }
 
-/// The diagonal of the mesh's box. No distance is larger.
-double box_diagonal_of(const FixedSurface& surface) { return surface.size * std::numbers::sqrt3; }
+/// No distance is larger than the diagonal of the mesh's box, or along the surface than what can be measured.
+double largest_distance(const FixedSurface& surface, SurfaceMetric metric)
+{
+    return metric == SurfaceMetric::surface ? measured_units * surface.unit : surface.size * std::numbers::sqrt3;
+}
 
 /// Reads the density of each class, and where the densities are densest.
 void read_densities(const SurfaceClassSettings& settings, SurfaceClassWork& work, std::vector<double>& fullness)
@@ -51,19 +56,20 @@ void read_densities(const SurfaceClassSettings& settings, SurfaceClassWork& work
 }
 
 /// Throws InputError where distances or the numbers of points do not suit the surface.
-void check_room(const SurfaceClassWork& work)
+void check_room(const SurfaceClassWork& work, SurfaceMetric metric)
 {
     const FixedSurface& surface = work.mesh->surface;
-    const double diagonal = box_diagonal_of(surface);
+    const double largest = largest_distance(surface, metric);
     double points = 0;
     for (std::size_t i = 0; i < work.request.distances.classes(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
             const double distance = work.request.distances.at(i, j);
-            if (distance > diagonal || distance < least_part_of_size * surface.size)
-                throw InputError(
-                    fmt::format("{:.6g} is the distance of classes {} and {}: must be from {:.4g} to {:.6g}, "
-                                "the diagonal of the mesh's box",
-                                distance, j, i, least_part_of_size * surface.size, diagonal));
+            if (distance > largest || distance < least_part_of_size * surface.size)
+                throw InputError(fmt::format("{:.6g} is the distance of classes {} and {}: must be from {:.4g} to "
+                                             "{:.6g}, {}",
+                                             distance, j, i, least_part_of_size * surface.size, largest,
+                                             metric == SurfaceMetric::surface ? "what can be measured along this mesh"
+                                                                              : "the diagonal of the mesh's box"));
         }
         points += work.request.points.empty() ? saturated_count(surface.area, work.request.distances.at(i, i))
                                               : static_cast<double>(work.request.points[i]);
@@ -91,8 +97,9 @@ SurfaceClassWork surface_class_work(const SurfaceClassSettings& settings, std::u
     std::vector<double> fullness(classes.classes(), 1), packed;
     read_densities(settings, work, fullness);
     for (std::size_t i = 0; i < classes.points.size(); ++i)
-        packed.push_back(std::min(packed_distance_in(surface.area * fullness[i], classes.points[i]),
-                                  box_diagonal_of(surface) / classes.relative_radius * (1 - 0x1p-50)));
+        packed.push_back(
+            std::min(packed_distance_in(surface.area * fullness[i], classes.points[i]),
+                     largest_distance(surface, settings.metric) / classes.relative_radius * (1 - 0x1p-50)));
     work.request.surface = {work.mesh, &surface};
     work.request.distances = asked_distances(classes, packed, 2);
     work.request.angle = settings.normal_angle;
@@ -103,19 +110,21 @@ SurfaceClassWork surface_class_work(const SurfaceClassSettings& settings, std::u
             work.request.shares.push_back(std::pow(work.request.distances.at(i, i), -2));
     work.request.factor = classes.factor;
     work.request.stream = stream_key(seed, Purpose::class_darts, 0, surface_attempt);
-    check_room(work);
+    check_room(work, settings.metric);
     return work;
 }
 
 SurfaceClassSet throw_surface_classes(const SurfaceClassSettings& settings, std::uint64_t seed,
                                       const DistributionPlace& place)
 {
-    SurfaceClassSet set{surface_class_work(settings, seed), {}};
+    SurfaceClassSet set{surface_class_work(settings, seed), settings.metric};
     const ClassSurfaceRequest& request = set.work.request;
     const auto tell = [&](std::size_t points) {
         if (place.on_step) place.on_step(fmt::format("{} points", points));
     };
-    if (place.engine == Engine::reference) {
+    if (settings.metric == SurfaceMetric::surface) {
+        set.darts = throw_class_surface_darts(request, *path_class_engine(request), tell);
+    } else if (place.engine == Engine::reference) {
         set.darts = throw_class_surface_darts(request, *reference::class_surface_engine(request), tell);
     } else {
         Device& device = place.device();
@@ -142,9 +151,13 @@ std::vector<SurfacePair> pairs_of(const SurfaceClassSet& set)
 {
     std::vector<std::vector<SurfacePoint>> by_class;
     for (std::uint32_t i = 0; i < set.darts.is_full.size(); ++i) by_class.push_back(set.darts.of_class(i));
-    std::vector<SurfacePair> pairs = surface_pairs(set.surface(), by_class, least_cosine(set.work.request.angle));
+    const bool is_along = set.metric == SurfaceMetric::surface;
+    std::vector<SurfacePair> pairs = is_along
+                                         ? pairs_along(set.surface(), by_class)
+                                         : surface_pairs(set.surface(), by_class, least_cosine(set.work.request.angle));
+    const double rounding = is_along ? path_rounding : 0x1p-40;
     for (const SurfacePair& pair : pairs) // found without what threw them
-        if (pair.from_first.least < set.kept().at(pair.first, pair.second) * (1 - 0x1p-40))
+        if (pair.from_first.least < set.kept().at(pair.first, pair.second) * (1 - rounding))
             throw std::logic_error("darts of classes are nearer to each other than they may be");
     return pairs;
 }
@@ -176,11 +189,13 @@ std::vector<DistributionNumber> surface_class_numbers(const SurfaceClassSet& set
         numbers.push_back({fmt::format("distance_{}_{}", i, j),
                            fmt::format("Distance {}, {}", i, j),
                            set.kept().at(i, j),
-                           "that the two classes keep, in units of the mesh",
+                           set.metric == SurfaceMetric::surface
+                               ? "that the two classes keep along the surface, in units of the mesh"
+                               : "that the two classes keep, in units of the mesh",
                            {},
                            true});
     }
-    append_pair_numbers(pairs, class_numbers_as_names(set), numbers);
+    append_pair_numbers(pairs, class_numbers_as_names(set), set.metric == SurfaceMetric::surface, numbers);
     if (set.work.request.points.empty())
         numbers.push_back({"uncovered_area", "Uncovered area", set.darts.small_area,
                            "that is not proven to be full, for all classes together, in squares of the mesh's units"});

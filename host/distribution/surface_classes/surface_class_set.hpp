@@ -24,6 +24,7 @@ struct SurfaceClassSettings
     std::filesystem::path mesh;
     ClassSettings classes; ///< points, distances, matrix, relative_radius, factor and densities
     double normal_angle = 120;
+    SurfaceMetric metric = SurfaceMetric::space; ///< by which distances are measured
     bool faces = false;      ///< files have faces, barycentric coordinates and numbers of the mesh's vertices
     SurfaceModels instances; ///< models that glTF has instead of points
     std::shared_ptr<const SurfaceMesh> read{}; ///< the mesh, where it was read already
@@ -52,7 +53,8 @@ SurfaceClassWork surface_class_work(const SurfaceClassSettings& settings, std::u
 struct SurfaceClassSet
 {
     SurfaceClassWork work;
-    ClassSurfaceDarts darts;
+    SurfaceMetric metric = SurfaceMetric::space;
+    ClassSurfaceDarts darts{};
 
     ClassDistances kept() const { return work.request.distances.scaled(darts.scale); }
     const FixedSurface& surface() const { return work.mesh->surface; }

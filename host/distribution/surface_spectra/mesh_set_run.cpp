@@ -157,8 +157,8 @@ void add_classes(const MeshWithPoints& points, const MeshSetSettings& settings, 
                                   static_cast<double>(by_class[i].size()), "in the order of the names of classes"});
     const std::vector<SurfacePair> pairs =
         surface_pairs(points.surface->surface, by_class, least_cosine(settings.normal_angle));
-    append_pair_numbers(pairs, names, result.numbers);
-    result.tables.push_back(pair_table(pairs, names));
+    append_pair_numbers(pairs, names, false, result.numbers);
+    result.tables.push_back(pair_table(pairs, names, false));
 }
 
 DistributionResult measure_on_mesh(const MeshSetSettings& settings, std::uint64_t seed, const DistributionPlace& place,

@@ -20,34 +20,6 @@ using contract::surface::PIECE_COVERED;
 using contract::surface::PIECE_OPEN;
 using contract::surface::PIECE_SMALL;
 
-/// Lengths of paths may be wrong by this part, which is far more than they are found to be.
-constexpr double path_rounding = 1e-9;
-
-/// The middle of a piece, and the largest distance of its places from it.
-struct PieceDisk
-{
-    SurfacePoint middle{};
-    double radius = 0;
-};
-
-PieceDisk disk_of(const FixedSurface& surface, const SurfacePiece& piece)
-{
-    PieceDisk disk;
-    disk.middle.triangle = piece.triangle;
-    for (std::size_t k = 0; k < 2; ++k)
-        disk.middle.shares[k] = static_cast<std::uint32_t>(
-            (std::uint64_t{piece.shares[k]} + piece.shares[2 + k] + piece.shares[4 + k]) / 3);
-    const SurfaceTriangle& triangle = surface.triangles[piece.triangle];
-    const MeshPlace middle = place_on(triangle, disk.middle.shares[0], disk.middle.shares[1]);
-    std::ranges::copy(middle, disk.middle.place);
-    for (std::size_t c = 0; c < 6; c += 2) {
-        const MeshPlace corner = place_on(triangle, piece.shares[c], piece.shares[c + 1]);
-        disk.radius = std::max(disk.radius, std::sqrt(static_cast<double>(squared_distance(middle, corner))));
-    }
-    disk.radius = (disk.radius + static_cast<double>(contract::surface::SLACK)) * surface.unit;
-    return disk;
-}
-
 double longest_edge_in(const TriangleMesh& mesh)
 {
     double squared = 0;
@@ -64,16 +36,15 @@ class PathDarts final : public SurfaceDartEngine
 {
 public:
     explicit PathDarts(const SurfaceDartRequest& request)
-        : surface_(request.surface), stream_(request.stream), mesh_(triangles_of(*surface_)), paths_(mesh_, {}),
-          moved_(4e-9 * longest_edge_in(mesh_))
+        : surface_(request.surface), stream_(request.stream), mesh_(triangles_of(*surface_)), paths_(mesh_, {})
     {}
 
     void restart(const contract::surface::SurfaceRule& rule, const std::vector<SurfacePoint>& points,
                  std::size_t) override
     {
-        distance_ = std::sqrt(static_cast<double>(rule.squared)) * surface_->unit * (1 + path_rounding) + moved_;
-        sure_ = std::sqrt(static_cast<double>(rule.covered)) * surface_->unit * (1 - path_rounding) - moved_;
-        together_ = static_cast<std::size_t>(std::clamp(saturated_count(surface_->area, distance_) / 16, 64.0, 4096.0));
+        rule_ = path_rule(*surface_, mesh_, rule);
+        together_ =
+            static_cast<std::size_t>(std::clamp(saturated_count(surface_->area, rule_.distance) / 16, 64.0, 4096.0));
         points_ = points;
     }
 
@@ -110,11 +81,8 @@ public:
         for (const PieceDisk& disk : disks) middles.push_back(disk.middle);
         std::vector<std::uint32_t> states(disks.size(), PIECE_OPEN);
         follow(middles, [&](const SurfacePath& path) {
-            const std::atomic_ref<std::uint32_t> state(states[path.target]);
-            if (path.length + disks[path.target].radius < sure_)
-                state.store(PIECE_COVERED, std::memory_order_relaxed);
-            else if (std::uint32_t open = PIECE_OPEN; is_last(pieces_[path.target]) && path.length < distance_)
-                state.compare_exchange_strong(open, PIECE_SMALL, std::memory_order_relaxed);
+            note_state(states[path.target],
+                       state_by_path(pieces_[path.target], disks[path.target], path.length, rule_));
         });
         return states;
     }
@@ -126,7 +94,7 @@ private:
     void follow(const std::vector<SurfacePoint>& targets, const Visit& visit)
     {
         paths_.aim_at(positions_of(targets));
-        const double units = surface_->units_of(distance_) + static_cast<double>(contract::surface::SLACK);
+        const double units = surface_->units_of(rule_.distance) + static_cast<double>(contract::surface::SLACK);
         const SurfaceNeighbours near(*surface_, targets, static_cast<std::uint64_t>(units) + 1);
         const auto squared = static_cast<std::uint64_t>(units * units);
         std::vector<char> is_near(points_.size());
@@ -135,7 +103,7 @@ private:
         std::vector<SurfacePoint> sources; // paths are no shorter than straight lines
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (is_near[i]) sources.push_back(points_[i]);
-        paths_.from_each(positions_of(sources), distance_, [&](std::size_t, std::span<const SurfacePath> paths) {
+        paths_.from_each(positions_of(sources), rule_.distance, [&](std::size_t, std::span<const SurfacePath> paths) {
             for (const SurfacePath& path : paths) visit(path);
         });
     }
@@ -144,7 +112,7 @@ private:
     {
         std::vector<char> reached(thrown.size());
         follow(thrown, [&](const SurfacePath& path) {
-            if (path.length < distance_)
+            if (path.length < rule_.distance)
                 std::atomic_ref<char>(reached[path.target]).store(1, std::memory_order_relaxed);
         });
         return reached;
@@ -158,9 +126,9 @@ private:
         std::vector<SurfacePoint> sources;
         for (const std::uint32_t i : open) sources.push_back(thrown[i]);
         std::vector<std::vector<std::uint32_t>> reached(open.size());
-        paths_.from_each(positions_of(sources), distance_, [&](std::size_t i, std::span<const SurfacePath> paths) {
+        paths_.from_each(positions_of(sources), rule_.distance, [&](std::size_t i, std::span<const SurfacePath> paths) {
             for (const SurfacePath& path : paths)
-                if (path.target > open[i] && path.length < distance_) reached[i].push_back(path.target);
+                if (path.target > open[i] && path.length < rule_.distance) reached[i].push_back(path.target);
         });
         for (std::size_t i = 0; i < open.size() && accepted.size() < most; ++i) {
             if (is_rejected[open[i]]) continue;
@@ -173,14 +141,52 @@ private:
     StreamKey stream_;
     TriangleMesh mesh_;
     SurfacePaths paths_;
-    double moved_ = 0;               ///< lengths may be wrong by less, as sources in corners and on edges are moved
-    double distance_ = 0, sure_ = 0; ///< in the mesh's units
-    std::size_t together_ = 0;       ///< darts whose paths are followed at once
+    PathRule rule_;
+    std::size_t together_ = 0; ///< darts whose paths are followed at once
     std::vector<SurfacePiece> pieces_;
     SurfacePieceChoice choice_;
     std::vector<SurfacePoint> points_;
 };
 
+}
+
+PathRule path_rule(const FixedSurface& surface, const TriangleMesh& mesh, const contract::surface::SurfaceRule& rule)
+{
+    const double moved = 4e-9 * longest_edge_in(mesh);
+    return {std::sqrt(static_cast<double>(rule.squared)) * surface.unit * (1 + path_rounding) + moved,
+            std::sqrt(static_cast<double>(rule.covered)) * surface.unit * (1 - path_rounding) - moved};
+}
+
+PieceDisk disk_of(const FixedSurface& surface, const SurfacePiece& piece)
+{
+    PieceDisk disk;
+    disk.middle.triangle = piece.triangle;
+    for (std::size_t k = 0; k < 2; ++k)
+        disk.middle.shares[k] = static_cast<std::uint32_t>(
+            (std::uint64_t{piece.shares[k]} + piece.shares[2 + k] + piece.shares[4 + k]) / 3);
+    const SurfaceTriangle& triangle = surface.triangles[piece.triangle];
+    const MeshPlace middle = place_on(triangle, disk.middle.shares[0], disk.middle.shares[1]);
+    std::ranges::copy(middle, disk.middle.place);
+    for (std::size_t c = 0; c < 6; c += 2) {
+        const MeshPlace corner = place_on(triangle, piece.shares[c], piece.shares[c + 1]);
+        disk.radius = std::max(disk.radius, std::sqrt(static_cast<double>(squared_distance(middle, corner))));
+    }
+    disk.radius = (disk.radius + static_cast<double>(contract::surface::SLACK)) * surface.unit;
+    return disk;
+}
+
+std::uint32_t state_by_path(const SurfacePiece& piece, const PieceDisk& disk, double length, const PathRule& rule)
+{
+    if (length + disk.radius < rule.sure) return PIECE_COVERED;
+    return is_last(piece) && length < rule.distance ? PIECE_SMALL : PIECE_OPEN;
+}
+
+void note_state(std::uint32_t& piece, std::uint32_t found)
+{
+    const std::atomic_ref<std::uint32_t> state(piece);
+    if (found == PIECE_COVERED) state.store(found, std::memory_order_relaxed);
+    if (std::uint32_t open = PIECE_OPEN; found == PIECE_SMALL)
+        state.compare_exchange_strong(open, found, std::memory_order_relaxed);
 }
 
 std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points)
@@ -220,27 +226,35 @@ std::vector<std::uint32_t> removal_order_along(const FixedSurface& surface, cons
 
 PathDistances distances_along(const FixedSurface& surface, const std::vector<SurfacePoint>& points)
 {
+    return distances_along(surface, points, points);
+}
+
+PathDistances distances_along(const FixedSurface& surface, const std::vector<SurfacePoint>& from,
+                              const std::vector<SurfacePoint>& to)
+{
+    PathDistances distances{INFINITY, 0};
+    if (from.empty() || to.empty()) return distances;
     const TriangleMesh mesh = triangles_of(surface);
-    const std::vector<MeshPosition> positions = positions_of(points);
-    const SurfacePaths paths(mesh, positions);
-    std::vector<double> nearest(points.size(), INFINITY);
-    const double spacing = std::sqrt(surface.area / static_cast<double>(points.size()));
-    std::vector<std::uint32_t> alone(points.size());
+    const std::vector<MeshPosition> positions = positions_of(from);
+    const SurfacePaths paths(mesh, positions_of(to));
+    const bool are_same = &from == &to;
+    std::vector<double> nearest(from.size(), INFINITY);
+    const double spacing = std::sqrt(surface.area / static_cast<double>(to.size()));
+    std::vector<std::uint32_t> alone(from.size());
     for (std::uint32_t i = 0; i < alone.size(); ++i) alone[i] = i;
     for (double reach = spacing; reach <= 16 * spacing && !alone.empty(); reach *= 2) {
         std::vector<MeshPosition> sources;
         for (const std::uint32_t i : alone) sources.push_back(positions[i]);
         paths.from_each(sources, reach, [&](std::size_t i, std::span<const SurfacePath> found) {
             for (const SurfacePath& path : found)
-                if (path.target != alone[i]) nearest[alone[i]] = std::min(nearest[alone[i]], path.length);
+                if (!are_same || path.target != alone[i]) nearest[alone[i]] = std::min(nearest[alone[i]], path.length);
         });
         std::erase_if(alone, [&](std::uint32_t i) { return std::isfinite(nearest[i]); });
     }
-    PathDistances distances{INFINITY, 0};
     for (const double length : nearest)
         if (std::isfinite(length)) {
             distances.least = std::min(distances.least, length);
-            distances.mean_nearest += length / static_cast<double>(points.size() - alone.size());
+            distances.mean_nearest += length / static_cast<double>(from.size() - alone.size());
         }
     return distances;
 }

@@ -21,6 +21,33 @@ namespace poissonlab {
 /// Gives the points as positions on triangles_of(surface).
 std::vector<MeshPosition> positions_of(const std::vector<SurfacePoint>& points);
 
+/// Lengths of paths prove this. They may be wrong by a part for rounding, and by a little because sources in corners
+/// and on edges are moved; both are in the mesh's units.
+struct PathRule
+{
+    double distance = 0; ///< a path at least so long is as long as the rule asks
+    double sure = 0;     ///< places with a shorter path are covered
+};
+PathRule path_rule(const FixedSurface& surface, const TriangleMesh& mesh, const contract::surface::SurfaceRule& rule);
+
+/// A part of a path's length by which rounding may change it: far more than it is found to do.
+inline constexpr double path_rounding = 1e-9;
+
+/// The middle of a piece, and the largest distance of its places from it in the mesh's units.
+struct PieceDisk
+{
+    SurfacePoint middle{};
+    double radius = 0;
+};
+PieceDisk disk_of(const FixedSurface& surface, const SurfacePiece& piece);
+
+/// The state of a piece by the length of a path from a point to its middle.
+std::uint32_t state_by_path(const SurfacePiece& piece, const PieceDisk& disk, double length, const PathRule& rule);
+
+/// Changes the state of a piece to one that was found, from several threads: covered goes before small, small before
+/// open.
+void note_state(std::uint32_t& piece, std::uint32_t found);
+
 /// Makes an engine that throws darts by distances along the surface. The rule's normals do not matter.
 std::unique_ptr<SurfaceDartEngine> path_dart_engine(const SurfaceDartRequest& request);
 
@@ -32,10 +59,14 @@ std::vector<std::uint32_t> removal_order_along(const FixedSurface& surface, cons
 /// sixteen mean distances count as alone.
 struct PathDistances
 {
-    double least = 0; ///< infinite where all points are alone
-    double mean_nearest = 0;
+    double least = 0;        ///< infinite where all points are alone
+    double mean_nearest = 0; ///< of the others; 0 where there are none
 };
 PathDistances distances_along(const FixedSurface& surface, const std::vector<SurfacePoint>& points);
+
+/// Those of the points of `from` from their nearest ones of `to`; of others, where both are one object.
+PathDistances distances_along(const FixedSurface& surface, const std::vector<SurfacePoint>& from,
+                              const std::vector<SurfacePoint>& to);
 
 /// Are all paths from points number `first` and later to others at least so long, but for rounding?
 bool keep_distance_along(const FixedSurface& surface, const std::vector<SurfacePoint>& points, double distance,

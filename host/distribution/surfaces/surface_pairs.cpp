@@ -79,7 +79,7 @@ std::vector<SurfacePair> surface_pairs(const FixedSurface& surface,
     return pairs;
 }
 
-void append_pair_numbers(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names,
+void append_pair_numbers(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names, bool are_along,
                          std::vector<DistributionNumber>& numbers)
 {
     const auto add = [&](const std::string& key, const std::string& title, std::size_t from, std::size_t to,
@@ -88,22 +88,25 @@ void append_pair_numbers(const std::vector<SurfacePair>& pairs, const std::vecto
             numbers.push_back({fmt::format("{}_{}_{}", key, from, to),
                                fmt::format("{} {}, {}", title, names[from], names[to]),
                                value,
-                               meaning + ", in units of the mesh",
+                               meaning + (are_along ? ", along the surface" : "") + ", in units of the mesh",
                                {},
                                true});
     };
     const std::string nearest = "mean_nearest", title = "Mean nearest distance",
                       meaning = "of points of the first class from their nearest ones of the second";
     for (const auto& [first, second, from_first, from_second] : pairs) {
-        add("least", "Least distance", first, second, from_first.least, "of points that see each other");
+        add("least", "Least distance", first, second, from_first.least,
+            are_along ? "of two points" : "of points that see each other");
         add(nearest, title, first, second, from_first.mean, meaning);
         if (first != second) add(nearest, title, second, first, from_second.mean, meaning);
     }
 }
 
-DistributionTable pair_table(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names)
+DistributionTable pair_table(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names,
+                             bool are_along)
 {
-    DistributionTable table{"Nearest distances of classes, straight through space",
+    DistributionTable table{are_along ? "Nearest distances of classes, along the surface"
+                                      : "Nearest distances of classes, straight through space",
                             {"classes", "least", "mean, from the first", "mean, from the second"},
                             {}};
     const auto shown = [](double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "none"; };

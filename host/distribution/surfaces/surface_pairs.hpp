@@ -1,4 +1,5 @@
-// Nearest-neighbour distances of points of several classes on a surface, straight through space.
+// Nearest-neighbour distances of points of several classes on a surface: straight through space, and how results show
+// them.
 #pragma once
 
 #include "host/sampling/surfaces/fixed_surface.hpp"
@@ -38,10 +39,12 @@ std::vector<SurfacePair> surface_pairs(const FixedSurface& surface,
                                        std::int32_t least_cosine);
 
 /// Adds the least and the mean nearest distances of pairs, those that there are. Titles call classes by their names.
-void append_pair_numbers(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names,
+/// `are_along`: distances were measured along the surface.
+void append_pair_numbers(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names, bool are_along,
                          std::vector<DistributionNumber>& numbers);
 
 /// A row for each pair of classes: the least distance and the mean nearest ones in both directions.
-DistributionTable pair_table(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names);
+DistributionTable pair_table(const std::vector<SurfacePair>& pairs, const std::vector<std::string>& names,
+                             bool are_along);
 
 }

@@ -158,9 +158,7 @@ void surface_keys(Keys& keys, MeshPointSettings& s)
                 "surface's area")
         .excludes("min_distance")
         .otherwise("none");
-    keys.word("distance", s.metric, surface_metrics,
-              "how distances of points are measured: straight through space, or along the surface, where the two sides "
-              "of a sheet and places on both sides of a gap are far apart")
+    keys.word("distance", s.metric, surface_metrics, surface_metric_help)
         .only_if(s.method == SurfaceMethod::darts || s.method == SurfaceMethod::elimination,
                  "method = darts or elimination");
     keys.number("normal_angle", s.normal_angle, {1, 180},

@@ -285,9 +285,8 @@ double surface_distance(const MeshPointSettings& settings, const SurfaceMesh& me
 {
     const FixedSurface& surface = mesh.surface;
     const bool is_along = settings.metric == SurfaceMetric::surface;
-    constexpr double measured = 0x1p31 * (1 - 0x1p-20); // units: squares have 62 bits
     const double least = least_part_of_size * surface.size,
-                 most = is_along ? measured * surface.unit : diagonal_of(surface);
+                 most = is_along ? measured_units * surface.unit : diagonal_of(surface);
     double distance = settings.min_distance.value_or(0);
     if (is_along && distance > most)
         throw InputError(fmt::format("{:.6g} is more than can be measured along this mesh, {:.6g}", distance, most));

@@ -62,6 +62,13 @@ enum class SurfaceMetric
 inline constexpr WordTable<SurfaceMetric, 2> surface_metrics{
     {{{SurfaceMetric::space, "space"}, {SurfaceMetric::surface, "surface"}}}};
 
+inline constexpr auto surface_metric_help = "how distances of points are measured: straight through space, or along "
+                                            "the surface, where the two sides of a sheet "
+                                            "and places on both sides of a gap are far apart";
+
+/// The longest distance that can be measured along a surface, in units of its grid: squares have 62 bits.
+inline constexpr double measured_units = 0x1p31 * (1 - 0x1p-20);
+
 struct SurfaceMesh;
 
 struct PoissonTileSet;

@@ -119,6 +119,11 @@ ClassSurfaceDarts throw_class_surface_darts(const ClassSurfaceRequest& request, 
                                             const std::function<void(std::size_t points)>& on_points = {});
 
 namespace reference {
+/// Dart number `number` of the slot that would make point number `at`. `open` has the pieces of the slot's class.
+SurfacePoint class_surface_dart(const FixedSurface& surface, const ClassPieces& open,
+                                const contract::class_surface::SurfaceSlot& slot, std::uint32_t at,
+                                std::uint32_t number, const StreamKey& stream);
+
 /// Plain and sequential: what the kernels must reproduce.
 std::unique_ptr<ClassSurfaceEngine> class_surface_engine(const ClassSurfaceRequest& request);
 }

@@ -71,24 +71,10 @@ private:
     std::optional<SurfacePoint> first_free(const SurfaceSlot& slot, std::uint32_t at, std::uint32_t skipped) const
     {
         for (std::uint32_t number = skipped; number < skipped + TRIES; ++number) {
-            const SurfacePoint dart = draw(slot, at, number);
+            const SurfacePoint dart = class_surface_dart(*surface_, (*open_)[slot.own], slot, at, number, stream_);
             if (!meets_point(dart, slot.own)) return dart;
         }
         return {};
-    }
-
-    SurfacePoint draw(const SurfaceSlot& slot, std::uint32_t at, std::uint32_t number) const
-    {
-        const ClassPieces& open = (*open_)[slot.own];
-        const auto words = philox({at, number, slot.own, 0}, stream_);
-        std::uint64_t upper = words[0];
-        if (open.spread > 0 && number < TRIES - TRIES_BEFORE) {
-            const std::uint32_t wider = open.spread + 2 * (number / TRIES_BEFORE);
-            const std::uint64_t random = (std::uint64_t{1} << std::min(32u, wider)) - 1;
-            upper = (slot.target & ~random) | (words[0] & random);
-        }
-        const SurfacePiece& piece = open.pieces[open.choice.piece(upper << 32 | words[1])];
-        return surface_dart_on(*surface_, piece, words[2], words[3]);
     }
 
     /// Calls predicate(point, rule) for all points in the cells around a place that the triangle sees.
@@ -149,6 +135,20 @@ private:
     const std::vector<ClassPieces>* open_ = nullptr;
 };
 
+}
+
+SurfacePoint class_surface_dart(const FixedSurface& surface, const ClassPieces& open, const SurfaceSlot& slot,
+                                std::uint32_t at, std::uint32_t number, const StreamKey& stream)
+{
+    const auto words = philox({at, number, slot.own, 0}, stream);
+    std::uint64_t upper = words[0];
+    if (open.spread > 0 && number < TRIES - TRIES_BEFORE) {
+        const std::uint32_t wider = open.spread + 2 * (number / TRIES_BEFORE);
+        const std::uint64_t random = (std::uint64_t{1} << std::min(32u, wider)) - 1;
+        upper = (slot.target & ~random) | (words[0] & random);
+    }
+    const SurfacePiece& piece = open.pieces[open.choice.piece(upper << 32 | words[1])];
+    return surface_dart_on(surface, piece, words[2], words[3]);
 }
 
 std::unique_ptr<ClassSurfaceEngine> class_surface_engine(const ClassSurfaceRequest& request)
