@@ -147,7 +147,7 @@ Panel curve_panel(const RegionSets& sets, const char* stem, Plot plot, const cha
 std::vector<Panel> region_curve_panels(const std::vector<RegionCurveRow>& rows, const RegionSets& sets,
                                        std::size_t index)
 {
-    const PlaneRegionCurves curves{index, &rows, sets.intensity, sets.is_in_metres, !sets.has_density};
+    const PlaneRegionCurves curves{index, &rows, sets.intensity, !sets.has_density, sets.is_in_metres};
     const std::string expected =
         sets.has_density ? "the number that random points that follow the density" : "the number that random points";
     const std::string of_formula = curves.has_formula ? " Dashes: random points." : "";
