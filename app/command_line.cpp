@@ -167,24 +167,13 @@ Action action_with_device(const Command& command)
     };
 }
 
-/// Examples of a group: the first one of each of its commands.
-std::string examples_of(const Command& group)
-{
-    std::string examples;
-    for (const Command& part : group.commands) {
-        const std::size_t begin = part.notes.find("\n  poissonlab ");
-        if (begin != std::string::npos)
-            examples += part.notes.substr(begin, std::min(part.notes.find('\n', begin + 1), part.notes.size()) - begin);
-    }
-    return (examples.empty() ? "" : "Examples:" + examples + "\n\n") +
-           fmt::format("`poissonlab {} COMMAND --help` explains each.", group.name);
-}
-
 /// Makes the command part of the parser `parent`; when arguments call for it, its action joins `called`.
 void add_command(CLI::App& parent, const Command& command, std::vector<Action>& called)
 {
     CLI::App& app = *parent.add_subcommand(command.name, command.summary);
-    app.footer(command.commands.empty() ? command.notes : examples_of(command));
+    app.footer(command.commands.empty()
+                   ? command.notes // a program without the group's module does not know theirs
+                   : fmt::format("`poissonlab {} COMMAND --help` explains each.", command.name));
     for (const Option& option : command.options) {
         const auto add = [&](auto* value) { return add_option(app, option, *value); };
         CLI::Option* const added = std::visit(add, option.target);

@@ -121,7 +121,7 @@ TEST_F(ClassTilesCommand, GivesClassesToPicturesSpectraAndInstances)
     }
     EXPECT_THAT(
         run({"distribute", "instances", "forest", "--tiles", "f.ptiles", "--models", "1", "--out", "i.csv"}).error,
-        HasSubstr("models = 1: must be at least 2, one for each class"));
+        HasSubstr("--models 1: must be at least 2, one for each class"));
 }
 
 }

@@ -143,7 +143,9 @@ def check_surface(folder):
         assert set(rows) == {"TRANSLATION", "ROTATION", "SCALE", "_ID"}
         assert [row[0] for row in rows["_ID"]] == list(range(count))
         spacing = math.sqrt(area_of_box() / count)
-        turns = check_rows(rows, points, 0.35 * spacing / 0.5)  # the cone has a radius of 1/2
+        origin = data[0]["nodes"][0].get("translation", (0, 0, 0))
+        assert (origin == (0, 0, 0)) == (count > 1)  # a single one stands where its node is
+        turns = check_rows(rows, points, 0.35 * spacing / 0.5, origin)  # the cone has a radius of 1/2
         assert max(math.hypot(x, z) for x, _, z in model["POSITION"]) == 0.5
         assert {y for _, y, _ in model["POSITION"]} == {0, 1}
     check_even(turns)
