@@ -171,9 +171,8 @@ Action action_with_device(const Command& command)
 void add_command(CLI::App& parent, const Command& command, std::vector<Action>& called)
 {
     CLI::App& app = *parent.add_subcommand(command.name, command.summary);
-    app.footer(command.commands.empty()
-                   ? command.notes // a program without the group's module does not know theirs
-                   : fmt::format("`poissonlab {} COMMAND --help` explains each.", command.name));
+    app.footer(command.commands.empty() ? command.notes // a program without the group's module does not know theirs
+                                        : fmt::format("`poissonlab {} COMMAND --help` explains each.", command.name));
     for (const Option& option : command.options) {
         const auto add = [&](auto* value) { return add_option(app, option, *value); };
         CLI::Option* const added = std::visit(add, option.target);
