@@ -19,7 +19,7 @@ struct PlaneRegionCurves
 {
     std::size_t index = 0; ///< number of the series
     const std::vector<RegionCurveRow>* rows = nullptr;
-    double intensity = 0; ///< points per square of the region's units
+    double intensity = 0;     ///< points per square of the region's units
     bool has_formula = false; ///< whether random points have one intensity, whose formulas are drawn
     bool is_in_metres = false;
 };
